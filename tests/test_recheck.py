@@ -18,7 +18,7 @@ from chasles.checker.sparse import number
 from chasles.from_sympy import given as given_equations
 from chasles.from_sympy import reader as readers
 from chasles.from_sympy import roots
-from chasles.from_sympy.divisors import Divisor
+from chasles.from_sympy.divisors import DivisorText
 from chasles.from_sympy.given import Equations, SideConditions
 from chasles.prove import Rejected, prove, recheck
 from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder
@@ -264,7 +264,7 @@ def test_a_prover_that_takes_for_given_what_is_not(monkeypatch: pytest.MonkeyPat
 
 @pytest.mark.usefixtures("unchecked")
 def test_a_prover_that_hides_a_divisor(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(readers, "divisor_of", lambda expression: Divisor(f"{expression} != 0", evident=True))
+    monkeypatch.setattr(readers, "divisor_of", lambda expression: DivisorText(f"{expression} != 0", evident=True))
     verdict = proved(1 / (x - 1) - 1 / (x + 1), 2 / (x**2 - 1), [])
     assert not verdict.needs
     rejected(verdict, 1 / (x - 1) - 1 / (x + 1), 2 / (x**2 - 1))

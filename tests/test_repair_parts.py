@@ -12,7 +12,7 @@ from chasles.problems.context import build
 from chasles.repairs.residues import Sampled, generic_points
 from chasles.rewriting.coefficients import AngleFunction, scaled, spelled, split
 from chasles.rewriting.places import linear_places, put, separate_sums
-from chasles.rewriting.term_basis import palette_of
+from chasles.rewriting.term_basis import term_basis
 from chasles.statements import Goal, Problem
 from chasles.vocabulary import (
     CPM,
@@ -37,13 +37,13 @@ phi, theta = (scalar(name, name, "an angle") for name in ("phi", "theta"))
 
 
 def test_terms_have_the_shape_and_dimension_asked_for() -> None:
-    palette = palette_of([cross(w, x), e, CPM(e)])
+    basis = term_basis([cross(w, x), e, CPM(e)])
     for shape in ((3, 1), (1, 3), (3, 3), (1, 1)):
-        terms = list(palette.of_dimension(shape, FREQUENCY))
+        terms = list(basis.of_dimension(shape, FREQUENCY))
         assert terms
         assert all(term.shape == shape for term in terms)
         assert all(term.measure is not None and term.measure.the_dimension(term) == FREQUENCY for term in terms)
-    assert not list(palette.of_dimension((3, 1), Dimension(mass=1)))
+    assert not list(basis.of_dimension((3, 1), Dimension(mass=1)))
 
 
 def test_a_term_is_a_coefficient_times_a_core() -> None:

@@ -11,7 +11,7 @@ import sympy as sp
 import trimesh
 
 from chasles.exact.bodies import cut_prism, joined, point_masses, regular_hexagon, whole_prism
-from chasles.exact.fields import Case, NumberField
+from chasles.exact.fields import NumberField, SignCase
 from chasles.exact.grammar import read_number
 from chasles.exact.moments import Moments
 from chasles.exact.numbers import NotDecided, is_zero
@@ -128,10 +128,10 @@ def test_integrals_over_a_wedge() -> None:
 HALF_HEXAGON = ((1, 0), ("1/2", "1/2"), ("-1/2", "1/2"), (-1, 0), ("-1/2", "-1/2"), ("1/2", "-1/2"))
 
 
-def symbolic(height_over_side: sp.Rational) -> tuple[Moments, Moments, Moments, Case, NumberField]:
+def symbolic(height_over_side: sp.Rational) -> tuple[Moments, Moments, Moments, SignCase, NumberField]:
     """The prism of Exercise 3.12 and its parts by symbols, with Y in units of sqrt(3): no root occurs."""
     field = NumberField(s, h, k)
-    case = Case(field, {s: sp.Rational(1), h: height_over_side, k: sp.Rational(1)})
+    case = SignCase(field, {s: sp.Rational(1), h: height_over_side, k: sp.Rational(1)})
     corners = [tuple(field(s * sp.Rational(x)) for x in corner) for corner in HALF_HEXAGON]
     solid: Solid = prism(corners, field(h), case)
     # z = k (y + (sqrt(3)/2) s), with y = sqrt(3) Y and k / sqrt(3) for the cotangent.
@@ -175,14 +175,14 @@ def test_a_sample_between_two_cases_is_refused() -> None:
     with pytest.raises(ValueError, match=r"boundary of the case: .* vanishes"):
         symbolic(sp.Integer(1))
     field = NumberField(s, h)
-    case = Case(field, {s: sp.Rational(1), h: sp.Rational(2)})
+    case = SignCase(field, {s: sp.Rational(1), h: sp.Rational(2)})
     assert case(1 / (field(s) - field(h))) == -1
     assert [sp.simplify(value * (s - h)) for value in case.conditions] == [1]
     assert list(case.conditions.values()) == [-1]
-    assert Case(field, {s: sp.Rational(3), h: sp.Rational(2)})(1 / (field(s) - field(h))) == 1
+    assert SignCase(field, {s: sp.Rational(3), h: sp.Rational(2)})(1 / (field(s) - field(h))) == 1
     field = NumberField(s)
     with pytest.raises(ValueError, match="gives no value to s"):
-        Case(field, {})
+        SignCase(field, {})
 
 
 @pytest.mark.parametrize(

@@ -85,6 +85,7 @@ class Holds(Verdict):
 
     @property
     def needs(self) -> tuple[str, ...]:
+        """None: no hypothesis was used."""
         return ()
 
 

@@ -28,6 +28,7 @@ class Localization:
         return Ratio(self, numerator, ())
 
     def constant(self, value: Fraction | int) -> Ratio:
+        """A rational number as a fraction."""
         return Ratio(self, self.ring.constant(Fraction(value)), ())
 
     def power_product(self, exponents: tuple[int, ...]) -> Polynomial:
@@ -86,6 +87,7 @@ class Ratio:
 
     @property
     def is_zero(self) -> bool:
+        """Whether the numerator is the zero polynomial."""
         return bool(self.numerator == 0)
 
 

@@ -26,6 +26,7 @@ class Reduction:
 
     @property
     def is_zero(self) -> bool:
+        """Whether nothing is left: the goal is in the ideal of the generators."""
         return bool(self.remainder == 0)
 
 

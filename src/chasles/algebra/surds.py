@@ -86,6 +86,7 @@ class SurdSum:
 
     @property
     def is_zero(self) -> bool:
+        """Whether the sum has no terms: like terms are always put together."""
         return not self.terms
 
     @property

@@ -65,6 +65,7 @@ class Interval:
 
     @property
     def squared(self) -> Interval:
+        """The squares, never negative: tighter than the interval times itself."""
         low, high = self.below, self.above
         return Interval(np.maximum(_down(low * low), 0), _up(high * high))
 

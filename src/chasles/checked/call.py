@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from chasles.checked.hypotheses import TESTS, Finding, Numbers, is_finite
+from chasles.checked.hypotheses import TESTS, BrokenHypothesis, Numbers, is_finite
 from chasles.kernels.signatures import MASKED, signature_of_call
 
 __all__ = ["Checked"]
@@ -103,7 +103,7 @@ class Checked:
             zero = np.asarray(divisor(*subjects)) == 0
             if zero.any():
                 lost = zero & _any_over(np.broadcast_to(zero, batch) & self._valueless(arrays, batch), zero.shape)
-                self._refuse(names, text, Finding(lost, np.zeros(lost.shape), "the kernel has no value there"))
+                self._refuse(names, text, BrokenHypothesis(lost, np.zeros(lost.shape), "the kernel has no value there"))
 
     def _valueless(self, arrays: Sequence[Numbers], batch: tuple[int, ...]) -> Any:
         """Where some entry of some result is NaN."""
@@ -116,7 +116,7 @@ class Checked:
         by_name = {name: (core, array) for (name, core), array in zip(self.inputs, arrays, strict=True)}
         return [by_name[name] for name in names]
 
-    def _refuse(self, names: Sequence[str], text: str, finding: Finding) -> None:
+    def _refuse(self, names: Sequence[str], text: str, finding: BrokenHypothesis) -> None:
         """Raise ValueError if the finding says that something is broken somewhere."""
         if not finding.broken.any():
             return

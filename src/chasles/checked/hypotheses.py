@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["TESTS", "Finding", "Numbers", "is_finite"]
+__all__ = ["TESTS", "BrokenHypothesis", "Numbers", "is_finite"]
 
 Numbers = NDArray[np.floating[Any]]
 
@@ -24,7 +24,7 @@ _SIX = [0, 1, 2, 1, 3, 4, 2, 4, 5]
 
 
 @dataclass(frozen=True, slots=True)
-class Finding:
+class BrokenHypothesis:
     """Where a hypothesis is broken, along the batch axes, and the amount that a sentence says of each place."""
 
     broken: NDArray[np.bool_]
@@ -32,46 +32,46 @@ class Finding:
     says: str
 
 
-def is_finite(array: Numbers) -> Finding:
+def is_finite(array: Numbers) -> BrokenHypothesis:
     """Every entry is finite."""
     bad = ~np.isfinite(array)
-    return Finding(np.asarray(bad.any(axis=-1)), np.where(bad, array, 0).sum(axis=-1), "there is {:.3g}")
+    return BrokenHypothesis(np.asarray(bad.any(axis=-1)), np.where(bad, array, 0).sum(axis=-1), "there is {:.3g}")
 
 
-def _unit(parts: list[Numbers], tolerance: float) -> Finding:
+def _unit(parts: list[Numbers], tolerance: float) -> BrokenHypothesis:
     square = reduce(add, ((part * part).sum(axis=-1) for part in parts))
     return _within(np.abs(square - 1), tolerance, "the square of the length is off by {:.3g}")
 
 
-def _rotation(parts: list[Numbers], tolerance: float) -> Finding:
+def _rotation(parts: list[Numbers], tolerance: float) -> BrokenHypothesis:
     Q = _matrix(parts)
     off = np.abs(np.swapaxes(Q, -1, -2) @ Q - np.eye(3)).max(axis=(-1, -2))
     finding = _within(off, tolerance, "an entry of Q^T Q is off by {:.3g}")
     if finding.broken.any():
         return finding
     determinant = np.linalg.det(Q)
-    return Finding(determinant < 0, determinant, "its determinant is {:.3g}")
+    return BrokenHypothesis(determinant < 0, determinant, "its determinant is {:.3g}")
 
 
-def _positive(parts: list[Numbers], _: float) -> Finding:
+def _positive(parts: list[Numbers], _: float) -> BrokenHypothesis:
     number = parts[0][..., 0]
-    return Finding(~(number > 0), number, "it is {:.3g}")
+    return BrokenHypothesis(~(number > 0), number, "it is {:.3g}")
 
 
-def _symmetric(parts: list[Numbers], tolerance: float) -> Finding:
+def _symmetric(parts: list[Numbers], tolerance: float) -> BrokenHypothesis:
     matrix = _matrix(parts)
     size = np.abs(matrix).max(axis=(-1, -2))
     off = np.abs(matrix - np.swapaxes(matrix, -1, -2)).max(axis=(-1, -2))
     return _within(_divided(off, size), tolerance, "entries across the diagonal differ by {:.3g} of the largest")
 
 
-def _definite(parts: list[Numbers], tolerance: float) -> Finding:
+def _definite(parts: list[Numbers], tolerance: float) -> BrokenHypothesis:
     finding = _symmetric(parts, tolerance)
     if finding.broken.any():
         return finding
     values = np.linalg.eigvalsh(_matrix(parts))
     least = _divided(values[..., 0], np.abs(values).max(axis=-1))
-    return Finding(~(least > tolerance**2), least, "its smallest principal value is {:.3g} of the largest")
+    return BrokenHypothesis(~(least > tolerance**2), least, "its smallest principal value is {:.3g} of the largest")
 
 
 def _matrix(parts: list[Numbers]) -> Numbers:
@@ -80,8 +80,8 @@ def _matrix(parts: list[Numbers]) -> Numbers:
     return entries.reshape(*entries.shape[:-1], 3, 3)
 
 
-def _within(off: Numbers, tolerance: float, says: str) -> Finding:
-    return Finding(~(off <= tolerance), off, f"{says}, and {tolerance:.2g} is allowed")
+def _within(off: Numbers, tolerance: float, says: str) -> BrokenHypothesis:
+    return BrokenHypothesis(~(off <= tolerance), off, f"{says}, and {tolerance:.2g} is allowed")
 
 
 def _divided(above: Numbers, below: Numbers) -> Numbers:
@@ -89,7 +89,7 @@ def _divided(above: Numbers, below: Numbers) -> Numbers:
     return above / np.where(below > 0, below, 1)
 
 
-TESTS: Mapping[str, Callable[[list[Numbers], float], Finding]] = {
+TESTS: Mapping[str, Callable[[list[Numbers], float], BrokenHypothesis]] = {
     "unit": _unit,
     "unit column": _unit,
     "rotation": _rotation,

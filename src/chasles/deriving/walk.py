@@ -65,6 +65,7 @@ class CheckedDerivation(Displayed):
 
     @property
     def comparisons(self) -> tuple[PrintComparison, ...]:
+        """The comparisons with the printed equations, in the order of the steps."""
         return tuple(p.comparison for p in self.steps if p.comparison is not None)
 
     @property

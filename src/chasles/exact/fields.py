@@ -38,7 +38,7 @@ from chasles.exact.moments import Number
 from chasles.exact.numbers import NotDecided
 from chasles.exact.separation import degree_of
 
-__all__ = ["Case", "NumberField", "sign_of"]
+__all__ = ["NumberField", "SignCase", "sign_of"]
 
 MOST_TURNS = 24
 """Sines of larger denominators than pi / MOST_TURNS are independent elements: their degree as roots is too large."""
@@ -108,7 +108,7 @@ class NumberField:
         )
 
 
-class Case:
+class SignCase:
     """The signs that numbers with symbols in them take at a rational sample; `conditions` are those asked for."""
 
     def __init__(self, field: NumberField, sample: Mapping[Symbol, Rational]) -> None:

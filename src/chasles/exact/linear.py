@@ -23,10 +23,12 @@ class Solutions:
 
     @property
     def exist(self) -> bool:
+        """Whether there is a solution."""
         return self.one is not None
 
     @property
     def unique(self) -> bool:
+        """Whether there is exactly one solution."""
         return self.exist and not self.directions
 
 

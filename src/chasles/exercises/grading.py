@@ -48,6 +48,7 @@ class Grade:
 
     @property
     def passed(self) -> bool:
+        """Whether no part is wrong, missing or undecided."""
         return not self.wrong and not self.missing and not self.undecided
 
     @property

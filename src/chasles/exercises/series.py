@@ -7,14 +7,14 @@ from typing import Any
 
 import sympy as sp
 
-__all__ = ["FUNCTIONS", "PHI", "Expansion", "leading_term"]
+__all__ = ["FUNCTIONS", "PHI", "LeadingTerm", "leading_term"]
 
 PHI = sp.Symbol("phi", real=True)
 FUNCTIONS = {"sin(phi) - phi": sp.sin(PHI) - PHI, "1 - cos(phi)": 1 - sp.cos(PHI)}
 
 
 @dataclass(frozen=True, slots=True)
-class Expansion:
+class LeadingTerm:
     """A leading term, and the order of what is left out."""
 
     term: Any
@@ -35,4 +35,4 @@ def leading_term(name: str) -> tuple[Any, Any]:
     """The first term of the Taylor series about zero with the order of the next, and its own order."""
     (first,), (second,), *_ = sorted(sp.Poly(sp.series(FUNCTIONS[name], PHI, 0, 8).removeO(), PHI).monoms())
     term = sp.series(FUNCTIONS[name], PHI, 0, first + 1).removeO()
-    return Expansion(term, second), sp.Integer(first)
+    return LeadingTerm(term, second), sp.Integer(first)

@@ -12,7 +12,7 @@ from chasles.from_sympy.arcs import turned
 from chasles.from_sympy.atoms import QuantityNames
 from chasles.from_sympy.certificates import Writing
 from chasles.from_sympy.complexes import Parts
-from chasles.from_sympy.divisors import Divisor, divisor_of
+from chasles.from_sympy.divisors import DivisorText, divisor_of
 from chasles.from_sympy.elementary import Elementary
 from chasles.from_sympy.given import Equations, SideConditions, collected, evident, impossible, orders_of
 from chasles.from_sympy.opening import Entries, opened
@@ -106,7 +106,7 @@ class _Asking:
         self.goal = Goal("", matrix_of(nodes[:size], shape), matrix_of(nodes[size : 2 * size], shape))
         self.equations = [self._hypothesis(item) for item in given.equations]
         for divisor in evident(given, expressions[declared : declared + 2 * size] if size == 1 else ()):
-            reader.declare(reader(divisor), Divisor(divisor_of(divisor).text, evident=True))
+            reader.declare(reader(divisor), DivisorText(divisor_of(divisor).text, evident=True))
 
     def question(self, asked: tuple[Any, Any, Any, Any]) -> Question:
         """All that was read, as a problem, with what to say of it; `asked` is what was handed in."""

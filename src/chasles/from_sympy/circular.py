@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
-from chasles.from_sympy.divisors import CIRCULAR, Divisor
+from chasles.from_sympy.divisors import CIRCULAR, DivisorText
 from chasles.from_sympy.reader import Reader, Reading
 from chasles.vocabulary import Call, Node, Number, Quotient, Scale, Sum
 
@@ -18,7 +18,7 @@ def _circular(reader: Reader, e: Any) -> Node:
     if not below:
         return _of_angle(reader, above, e.args[0])
     divisor = _of_angle(reader, below, e.args[0])
-    reader.declare(divisor, Divisor(f"{below}({e.args[0]}) != 0", not e.free_symbols))
+    reader.declare(divisor, DivisorText(f"{below}({e.args[0]}) != 0", not e.free_symbols))
     return Quotient(_of_angle(reader, above, e.args[0]), divisor)
 
 

@@ -9,7 +9,7 @@ import sympy
 
 from chasles.from_sympy.opening import FunctionSymbol, Signed, is_atom
 
-__all__ = ["CIRCULAR", "Divisor", "divides", "divisor_of", "in_sines", "is_reciprocal"]
+__all__ = ["CIRCULAR", "DivisorText", "divides", "divisor_of", "in_sines", "is_reciprocal"]
 
 # What each function of an angle has above and below the line: 1, the cosine or the sine.
 CIRCULAR = {
@@ -19,19 +19,19 @@ CIRCULAR = {
 
 
 @dataclass(frozen=True, slots=True)
-class Divisor:
+class DivisorText:
     """How to say that something does not vanish; `evident` if it need not be said."""
 
     text: str
     evident: bool
 
 
-def divisor_of(expression: Any) -> Divisor:
+def divisor_of(expression: Any) -> DivisorText:
     """What is said of a divisor: of a positive symbol that it is positive; nothing of a number."""
     named = is_atom(expression) and not (isinstance(expression, FunctionSymbol) and not isinstance(expression, Signed))
     value = _with_cosines(expression)
     evident = (not value.free_symbols and value != 0) or bool(expression.is_nonzero and not named)
-    return Divisor(f"{expression} {'> 0' if expression.is_positive else '!= 0'}", evident)
+    return DivisorText(f"{expression} {'> 0' if expression.is_positive else '!= 0'}", evident)
 
 
 def _with_cosines(e: Any) -> Any:

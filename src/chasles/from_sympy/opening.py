@@ -36,6 +36,7 @@ class Entries:
 
     @property
     def shape(self) -> tuple[int, int]:
+        """The numbers of rows and columns."""
         return len(self.rows), len(self.rows[0]) if self.rows else 0
 
     @property

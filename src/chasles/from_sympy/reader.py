@@ -15,7 +15,7 @@ from chasles.algebra.work_limit import check
 from chasles.checker.expressions.elementary import FUNCTIONS
 from chasles.from_sympy.angles import Angles
 from chasles.from_sympy.atoms import QuantityNames
-from chasles.from_sympy.divisors import Divisor, divides, divisor_of, in_sines, is_reciprocal
+from chasles.from_sympy.divisors import DivisorText, divides, divisor_of, in_sines, is_reciprocal
 from chasles.from_sympy.opening import excerpt, is_atom
 from chasles.problems.variables import Untreatable
 from chasles.vocabulary import PI, Negative, Node, Number, Power, Quotient, Scale, Sum, Symbol
@@ -44,7 +44,7 @@ class Reader:
         self.readings = readings
         self.atoms = QuantityNames()
         self.angles = Angles(self.atoms)
-        self.divisors: dict[Node, Divisor] = {}
+        self.divisors: dict[Node, DivisorText] = {}
         self.roots: dict[Node, ReadRoot] = {}
         self.primes: dict[int, Symbol] = {}
         self.met: set[Node] = set()
@@ -74,7 +74,7 @@ class Reader:
             f"and their derivatives, of pi, of roots, and of {', '.join(functions)}"
         )
 
-    def declare(self, node: Node, divisor: Divisor) -> None:
+    def declare(self, node: Node, divisor: DivisorText) -> None:
         """Something does not vanish: a product does so where none of its factors does."""
         match node:
             case Number():

@@ -39,14 +39,17 @@ class Reach:
 
     @property
     def rules(self) -> tuple[tuple[Node, Node], ...]:
+        """The rules that were applied, in the order in which they were met."""
         return tuple(self._found_rules.items())
 
     @property
     def choices(self) -> tuple[Choice, ...]:
+        """The choices that were met, in order."""
         return tuple(self._found_choices)
 
     @property
     def angles(self) -> tuple[tuple[Symbol, Angle], ...]:
+        """The angles that were met, with what they are."""
         return tuple(self._found_angles.items())
 
     def is_used(self, node: Node) -> bool:

@@ -70,6 +70,7 @@ class Context:
 
     @property
     def field(self) -> Localization:
+        """The fractions of polynomials in which the problem is decided."""
         return self.unfold.field
 
 
@@ -86,7 +87,7 @@ def build(problem: Problem) -> Context:
     complete_subjects(problem, found)
     active = relevant_hypotheses(problem, found)
     order = "grevlex" if any(h.kind in ("rotation", "half_turn", "orthonormal") for h in active) else "lex"
-    unfold, nonzero = _door(problem, found, active, order)
+    unfold, nonzero = _unfolder(problem, found, active, order)
     variables, ring = unfold.variables, unfold.field.ring
     generators = tuple(_generators(unfold, variables, active))
     # In a lexicographic order, equations that give a variable are used so by themselves.
@@ -112,10 +113,10 @@ def build(problem: Problem) -> Context:
     )
 
 
-def _door(
+def _unfolder(
     problem: Problem, found: Variables, active: tuple[Hypothesis, ...], order: str
 ) -> tuple[Unfolder, tuple[tuple[Hypothesis | None, Polynomial], ...]]:
-    """The way into a ring that has a variable for everything that occurs, and the nonzero factors."""
+    """What turns words into fractions over a ring with a variable for all that occurs, and the nonzero factors."""
     while True:
         variables = tuple(found.listed(problem.unknowns))
         ring = make_ring([variable.name for variable in variables], order)

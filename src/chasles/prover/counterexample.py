@@ -29,7 +29,7 @@ FRUITLESS = 15
 """So many points are tried in vain before the best counterexample so far is taken."""
 
 
-class Suspect(Protocol):
+class UnprovedPart(Protocol):
     """An entry of a goal that did not reduce to zero."""
 
     @property
@@ -40,7 +40,7 @@ class Suspect(Protocol):
     def ratio(self) -> Ratio: ...
 
 
-def refute(context: Context, solved: tuple[Solved, ...], suspects: Sequence[Suspect]) -> Counterexample | None:
+def refute(context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnprovedPart]) -> Counterexample | None:
     """The counterexample that is easiest to evaluate by hand among those that a number of sample points give.
 
     Points of axes, quarter turns, ones and zeros come first; others are tried if none of these refutes, and then such
@@ -77,7 +77,7 @@ def solved_ratios(context: Context, solved: tuple[Solved, ...]) -> dict[str, tup
 
 
 def _easiest(
-    context: Context, suspects: Sequence[Suspect], used: Sequence[Sequence[str]], drawn: Iterator[points.Point]
+    context: Context, suspects: Sequence[UnprovedPart], used: Sequence[Sequence[str]], drawn: Iterator[points.Point]
 ) -> list[Counterexample]:
     """Counterexamples, each easier than those that come after it."""
     best: tuple[int, Counterexample] | None = None
@@ -100,7 +100,7 @@ def _easiest(
     return easier
 
 
-def _refuted(context: Context, entry: Suspect, point: points.Point, names: Sequence[str]) -> Counterexample | None:
+def _refuted(context: Context, entry: UnprovedPart, point: points.Point, names: Sequence[str]) -> Counterexample | None:
     """The entry at the point, if its two sides differ there."""
     value = points.ratio_at(context, entry.ratio, point)
     if value is None or is_zero(value):
@@ -136,7 +136,9 @@ def _height(value: Fraction) -> int:
     )
 
 
-def _used_by_each(context: Context, solved: tuple[Solved, ...], suspects: Sequence[Suspect]) -> list[Sequence[str]]:
+def _used_by_each(
+    context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnprovedPart]
+) -> list[Sequence[str]]:
     """The variables on which each entry depends; all together where conditions tie what one entry leaves out."""
     if solved:
         together = _used(context, solved, suspects)
@@ -144,7 +146,7 @@ def _used_by_each(context: Context, solved: tuple[Solved, ...], suspects: Sequen
     return [_used(context, (), [entry]) for entry in suspects]
 
 
-def _used(context: Context, solved: tuple[Solved, ...], suspects: Sequence[Suspect]) -> list[str]:
+def _used(context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnprovedPart]) -> list[str]:
     """The variables on which entries depend and what is tied to them; those that were solved for left out."""
     ring = context.field.ring
     polynomials = [p for e in suspects for p in (e.ratio.numerator, context.field.power_product(e.ratio.denominator))]

@@ -74,14 +74,14 @@ def _rows(test: ModularTest, array: Block) -> Iterator[Block]:
 
 
 def other_objects(
-    statement: Statement, sides: tuple[Node, Node], freedom: Freedom, palette: TermBasis, accepted: AcceptedSides
+    statement: Statement, sides: tuple[Node, Node], freedom: Freedom, basis: TermBasis, accepted: AcceptedSides
 ) -> Iterator[Change]:
     """The printed right side, with a few other numbers at most, for another object that the claim allows."""
     left, right = sides
     test = modular_test(statement, left, right, accepted, [freedom.row, Rate(freedom.row)])
     if test is None:
         return
-    multiples = list(_multiples(test, freedom, palette))
+    multiples = list(_multiples(test, freedom, basis))
     columns = [test.varied.flat(replace(left, {freedom.symbol: multiple})) for _, _, multiple in multiples]
     terms = [term for _, terms in separate_sums(right) for term in terms]
     contributions = [test.contribution(test.varied, term) for term in terms]
@@ -104,9 +104,9 @@ _Multiple = tuple[AngleFunction, Node, Node]
 """A function, a dyad of a vector and the row, and their product."""
 
 
-def _multiples(test: ModularTest, freedom: Freedom, palette: TermBasis) -> Iterator[_Multiple]:
+def _multiples(test: ModularTest, freedom: Freedom, basis: TermBasis) -> Iterator[_Multiple]:
     row = _in_letters(test, freedom.row)
-    for vector in distinct_terms(test, (node for node in palette.vectors if not isinstance(node, Rate)), ()):
+    for vector in distinct_terms(test, (node for node in basis.vectors if not isinstance(node, Rate)), ()):
         dyad = Contract((vector, Transpose(row)))
         if fit(freedom.symbol, dyad):
             yield from ((function, dyad, times(function.node, dyad)) for function in test.fractions)

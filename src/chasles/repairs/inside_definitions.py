@@ -18,7 +18,7 @@ from chasles.vocabulary import Block, Identity, Negative, Node, Zero, children, 
 __all__ = ["block_edits"]
 
 
-def block_edits(test: ModularTest, palette: TermBasis) -> Iterator[Change]:
+def block_edits(test: ModularTest, basis: TermBasis) -> Iterator[Change]:
     """The right sides, arrays opened, that are true with one other block, or with that and a block put in."""
     rules = dict(test.problem.rules)
     right = _opened(test.right, rules)
@@ -27,7 +27,7 @@ def block_edits(test: ModularTest, palette: TermBasis) -> Iterator[Change]:
     names = {_opened(letter, rules): f"{plain(letter)} = " for letter in reversed(rules)}
     one_block = list(new_coefficients(test.of(right)))
     yield from one_block
-    for array, other in () if one_block else _completed(right, palette):
+    for array, other in () if one_block else _completed(right, basis):
         new = _replaced(right, array, other)
         words = names.get(array, "") + instead(other, array)
         if fit(test.left, new):
@@ -49,20 +49,20 @@ def _opened(node: Node, rules: Mapping[Node, Node]) -> Node:
     return node if changed == parts else rebuilt(node, changed)
 
 
-def _completed(node: Node, palette: TermBasis) -> Iterator[tuple[Block, Block]]:
+def _completed(node: Node, basis: TermBasis) -> Iterator[tuple[Block, Block]]:
     """Arrays that occur several times, and the same with something in the place of a zero block."""
     arrays = [part for _, part in everywhere(node) if isinstance(part, Block)]
     for array in dict.fromkeys(array for array in arrays if arrays.count(array) > 1):
         for i, row in enumerate(array.rows):
             for j, block in enumerate(row):
                 if isinstance(block, Zero):
-                    for new in _fillings(block, palette):
+                    for new in _fillings(block, basis):
                         line = (*row[:j], new, *row[j + 1 :])
                         yield array, Block((*array.rows[:i], line, *array.rows[i + 1 :]))
 
 
-def _fillings(block: Zero, palette: TermBasis) -> Iterator[Node]:
+def _fillings(block: Zero, basis: TermBasis) -> Iterator[Node]:
     square = (Identity(block.rows),) if block.rows == block.columns else ()
-    for node in (*square, *palette.nodes):
+    for node in (*square, *basis.nodes):
         if node.shape == block.shape:
             yield from (node, Negative(node))

@@ -133,13 +133,13 @@ def fitted(test: ModularTest, cores: Sequence[Column], wanted: Column) -> list[C
     return None
 
 
-def other_terms(test: ModularTest, palette: TermBasis) -> Iterator[Change]:
+def other_terms(test: ModularTest, basis: TermBasis) -> Iterator[Change]:
     """The right sides that are true with one more term somewhere, or with another behind a printed coefficient."""
     for place in linear_places(test.right):
         if place.inside or (place.node.is_scalar and place.path):
             continue
         terms = place.node.terms if isinstance(place.node, Sum) else (place.node,)
-        new = distinct_terms(test, palette.terms(place.node), terms)
+        new = distinct_terms(test, basis.terms(place.node), terms)
         if place.open:
             yield from _completed(test, place, new)
         if place.term and place.apart and not isinstance(place.node, Sum | Block):

@@ -17,8 +17,8 @@ from chasles.repairs.modular_test import REFUSED, ModularTest, modular_test
 from chasles.repairs.one_term import Change, new_coefficients, other_terms
 from chasles.repairs.residues import Unsampled
 from chasles.repairs.several_terms import combined_changes
-from chasles.repairs.single_edits import SingleEdit, in_letters, undone
-from chasles.rewriting.term_basis import TermBasis, fit, palette_of
+from chasles.repairs.single_edits import SingleEdit, in_letters, single_edits
+from chasles.rewriting.term_basis import TermBasis, fit, term_basis
 from chasles.statements import Claim, Statement
 from chasles.statements.problem import AcceptedSides
 from chasles.statements.statement import bare
@@ -65,11 +65,11 @@ class Nearest:
 
     def single_changes(self, left: Node, right: Node, turns: int = 2) -> Iterator[Change]:
         """One change to the right side; in a second turn, with letters that it does not have."""
-        for turn, (test, palette) in enumerate(islice(self._tests(left, right), turns)):
-            others = in_letters(right, self.letters) if turn else undone(right)
+        for turn, (test, basis) in enumerate(islice(self._tests(left, right), turns)):
+            others = in_letters(right, self.letters) if turn else single_edits(right)
             slips = [Change(left, u.node, (u.words,), u.effort) for u in others if fit(left, u.node)]
             coefficients = () if turn else new_coefficients(test)
-            changes = (*coefficients, *slips, *other_terms(test, palette))
+            changes = (*coefficients, *slips, *other_terms(test, basis))
             found = [change for change in changes if self._holds(test, change)]
             yield from found
             if found:
@@ -92,23 +92,23 @@ class Nearest:
             return False
 
     def _other_objects(self, left: Node, right: Node) -> Iterator[Change]:
-        palette = palette_of([right], self.own)
+        basis = term_basis([right], self.own)
         for freedom in freedom_of(left, self.context, self.accepted):
             try:
-                yield from other_objects(self.statement, (left, right), freedom, palette, self.accepted)
+                yield from other_objects(self.statement, (left, right), freedom, basis, self.accepted)
             except REFUSED:
                 continue
 
     def _several_changes(self, left: Node, right: Node) -> Iterator[Change]:
-        for test, palette in self._tests(left, right):
-            found = [change for change in combined_changes(test, palette) if self._holds(test, change)]
+        for test, basis in self._tests(left, right):
+            found = [change for change in combined_changes(test, basis) if self._holds(test, change)]
             yield from found
             if found:
                 return
 
     def _inner_changes(self, left: Node, right: Node) -> Iterator[Change]:
-        for test, palette in list(self._tests(left, right))[1:]:
-            yield from (change for change in block_edits(test, palette) if self._holds(test, change))
+        for test, basis in list(self._tests(left, right))[1:]:
+            yield from (change for change in block_edits(test, basis) if self._holds(test, change))
 
     def _tests(self, left: Node, right: Node) -> Iterator[tuple[ModularTest, TermBasis]]:
         """The equation at points, first with the symbols of its right side alone, then with all that are at hand."""
@@ -116,18 +116,18 @@ class Nearest:
             key = left, right, turn
             if key not in self._known_tests:
                 order = max(map(_order, nodes)) if turn else 0
-                self._known_tests[key] = self._tried(left, right, palette_of(nodes, self.own, order))
-            test, palette = self._known_tests[key]
+                self._known_tests[key] = self._tried(left, right, term_basis(nodes, self.own, order))
+            test, basis = self._known_tests[key]
             if test is not None:
-                yield test, palette
+                yield test, basis
 
-    def _tried(self, left: Node, right: Node, palette: TermBasis) -> tuple[ModularTest | None, TermBasis]:
+    def _tried(self, left: Node, right: Node, basis: TermBasis) -> tuple[ModularTest | None, TermBasis]:
         try:
-            test = modular_test(self.statement, left, right, self.accepted, palette.nodes)
+            test = modular_test(self.statement, left, right, self.accepted, basis.nodes)
             failing = test is not None and any(test.residual(test.probe)) and any(test.residual(test.varied))
         except REFUSED:
-            return None, palette
-        return test if failing else None, palette
+            return None, basis
+        return test if failing else None, basis
 
     @property
     def letters(self) -> list[Symbol]:

@@ -16,7 +16,7 @@ from chasles.prover.decide import decide_problem
 from chasles.repairs.one_term import Change
 from chasles.repairs.ranking import Nearest, given_sides
 from chasles.repairs.well_formed import WellFormedRepair, fitting
-from chasles.rewriting.term_basis import palette_of
+from chasles.rewriting.term_basis import term_basis
 from chasles.statements import Claim, Definition, Statement, problem_of
 from chasles.statements.problem import AcceptedSides, default_sides
 from chasles.verdict import Holds, HoldsUnder, Verdict
@@ -125,7 +125,7 @@ def _candidates(near: Nearest) -> Iterator[Iterable[Change]]:
 
 def _fitting(near: Nearest) -> tuple[list[WellFormedRepair], list[WellFormedRepair]]:
     left, right = near.statement.printed
-    return fitting(left, right, near.letters, palette_of((*near.given_sides, left, right), near.own))
+    return fitting(left, right, near.letters, term_basis((*near.given_sides, left, right), near.own))
 
 
 def _words_of_reading(near: Nearest, left: Node, right: Node, found: Iterable[WellFormedRepair]) -> tuple[str, ...]:

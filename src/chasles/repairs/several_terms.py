@@ -57,9 +57,9 @@ class _Sum:
         return contributions, cores, [test.contribution(at, self.place, term) for term in self.new]
 
 
-def combined_changes(test: ModularTest, palette: TermBasis) -> Iterator[Change]:
+def combined_changes(test: ModularTest, basis: TermBasis) -> Iterator[Change]:
     """The right sides that are true after the least number of changes to terms, if it is not large."""
-    sums = [_sum(test, place, terms, palette) for place, terms in separate_sums(test.right)]
+    sums = [_sum(test, place, terms, basis) for place, terms in separate_sums(test.right)]
     choices: list[list[_Edits]] = []
     for each in sums:
         found = _fewest(test, each)
@@ -82,9 +82,9 @@ class _Edits:
     effort: int = 0
 
 
-def _sum(test: ModularTest, place: Place, terms: tuple[Place, ...], palette: TermBasis) -> _Sum:
+def _sum(test: ModularTest, place: Place, terms: tuple[Place, ...], basis: TermBasis) -> _Sum:
     cores = tuple(ONE if (core := test.split(term.node).core) is None else core for term in terms)
-    return _Sum(place, terms, cores, distinct_terms(test, palette.terms(place.node), cores))
+    return _Sum(place, terms, cores, distinct_terms(test, basis.terms(place.node), cores))
 
 
 def _fewest(test: ModularTest, each: _Sum) -> list[_Edits] | None:

@@ -31,7 +31,7 @@ from chasles.vocabulary import (
     printed,
 )
 
-__all__ = ["SingleEdit", "in_letters", "placed", "undone"]
+__all__ = ["SingleEdit", "in_letters", "placed", "single_edits"]
 
 _T = TypeVar("_T")
 FORM = 3
@@ -51,7 +51,7 @@ def placed(node: Node, path: Path, new: Node) -> Node:
     return printed(lambda: put(node, path, new))
 
 
-def undone(node: Node) -> Iterator[SingleEdit]:
+def single_edits(node: Node) -> Iterator[SingleEdit]:
     """The expression with one slip of form undone, in every place where what comes out fits together."""
     parts, linear = dict(everywhere(node)), {place.path for place in linear_places(node)}
     for path, part in parts.items():

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from chasles.repairs.single_edits import SingleEdit, in_letters, placed, undone
+from chasles.repairs.single_edits import SingleEdit, in_letters, placed, single_edits
 from chasles.rewriting.coefficients import added
 from chasles.rewriting.places import everywhere
 from chasles.rewriting.term_basis import TermBasis, dimension_of, fit
@@ -40,19 +40,19 @@ class WellFormedRepair:
 
 
 def fitting(
-    left: Node, right: Node, letters: Sequence[Symbol], palette: TermBasis
+    left: Node, right: Node, letters: Sequence[Symbol], basis: TermBasis
 ) -> tuple[list[WellFormedRepair], list[WellFormedRepair]]:
     """The equations that fit after one change, and those after two."""
     marked = [letter for letter in letters if any(letter.name.startswith(s.name) for s in symbols_of(left))]
     lefts = _said(in_letters(left, marked, any_shape=True))
-    rights = _said((*_separated(right), *undone(right), *in_letters(right, letters, any_shape=True)))
+    rights = _said((*_separated(right), *single_edits(right), *in_letters(right, letters, any_shape=True)))
     unchanged = [_EditedSide(left, ())]
-    once = _pairs(unchanged, [*rights, *_said(_factored(left, right, palette))])
+    once = _pairs(unchanged, [*rights, *_said(_factored(left, right, basis))])
     once += _pairs(lefts, [] if right.fault else [_EditedSide(right, ())])
     again = [
         _EditedSide(node, (*said.words, words))
         for said in rights
-        for node, words, _ in (*_separated(said.node), *_factored(left, said.node, palette))
+        for node, words, _ in (*_separated(said.node), *_factored(left, said.node, basis))
     ]
     return once, _pairs(lefts, rights) + _pairs(unchanged, again)
 
@@ -113,7 +113,7 @@ def _contracted(factors: tuple[Node, ...]) -> Node:
     return factors[0] if len(factors) == 1 else printed(lambda: Contract(factors))
 
 
-def _factored(left: Node, right: Node, palette: TermBasis) -> Iterator[SingleEdit]:
+def _factored(left: Node, right: Node, basis: TermBasis) -> Iterator[SingleEdit]:
     """The right side times what brings it to the left side's shape and dimension."""
     if right.fault or fit(left, right):
         return
@@ -121,10 +121,10 @@ def _factored(left: Node, right: Node, palette: TermBasis) -> Iterator[SingleEdi
     if one is None or other is None:
         return
     if right.is_scalar and left.shape == (3, 1):
-        for vector in palette.of_dimension((3, 1), one / other):
+        for vector in basis.of_dimension((3, 1), one / other):
             # A pure number in front of it would be another change.
             if not isinstance(vector, Scale) or dimension_of(vector.factor) != NO_DIMENSION:
                 yield SingleEdit(Scale(right, vector), f"the vector factor {plain(vector)} is added")
     elif left.shape == right.shape:
-        for weight in palette.of_dimension((1, 1), one / other):
+        for weight in basis.of_dimension((1, 1), one / other):
             yield SingleEdit(Scale(weight, right), f"the factor {plain(weight)} is added")

@@ -49,6 +49,7 @@ class Screen:
 
     @property
     def is_terminal(self) -> bool:
+        """Whether a person reads it at once, with colours and a width."""
         return self.console.is_terminal
 
     @property
@@ -63,6 +64,7 @@ class Screen:
 
     @property
     def signs(self) -> bool:
+        """Whether it can show more than ASCII."""
         return self.console.encoding.lower().startswith("utf")
 
     def show(self, *pages: RenderableType) -> None:

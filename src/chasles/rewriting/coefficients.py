@@ -35,6 +35,7 @@ class AngleFunction:
 
     @property
     def node(self) -> Node:
+        """The function as an expression."""
         return self.numerator if self.denominator is None else Quotient(self.numerator, self.denominator)
 
 

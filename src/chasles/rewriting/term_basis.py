@@ -41,7 +41,7 @@ from chasles.vocabulary import (
 from chasles.vocabulary.measure import Measure, added
 from chasles.vocabulary.nodes import measured
 
-__all__ = ["TermBasis", "dimension_of", "fit", "palette_of"]
+__all__ = ["TermBasis", "dimension_of", "fit", "term_basis"]
 
 MOST_TERMS = 100
 """So many terms of one kind are tried, the simpler first."""
@@ -83,6 +83,7 @@ class TermBasis:
 
     @property
     def nodes(self) -> tuple[Node, ...]:
+        """All of them: vectors, matrices, scalars, other arrays."""
         return (*self.vectors, *self.squares, *self.scalars, *self.arrays)
 
     def terms(self, like: Node) -> tuple[Node, ...]:
@@ -173,30 +174,30 @@ class TermBasis:
                 yield from _fitting(_contracted, one, pair)
 
 
-def palette_of(nodes: Iterable[Node], without: frozenset[Node] = frozenset(), order: int = 0) -> TermBasis:
+def term_basis(nodes: Iterable[Node], without: frozenset[Node] = frozenset(), order: int = 0) -> TermBasis:
     """What the expressions are written with: their symbols, the rates and sums that occur as factors; not `without`.
 
     With an `order`, the rates of all symbols up to that one too.
     """
-    palette = TermBasis(without=without)
+    basis = TermBasis(without=without)
     for node in nodes:
-        _collect(palette, node, without, factor=False)
-    for node in palette.nodes:
+        _collect(basis, node, without, factor=False)
+    for node in basis.nodes:
         rate = node
         for _ in range(order if isinstance(node, Rate) or (isinstance(node, Symbol) and not node.constant) else 0):
             rate = Rate(rate)
             if rate not in without:
-                _enter(palette, rate)
-    for square in list(palette.squares):
+                _enter(basis, rate)
+    for square in list(basis.squares):
         if isinstance(square, Symbol) and isinstance(square.stands_for, Skew):
             vector = square.stands_for.of
-            palette.vectors.setdefault(vector)
-            if Rate(vector) in palette.vectors:
-                palette.squares.setdefault(Rate(square))
-    return palette
+            basis.vectors.setdefault(vector)
+            if Rate(vector) in basis.vectors:
+                basis.squares.setdefault(Rate(square))
+    return basis
 
 
-def _collect(palette: TermBasis, node: Node, without: frozenset[Node], *, factor: bool) -> None:
+def _collect(basis: TermBasis, node: Node, without: frozenset[Node], *, factor: bool) -> None:
     match node:
         case Rate(At(of)):
             node = Rate(of)
@@ -209,26 +210,26 @@ def _collect(palette: TermBasis, node: Node, without: frozenset[Node], *, factor
     match node:
         case Symbol() | Rate(Symbol()) | Rate(Rate(Symbol())):
             if node not in without:
-                _enter(palette, node)
+                _enter(basis, node)
             if isinstance(node, Rate):
-                _collect(palette, node.of, without, factor=factor)
+                _collect(basis, node.of, without, factor=factor)
             return
         case Norm(of) if of.shape == VECTOR:
-            palette.scalars.setdefault(Power(node, 2))
+            basis.scalars.setdefault(Power(node, 2))
         case Quotient(_, denominator) if dimension_of(denominator) != NO_DIMENSION:
-            palette.scalars.setdefault(Quotient(ONE, denominator))
+            basis.scalars.setdefault(Quotient(ONE, denominator))
         case Sum() if factor and not node.is_scalar and not any(part in without for part in walk(node)):
-            _enter(palette, node)
+            _enter(basis, node)
         case _:
             pass
     grouped = isinstance(node, Group | Sum | Negative | Block)
     for part in children(node):
-        _collect(palette, part, without, factor=factor if grouped else True)
+        _collect(basis, part, without, factor=factor if grouped else True)
 
 
-def _enter(palette: TermBasis, node: Node) -> None:
-    kinds = {VECTOR: palette.vectors, SQUARE: palette.squares, SCALAR: palette.scalars}
-    kinds.get(node.shape, palette.arrays).setdefault(node)
+def _enter(basis: TermBasis, node: Node) -> None:
+    kinds = {VECTOR: basis.vectors, SQUARE: basis.squares, SCALAR: basis.scalars}
+    kinds.get(node.shape, basis.arrays).setdefault(node)
 
 
 def _contracted(left: Node, right: Node) -> Node:

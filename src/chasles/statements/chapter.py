@@ -45,10 +45,12 @@ class Entry(Displayed):
 
     @property
     def number(self) -> str:
+        """The number of the statement, as printed."""
         return self.statement.number
 
     @property
     def key(self) -> tuple[str, int]:
+        """The number and the part, which together belong to one statement only."""
         return self.statement.number, self.statement.part
 
     @property
@@ -98,6 +100,7 @@ class Chapter(Displayed):
 
     @cached_property
     def sections(self) -> tuple[Section, ...]:
+        """The sections that have statements, in the book's order."""
         return tuple(dict.fromkeys(entry.section for entry in self.entries))
 
     @cached_property

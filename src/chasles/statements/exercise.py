@@ -163,6 +163,7 @@ class Exercise(Declared):
 
     @property
     def keys(self) -> tuple[str, ...]:
+        """The names of the data, in order."""
         return tuple(datum.key for datum in self.data)
 
     def assumed(self, given: tuple[str, ...]) -> tuple[str, ...]:

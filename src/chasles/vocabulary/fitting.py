@@ -58,6 +58,7 @@ class Fitted:
 
     @property
     def is_scalar(self) -> bool:
+        """Whether it is 1 x 1; false for an expression that does not fit."""
         return self.measure is not None and self.measure.shape == SCALAR
 
     def __bool__(self) -> bool:

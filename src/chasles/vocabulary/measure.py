@@ -40,10 +40,12 @@ class Measure:
 
     @property
     def shape(self) -> tuple[int, int]:
+        """The numbers of rows and columns."""
         return len(self.grid), len(self.grid[0])
 
     @property
     def transposed(self) -> Measure:
+        """The measure of the transpose."""
         return Measure(tuple(zip(*self.grid, strict=True)))
 
     def the_dimension(self, what: object) -> Dimension | None:

@@ -39,6 +39,7 @@ class Node(Displayed, Fitted):
 
     @property
     def T(self) -> Transpose:
+        """The transpose."""
         return Transpose(self)
 
     def __add__(self, other: Node | int | Fraction) -> Sum:

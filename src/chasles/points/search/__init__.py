@@ -31,7 +31,7 @@ REPEATED = 25
 SHARE = 0.3
 
 
-class Suspect(Protocol):
+class UnreducedEntry(Protocol):
     """An entry of a goal that did not reduce to zero."""
 
     @property
@@ -64,7 +64,7 @@ class Search:
     calls: int = 0
     theta: Symbol | None = None
 
-    def refute(self, context: Context, suspects: Sequence[Suspect]) -> Counterexample | None:
+    def refute(self, context: Context, suspects: Sequence[UnreducedEntry]) -> Counterexample | None:
         """The counterexample that is easiest to evaluate by hand among a number of them; None if none is found."""
         attempts = ATTEMPTS[min(self.calls, len(ATTEMPTS) - 1)]
         self.calls += 1
@@ -127,7 +127,7 @@ class Search:
                 seen.add(key)
                 yield values
 
-    def _differs(self, context: Context, evaluate: Evaluation, suspect: Suspect) -> bool:
+    def _differs(self, context: Context, evaluate: Evaluation, suspect: UnreducedEntry) -> bool:
         """Whether the two sides have different values; where a division is not exact, by their difference."""
         left, right = (evaluate.at_point(entry_of(s, suspect.place)) for s in _sides(suspect))
         if left is None or right is None:
@@ -135,7 +135,9 @@ class Search:
             return not evaluate.values.of(sparse(context.field.ring, (one - other).numerator)).is_zero
         return not (left - right).is_zero
 
-    def _candidate(self, context: Context, evaluate: Evaluation, suspect: Suspect) -> tuple[int, Counterexample] | None:
+    def _candidate(
+        self, context: Context, evaluate: Evaluation, suspect: UnreducedEntry
+    ) -> tuple[int, Counterexample] | None:
         """The counterexample and how much work it is; None if its numbers are too long to be written."""
         name = "pi" if self.theta is None else self.spelled(self.theta)
         row, column = suspect.place
@@ -173,7 +175,7 @@ def _coordinates(system: ConstraintSystem, values: Values) -> dict[str, Any]:
     return {name: value if value.as_rational is None else value.as_rational for name, value in exact.items()}
 
 
-def _sides(suspect: Suspect) -> tuple[Node, Node]:
+def _sides(suspect: UnreducedEntry) -> tuple[Node, Node]:
     return suspect.goal.left, suspect.goal.right
 
 

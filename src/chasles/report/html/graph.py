@@ -40,10 +40,12 @@ class Box:
 
     @property
     def middle(self) -> int:
+        """The centre of the box, from the left."""
         return self.x + WIDTH // 2
 
     @property
     def baseline(self) -> int:
+        """The baseline of the label, from the top."""
         return self.y + 13
 
 

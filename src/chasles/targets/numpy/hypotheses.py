@@ -8,13 +8,13 @@ from dataclasses import dataclass
 from chasles.lowering.program import Argument, Program
 from chasles.targets.kernel import Demand, Kernel
 
-__all__ = ["Divisor", "Row", "divisors", "rows"]
+__all__ = ["DivisorFunction", "Row", "divisors", "rows"]
 
 Body = Callable[[str, Program], Iterable[str]]
 
 
 @dataclass(frozen=True, slots=True)
-class Divisor:
+class DivisorFunction:
     """A function of some arguments whose value must not be zero."""
 
     name: str
@@ -31,22 +31,22 @@ class Row:
     lines: tuple[str, ...]
 
 
-def divisors(kernels: Iterable[Kernel], body: Body) -> dict[tuple[object, ...], Divisor]:
+def divisors(kernels: Iterable[Kernel], body: Body) -> dict[tuple[object, ...], DivisorFunction]:
     """A function for each thing that must not vanish, by what it computes; `body` writes its lines."""
-    found: dict[tuple[object, ...], Divisor] = {}
+    found: dict[tuple[object, ...], DivisorFunction] = {}
     for kernel in kernels:
         for demand in kernel.demands:
             if demand.divisor is not None and _key(demand.divisor) not in found:
                 name = f"divisor_{len(found) + 1}"
                 parameters = ", ".join(f"{argument.name}: Any" for argument in demand.divisor.arguments)
                 lines = tuple(body(name, demand.divisor))
-                found[_key(demand.divisor)] = Divisor(
+                found[_key(demand.divisor)] = DivisorFunction(
                     name, f"It vanishes where this is broken: {demand.text}.", parameters, lines
                 )
     return found
 
 
-def rows(kernels: Iterable[Kernel], functions: dict[tuple[object, ...], Divisor]) -> Iterator[Row]:
+def rows(kernels: Iterable[Kernel], functions: dict[tuple[object, ...], DivisorFunction]) -> Iterator[Row]:
     """The lines of the table."""
     for kernel in kernels:
         inputs = _tuple([_input(argument) for argument in kernel.program.arguments])
@@ -59,7 +59,7 @@ def _key(program: Program) -> tuple[object, ...]:
     return program.arguments, program.steps, program.results
 
 
-def _demand(demand: Demand, functions: dict[tuple[object, ...], Divisor]) -> list[str]:
+def _demand(demand: Demand, functions: dict[tuple[object, ...], DivisorFunction]) -> list[str]:
     divisor = functions[_key(demand.divisor)].name if demand.divisor else "None"
     return [_quoted(demand.kind), _quoted(demand.text), _tuple([_quoted(name) for name in demand.arguments]), divisor]
 
