@@ -170,6 +170,7 @@ def condition(request: Specification, point: dict[Any, Any], k: int, places: tup
     return float(total / max(map(abs, exact)))
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("dtype", PRECISIONS)
 @pytest.mark.parametrize("name", UNITS)
 def test_right_to_the_last_digits_at_every_angle(book: Book, name: str, dtype: type[np.floating[Any]]) -> None:
@@ -195,6 +196,7 @@ def test_no_error_beside_the_statement_is_larger_than_proved(
         assert exact is None or error(request, point, exact, dtype) <= float(proved["units"]), point
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("dtype", PRECISIONS)
 @pytest.mark.parametrize(
     ("name", "units"), [("screw_axis_point", 0), ("linear_velocity_matrix_dot", 0), ("newton_euler_wrench", 4)]
@@ -257,6 +259,7 @@ def slow_points(request: Specification, dtype: type[np.floating[Any]]) -> Iterat
             yield {given.holds: x.astype(dtype) for given, x in zip(request.inputs, values, strict=True)}
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("dtype", PRECISIONS)
 @pytest.mark.parametrize("name", ["instant_screw", "wrench_axis", "instant_screw_point"])
 def test_as_good_as_the_inputs_where_nothing_turns_or_pulls(

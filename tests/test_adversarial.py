@@ -44,8 +44,10 @@ def tried() -> dict[str, Any]:
 
 
 @pytest.fixture(scope="module")
-def made(tmp_path_factory: pytest.TempPathFactory) -> Any:
-    return builds(tmp_path_factory.mktemp("builds"))
+def made(tmp_path_factory: pytest.TempPathFactory, hasty_compiler: str) -> Any:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("CC", hasty_compiler)
+        return builds(tmp_path_factory.mktemp("builds"))
 
 
 @pytest.mark.slow

@@ -81,6 +81,7 @@ FALSE: list[tuple[Any, Any, list[Any]]] = [
 ]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("lhs", "rhs", "given"), TRUE)
 def test_signs_decide_between_values(lhs: Any, rhs: Any, given: list[Any]) -> None:
     assert isinstance(prove(lhs, rhs, given=given), Holds | HoldsUnder)
@@ -98,6 +99,7 @@ def test_points_have_values_that_symbols_may_have(lhs: Any, rhs: Any, given: lis
                 assert getattr(exact, f"is_{key}") in (known, None), (name, value, key)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     ("lhs", "rhs", "given"),
     [

@@ -25,6 +25,7 @@ WRAPPERS = {"sympy_ufuncify", "sympy_autowrap"}
 SLOW = WRAPPERS | {"numba_jit", "casadi_c", "symforce_cpp", "sympy_codegen_c", "sympy_cse_c"}
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("name", [pytest.param(n, marks=pytest.mark.slow) if n in SLOW else n for n in (OURS, *PEERS)])
 def test_a_peer_gives_the_right_values(name: str) -> None:
     peer = pytest.importorskip(f"benchmarks.peers.{name}", exc_type=ImportError)
@@ -78,6 +79,7 @@ def test_ranks_are_correlated() -> None:
     assert cost.rank_correlation([1, 2, 3], [3, 2, 1]) == pytest.approx(-1)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("op", ["add", "divide", "sine and cosine"])
 def test_what_is_timed_are_so_many_operations(op: str) -> None:
     words = {"sine and cosine": ("sine", "cosine")}.get(op, (op,))

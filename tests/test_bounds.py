@@ -239,7 +239,7 @@ def compare(
     return [(g, float(x) / unit) for g, x in zip(bound.guarantees, worst, strict=True)]
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize("dtype", [np.float64, np.float32])
 @pytest.mark.parametrize("name", [name for name in PROVED if name not in CHOOSING])
 def test_no_kernel_errs_by_more_than_is_proved(book: Book, name: str, dtype: type[np.floating[Any]]) -> None:
@@ -384,6 +384,7 @@ def test_what_is_proved_is_what_is_asked_for(name: str) -> None:
     assert float(guarantee.units) <= LARGEST[name]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("name", [name for name in LISTED if name not in COVERED])
 def test_the_manifest_has_what_is_proved_by_counting(book: Book, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "flint", None)
@@ -391,7 +392,7 @@ def test_the_manifest_has_what_is_proved_by_counting(book: Book, name: str, monk
     assert bound_of(program, request).as_data() == LISTED[name]["bound"]
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.sampled(7)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", COVERED)
 def test_the_manifest_has_what_is_proved_over_boxes(book: Book, name: str) -> None:
@@ -431,6 +432,7 @@ WORST = {
 }
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("name", WORST)
 def test_no_machine_within_the_model_errs_by_more(book: Book, name: str) -> None:
     (guarantee,) = Bound.from_data(LISTED[name]["bound"]).guarantees
@@ -532,6 +534,7 @@ def test_what_holds_for_single_precision_holds_for_double(book: Book) -> None:
         assert all(y <= x for x, y in zip(single, double, strict=True))
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("name", ["rotation_from_axis_angle", "natural_rate_matrix", "rotation_from_euler_zyx"])
 def test_changes_of_sign_that_stand_for_each_other_have_one_bound(book: Book, name: str) -> None:
     pytest.importorskip("flint")

@@ -88,6 +88,7 @@ from chasles.vocabulary import (
 )
 from chasles.vocabulary.nodes import measured
 
+from .decided import chapter_session
 from .sampling import WHOLE, sample
 
 Certificate = dict[str, Any]
@@ -683,14 +684,13 @@ def decided(problem: Problem) -> Certificate:
 
 
 EVERY = 3
-"""One sentence of the book in so many is decided."""
+"""The certificate of one sentence of the book in so many is checked."""
 
 
-@cache
 def book() -> tuple[Session, tuple[Any, ...]]:
-    """The judge and the decisions on sentences of the book."""
-    judge = Session(book=load())
-    return judge, tuple(judge.decide(entry.statement) for entry in sample(load(), EVERY))
+    """A session and the decisions on sentences of the book."""
+    session = chapter_session()
+    return session, tuple(session.decide(entry.statement) for entry in sample(load(), EVERY))
 
 
 def test_every_certificate_of_the_book_is_accepted() -> None:

@@ -14,11 +14,12 @@ from scipy.spatial.transform import Rotation
 
 from chasles import checked, kernels
 from chasles.checked.hypotheses import TESTS
-from chasles.decisions.session import Session
 from chasles.kernels import written_out
 from chasles.statements import load
 from chasles.targets.commission import kernel_of
 from chasles.targets.kernel import TESTED, Demand
+
+from .decided import chapter_session
 
 BATCH = 4
 WHERE = 2
@@ -240,10 +241,10 @@ def test_an_unknown_kernel_is_no_attribute() -> None:
 
 def test_every_hypothesis_of_a_kernel_is_tested_or_has_a_stand_in() -> None:
     """What is assumed of symbols that are no arguments is expected of the arguments in other words."""
-    judge, silent = Session(), []
+    session, silent = chapter_session(), []
     for entry in load():
         for kernel in entry.kernels:
-            emitted = kernel_of(entry, judge.decide, kernel)
+            emitted = kernel_of(entry, session.decide, kernel)
             tested = {demand.text for demand in emitted.demands}
             if not tested.issuperset(emitted.heading.hypotheses) and not emitted.heading.expected:
                 silent.append(emitted.name)

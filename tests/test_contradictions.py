@@ -98,7 +98,7 @@ CONTRADICTORY: dict[str, tuple[tuple[Statement, ...], Assumed, Assumed]] = {
 CLAIMS = {"true": (p, p), "false": (p, q)}
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(7)
 @pytest.mark.parametrize("says", CLAIMS)
 @pytest.mark.parametrize("name", CONTRADICTORY)
 def test_what_contradicts_itself_is_named_and_nothing_is_decided_under_it(name: str, says: str) -> None:
@@ -112,6 +112,7 @@ def test_what_contradicts_itself_is_named_and_nothing_is_decided_under_it(name: 
     assert from_data(to_data(verdict)) == verdict
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("name", CONTRADICTORY)
 def test_fewer_hypotheses_do_not_contradict_themselves(name: str) -> None:
     given, needed, others = CONTRADICTORY[name]

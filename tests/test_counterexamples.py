@@ -7,7 +7,6 @@ from itertools import islice
 import pytest
 
 from chasles.checker.refutation import check_counterexample
-from chasles.decisions.session import Session
 from chasles.prover.decide import decide_problem
 from chasles.statements import Claim, Theorem, load, nonzero, problem_of, symmetric, unit
 from chasles.verdict import Counterexample, Fails
@@ -28,6 +27,7 @@ from chasles.vocabulary import (
     vector,
 )
 
+from .decided import chapter_session
 from .explanations import completions
 
 e, a, b = (vector(name, name, "a vector") for name in "eab")
@@ -80,9 +80,8 @@ def test_few_numbers_are_not_zero_and_these_are_small(claim: Claim) -> None:
 
 
 def test_the_book_is_refuted_by_numbers_to_calculate_with_by_hand() -> None:
-    judge = Session()
     found = []
-    for entry, decision in judge.decide_all(load()):
+    for entry, decision in chapter_session().decide_all(load()):
         if isinstance(entry.statement, Claim | Theorem):
             verdicts = [decision.verdict, *([decision.correction.verdict] if decision.correction else [])]
             found += [verdict.counterexample for verdict in verdicts if isinstance(verdict, Fails)]

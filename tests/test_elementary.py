@@ -189,6 +189,7 @@ def name(case: Any) -> str:
     return (", ".join(sorted(case)) if isinstance(case, set) else str(case))[:50]
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(("lhs", "rhs"), TRUE, ids=name)
 def test_identities_hold(lhs: Any, rhs: Any) -> None:
     verdict = prove(lhs, rhs)
@@ -197,6 +198,7 @@ def test_identities_hold(lhs: Any, rhs: Any) -> None:
     recheck(verdict, lhs, rhs)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(("lhs", "rhs", "needs"), CONDITIONAL, ids=name)
 def test_where_an_identity_is_meant_is_said(lhs: Any, rhs: Any, needs: set[str]) -> None:
     verdict = prove(lhs, rhs)
@@ -216,6 +218,7 @@ def test_what_is_given_is_used(lhs: Any, rhs: Any, given: list[Any]) -> None:
     assert isinstance(prove(lhs, rhs + 1, given=given), Fails | Undecided)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(("lhs", "rhs"), FALSE, ids=name)
 def test_false_equations_fail_at_a_point(lhs: Any, rhs: Any) -> None:
     verdict = prove(lhs, rhs)
@@ -244,6 +247,7 @@ def test_what_is_not_treated_is_refused(lhs: Any) -> None:
 FORGED = [(lhs, rhs) for lhs, rhs, _ in CONDITIONAL]
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(("lhs", "rhs"), [*TRUE, *FORGED], ids=name)
 def test_what_is_forged_is_rejected(lhs: Any, rhs: Any) -> None:
     verdict = prove(lhs, rhs)
@@ -288,6 +292,7 @@ def test_a_witness_outside_the_domain_is_rejected(value: Any) -> None:
             recheck(replace(verdict, witness={**verdict.witness, "x": sp.sympify(value)}), lhs, rhs)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     ("lhs", "rhs"),
     [(log(8, 2, evaluate=False), 3), (cbrt(x + y) ** 4, (x + y) * cbrt(x + y)), (cbrt(2) * cbrt(3), cbrt(6)),

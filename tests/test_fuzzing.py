@@ -57,6 +57,7 @@ def test_no_answer_in_the_sample_is_wrong(language: str, first: int) -> None:
     assert counts["holds"] + counts["holds-under"]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", sorted(CLASSES))
 def test_no_variant_of_what_was_once_wrong_is_wrong(name: str) -> None:

@@ -129,6 +129,7 @@ def test_the_inverses_of_the_book_say_what_they_need() -> None:
         assert verdict.needs == needed
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("sentence", [polar, by_half_turns], ids=["polar", "by_half_turns"])
 def test_a_later_branch_is_taken_where_the_earlier_ones_are_not(sentence: Inverse) -> None:
     verdict = verdict_on(sentence)
@@ -138,6 +139,7 @@ def test_a_later_branch_is_taken_where_the_earlier_ones_are_not(sentence: Invers
     assert not verdict_on(shuffled).true or sentence is not polar
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("name", ["natural_invariants", "euler_rodrigues_parameters"])
 @pytest.mark.parametrize("place", range(4))
 def test_a_branch_left_out_is_missed(name: str, place: int) -> None:
@@ -148,6 +150,7 @@ def test_a_branch_left_out_is_missed(name: str, place: int) -> None:
     assert verdict.counterexample.goal == "no case is left out"
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("place", range(4))
 def test_a_branch_left_out_of_half_turns_is_missed(place: int) -> None:
     rest = by_half_turns.branches[:place] + by_half_turns.branches[place + 1 :]
@@ -166,6 +169,7 @@ def test_a_branch_taken_where_its_values_are_not_defined_does_not_hold() -> None
     assert not verdict_on(changed(polar, 0, where=number(1))).true
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("name", ["natural_invariants", "euler_rodrigues_parameters"])
 def test_a_sign_turned_in_one_value_fails(name: str) -> None:
     whole = inverse(name)

@@ -449,6 +449,7 @@ def test_roundings_are_counted_in_a_program() -> None:
 # Kernels compared.
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("dtype", [np.float64, np.float32])
 @pytest.mark.parametrize(
     ("name", "function"),
@@ -467,6 +468,7 @@ def test_a_right_kernel_passes(name: str, function: Callable[..., Array], dtype:
     assert min(finding.error for finding in evidence.worst) > 0
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("dtype", [np.float64, np.float32])
 def test_a_wrong_kernel_is_caught_everywhere(dtype: type[np.floating]) -> None:
     evidence = verify(request("rotation_from_axis_angle"), turned_the_other_way, dtype=dtype, samples=40)
@@ -480,6 +482,7 @@ def test_a_wrong_kernel_is_caught_everywhere(dtype: type[np.floating]) -> None:
     assert np.abs(right - wrong).max() > 1e-3
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("dtype", [np.float64, np.float32])
 def test_a_kernel_that_loses_digits_near_a_singular_set_is_caught_there(dtype: type[np.floating]) -> None:
     evidence = verify(request("natural_rate_matrix"), rates_as_printed, dtype=dtype, samples=60)
@@ -665,6 +668,7 @@ def test_an_inverse_takes_the_first_branch_that_applies() -> None:
         asked.reference({Q: np.eye(3)}, 50)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("dtype", [np.float64, np.float32])
 def test_an_inverse_kernel_is_compared_at_the_point_of_which_its_input_is_the_rounding(
     dtype: type[np.floating],

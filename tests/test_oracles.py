@@ -83,7 +83,7 @@ def frames(kind: str, order: str) -> tuple[ReferenceFrame, ReferenceFrame]:
     return fixed, moving
 
 
-@pytest.mark.sampled(5)
+@pytest.mark.sampled(11)
 @pytest.mark.parametrize(("kind", "order"), CASES)
 def test_angular_velocities(kind: str, order: str) -> None:
     fixed, moving = frames(kind, order)
@@ -97,7 +97,7 @@ def test_angular_velocities(kind: str, order: str) -> None:
     assert not equal(omega, theirs.to_matrix(moving))
 
 
-@pytest.mark.sampled(5)
+@pytest.mark.sampled(11)
 @pytest.mark.parametrize(("kind", "order"), CASES)
 def test_kinematic_equations(kind: str, order: str) -> None:
     Q = turning(kind, order)
@@ -149,7 +149,7 @@ def vector_of(components: sympy.Matrix, frame: ReferenceFrame) -> Vector:
 def check(number: str, moving: Moving, theirs: Vector) -> None:
     said = theirs.to_matrix(moving.fixed)
     assert equal(right(number, moving.values), said)
-    assert not any(equal(mutant, said) for mutant in sample(mutants(number, moving.values), 3))
+    assert not any(equal(mutant, said) for mutant in sample(mutants(number, moving.values), 5))
 
 
 def test_velocity_of_two_points_of_a_body() -> None:
@@ -263,4 +263,4 @@ def test_rate_of_angular_momentum() -> None:
     flying = Flying()
     theirs = flying.body.angular_momentum(flying.center, flying.fixed).dt(flying.fixed).to_matrix(flying.fixed)
     assert equal(right("3.136", flying.values, part=2), theirs)
-    assert not any(equal(mutant, theirs) for mutant in mutants("3.136", flying.values, part=2))
+    assert not any(equal(mutant, theirs) for mutant in sample(mutants("3.136", flying.values, part=2), 3))

@@ -110,6 +110,7 @@ def name(case: Any) -> str:
     return " ".join(str(case).split())[:50]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("lhs", "rhs", "given"), TRUE, ids=name)
 def test_what_follows_from_equations_of_motion_holds(lhs: Any, rhs: Any, given: list[Any]) -> None:
     verdict = prove(lhs, rhs, given=given)
@@ -117,12 +118,13 @@ def test_what_follows_from_equations_of_motion_holds(lhs: Any, rhs: Any, given: 
     recheck(verdict, lhs, rhs, given=given)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("lhs", "rhs", "given"), FALSE, ids=name)
 def test_what_does_not_follow_from_them_fails(lhs: Any, rhs: Any, given: list[Any]) -> None:
     assert isinstance(prove(lhs, rhs, given=given), Fails)
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(6)
 @pytest.mark.parametrize(
     ("lhs", "rhs", "given"),
     [

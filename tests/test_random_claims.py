@@ -245,7 +245,7 @@ def problem_with(problem: Problem, needs: tuple[str, ...]) -> Problem:
     return Problem(problem.goals, problem.rules, problem.conditions, problem.unknowns, kept)
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(6)
 @pytest.mark.parametrize("seed", range(CLAIMS // 15))
 def test_what_is_said_of_random_claims_is_so(seed: int) -> None:
     draw = Random(seed)

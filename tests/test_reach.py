@@ -123,7 +123,7 @@ FALSE: list[tuple[Any, Any]] = [
 ]
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("left", "right"), [*ANGLES, *NUMBERS, *CASES], ids=str)
 def test_what_is_true_is_proved_and_the_proof_is_accepted(left: Any, right: Any) -> None:
     verdict = prove(left, right)
@@ -131,6 +131,7 @@ def test_what_is_true_is_proved_and_the_proof_is_accepted(left: Any, right: Any)
     recheck(verdict, left, right)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("left", "right"), FALSE, ids=str)
 def test_what_is_false_is_refuted_and_the_point_is_accepted(left: Any, right: Any) -> None:
     verdict = prove(left, right)
@@ -138,6 +139,7 @@ def test_what_is_false_is_refuted_and_the_point_is_accepted(left: Any, right: An
     recheck(verdict, left, right)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     ("left", "right", "needs"),
     [
@@ -200,6 +202,7 @@ FORGED = [
 ]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("left", "right", "other"), FORGED, ids=str)
 def test_a_proof_of_something_else_is_rejected(left: Any, right: Any, other: Any) -> None:
     verdict = prove(left, right)

@@ -85,6 +85,7 @@ def rejected(verdict: Any, lhs: Any, rhs: Any, given: Any = ()) -> None:
         recheck(verdict, lhs, rhs, given=given)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("lhs", "rhs", "given"), PROVED, ids=name)
 def test_a_proof_is_accepted_and_no_other_claim_with_it(lhs: Any, rhs: Any, given: list[Any]) -> None:
     verdict = proved(lhs, rhs, given)
@@ -95,6 +96,7 @@ def test_a_proof_is_accepted_and_no_other_claim_with_it(lhs: Any, rhs: Any, give
         rejected(verdict, lhs, rhs, [*given[:place], *given[place + 1 :]])
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("lhs", "rhs", "given"), PROVED, ids=name)
 def test_a_need_that_is_left_out_is_missed(lhs: Any, rhs: Any, given: list[Any]) -> None:
     verdict = proved(lhs, rhs, given)
@@ -165,7 +167,7 @@ def altered(certificate: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]
             yield f"root {other}", made(lambda d, at=place, new=other: d["roots"].__setitem__(at, new))
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(7)
 @pytest.mark.parametrize(("lhs", "rhs", "given"), PROVED, ids=name)
 def test_an_altered_certificate_is_rejected(lhs: Any, rhs: Any, given: list[Any]) -> None:
     verdict = proved(lhs, rhs, given)
@@ -177,7 +179,7 @@ def test_an_altered_certificate_is_rejected(lhs: Any, rhs: Any, given: list[Any]
         pytest.fail(f"accepted: {what}")
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(7)
 @pytest.mark.parametrize(("lhs", "rhs", "given"), PROVED, ids=name)
 def test_an_altered_witness_is_rejected(lhs: Any, rhs: Any, given: list[Any]) -> None:
     verdict = proved(lhs, rhs, given)

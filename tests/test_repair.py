@@ -8,7 +8,6 @@ from functools import cache
 
 import pytest
 
-from chasles.decisions.session import Session
 from chasles.prover.decide import decide_problem
 from chasles.repairs.repair import Repair, repair
 from chasles.rewriting.term_basis import fit
@@ -16,10 +15,10 @@ from chasles.statements import Claim, Definition, Statement, load, problem_of
 from chasles.verdict import Holds, HoldsUnder
 from chasles.vocabulary import Misfit, Negative, Node, Number, Sum, Transpose, children, latex, plain, rebuilt
 
+from .decided import chapter_session
 from .sampling import sample
 
 CHAPTER = load()
-JUDGE = Session(book=CHAPTER)
 BY_NAME = {entry.name: entry for entry in CHAPTER}
 BESIDE = [entry.statement for entry in CHAPTER if isinstance(entry.statement, Statement)]
 
@@ -29,7 +28,7 @@ def failing() -> list[Claim]:
     """The claims that are true neither as printed nor as read."""
     found = []
     for entry in CHAPTER:
-        decision = JUDGE.decide(entry.statement)
+        decision = chapter_session().decide(entry.statement)
         correction = decision.correction
         reads = correction is not None and correction.form == "reading" and correction.verdict.true
         if isinstance(entry.statement, Claim) and not decision.verdict.true and not reads:
@@ -38,7 +37,7 @@ def failing() -> list[Claim]:
 
 
 def repaired(statement: Statement) -> tuple[Repair, ...]:
-    return repair(statement, JUDGE.accepted, context=BESIDE)
+    return repair(statement, chapter_session().accepted, context=BESIDE)
 
 
 repaired_once = cache(repaired)
@@ -46,7 +45,7 @@ repaired_once = cache(repaired)
 
 def holds(statement: Statement, left: Node, right: Node) -> bool:
     """Whether the sides are equal, decided here and now."""
-    problem = problem_of(statement.saying(left, right), "printed", JUDGE.accepted)
+    problem = problem_of(statement.saying(left, right), "printed", chapter_session().accepted)
     return isinstance(decide_problem(problem), Holds | HoldsUnder)
 
 
@@ -100,7 +99,7 @@ def test_a_print_that_is_right_for_another_left_inverse_is_told_from_a_wrong_one
     assert not holds(statement, left, found.right)
     assert not holds(statement, found.left, right)
     # Without the claim that leaves the matrix free there is no other matrix, and the blocks have to change.
-    alone = repair(statement, JUDGE.accepted)
+    alone = repair(statement, chapter_session().accepted)
     assert all(each.modulo is None and each.left == left for each in alone)
 
 
@@ -155,6 +154,7 @@ def damages(node: Node) -> Iterator[tuple[str, Node]]:
                 continue
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.slow
 @pytest.mark.parametrize(
     "name",

@@ -17,6 +17,8 @@ from chasles.statements.arrays import argument_name
 from chasles.verdict import Fails, Holds, HoldsUnder
 from chasles.vocabulary import Negative, number, replace
 
+from .decided import chapter_session
+
 MODULES = (
     "s02_screw",
     "s03_fixed_point",
@@ -54,7 +56,7 @@ def chapter() -> Chapter:
 
 @pytest.fixture(scope="module")
 def judge() -> Session:
-    return Session(book=load())
+    return chapter_session()
 
 
 def here(chapter: Chapter) -> list[Entry]:

@@ -175,6 +175,7 @@ def test_what_follows_has_a_witness(name: str, left: Node, right: Node, assuming
     check(claim, "printed", found.certificate)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("name", "left", "right", "assuming"), FALSE)
 def test_what_does_not_follow_has_a_counterexample(
     name: str, left: Node, right: Node, assuming: tuple[Any, ...]
@@ -185,6 +186,7 @@ def test_what_does_not_follow_has_a_counterexample(
     check_counterexample(problem_of(claim), found.counterexample)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("place", "assuming"), [*enumerate(CONTRADICTORY)])
 def test_what_nothing_satisfies_proves_and_refutes_nothing(place: int, assuming: tuple[Any, ...]) -> None:
     equations = (dot(a, a), dot(a, a)), (tr(R) + tr(Q), 2 + tr(R)), (dot(a, b), number(5))

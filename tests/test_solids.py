@@ -54,6 +54,7 @@ def test_the_parts_add_up_to_the_whole(seed: int) -> None:
     assert above.volume >= 0
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("seed", range(12))
 def test_trimesh_finds_the_same(seed: int) -> None:
     draw = Random(100 + seed)

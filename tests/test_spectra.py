@@ -86,6 +86,7 @@ def test_equal_eigenvalues_in_different_blocks_are_one() -> None:
     assert len(eigenvalues(sp.ImmutableMatrix([[2, 0, 1], [0, near, 0], [1, 0, 2]]))) == 3
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     "rows",
     [

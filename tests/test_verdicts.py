@@ -12,9 +12,11 @@ from pathlib import Path
 
 import pytest
 
-from chasles.decisions.session import Decision, Session
+from chasles.decisions.session import Decision
 from chasles.statements import Entry, load
 from chasles.verdict import Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
+
+from .decided import chapter_session
 
 GOLDEN = Path(__file__).parent / "golden" / "verdicts.toml"
 HEAD = "# The verdict on every statement; `pytest tests/test_verdicts.py --update-golden` writes this file.\n\n"
@@ -22,7 +24,7 @@ HEAD = "# The verdict on every statement; `pytest tests/test_verdicts.py --updat
 
 @pytest.fixture(scope="module")
 def decisions() -> list[tuple[Entry, Decision]]:
-    return list(Session(book=load()).decide_all(load()))
+    return list(chapter_session().decide_all(load()))
 
 
 def line(entry: Entry, decision: Decision) -> str:

@@ -55,6 +55,7 @@ def places(value: Any, at: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
         yield at
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("number", "seed"), sample([(n, seed) for seed in range(30) for n in NUMBERS], 34, 5))
 def test_awkward_numbers(number: str, seed: int) -> None:
     draw = Random(f"awkward {number} {seed}")
@@ -72,6 +73,7 @@ def turned(angle: str) -> list[list[str]]:
     return [[f"cos({angle})", f"-sin({angle})", "0"], [f"sin({angle})", f"cos({angle})", "0"], ["0", "0", "1"]]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("angle", sample(ANGLES, 8))
 def test_awkward_angles(angle: str) -> None:
     rows = turned(angle)

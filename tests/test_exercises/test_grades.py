@@ -31,6 +31,7 @@ def solved(number: str, seed: int) -> tuple[Any, dict[str, Any]]:
     return found, json.loads(json.dumps(found[0].as_data()["answers"]))
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(("number", "seed"), sample(CASES, 25, 3))
 def test_right_answers_in_other_forms(number: str, seed: int) -> None:
     found, answers = solved(number, seed)
@@ -50,6 +51,7 @@ def test_wrong_answers(number: str, seed: int) -> None:
         assert name in marks.wrong, (name, changed[name], answers[name])
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("number", NUMBERS)
 @pytest.mark.parametrize("seed", [0, 3])
 def test_what_is_declared_is_what_is_answered(number: str, seed: int) -> None:
@@ -64,6 +66,7 @@ MALFORMED = [
 ]
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("number", NUMBERS)
 def test_what_is_malformed_is_told_and_nothing_breaks(number: str) -> None:
     found, answers = solved(number, 0)
@@ -80,6 +83,7 @@ def test_what_is_malformed_is_told_and_nothing_breaks(number: str) -> None:
                 assert name in marks.wrong or thing == answers[name]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("number", NUMBERS)
 def test_names_that_do_not_apply_tell_nothing(number: str) -> None:
     """Each name of the template is taken, and wrong where it does not apply: no message tells what is the case."""
@@ -202,6 +206,7 @@ def decimal(number: mpmath.mpf) -> str:
     return mpmath.nstr(number, 9, min_fixed=-40, max_fixed=40)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("number", NUMBERS)
 def test_answers_to_six_digits(number: str) -> None:
     found, answers = solved(number, 1)

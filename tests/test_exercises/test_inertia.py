@@ -46,6 +46,7 @@ def test_malformed_point_masses(data: dict) -> None:
         solve("3.13", **data)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     ("moments", "admissible", "planar"),
     [((1, 2, 3), True, True), ((3, 4, 5), True, False), ((1, 2, 4), False, False), ((2, 2, 2), True, False),
@@ -98,6 +99,7 @@ def test_an_unsymmetric_matrix_is_no_moment_of_inertia(key: str) -> None:
         solve("3.14", **{key: [[1, 0, 0], [1, 2, 0], [0, 0, 3]]})
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("seed", range(4))
 @pytest.mark.parametrize(
     ("along", "every", "some"),

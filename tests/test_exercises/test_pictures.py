@@ -20,7 +20,7 @@ WITHOUT = ("3.8", "3.13")
 WITH_PICTURE = [number for number in exercise_numbers() if number not in WITHOUT]
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(6)
 @pytest.mark.parametrize("number", WITH_PICTURE)
 def test_labelled_axes_at_one_scale_and_names_apart(number: str) -> None:
     figure = solve_with(number, {}).figure()
@@ -42,6 +42,7 @@ def test_labelled_axes_at_one_scale_and_names_apart(number: str) -> None:
     assert all(figure.bbox.contains(*corner) for box in boxes for corner in (box.min, box.max))
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("number", ["3.1", "3.10", "3.12"])
 def test_the_same_page_each_time(number: str) -> None:
     page = as_html(solve_with(number, {}))

@@ -142,6 +142,7 @@ def test_programs_keep_their_comparisons_free_of_charge(book):
     assert program_of(book("instant_screw")).operations[Op.DIVIDE] == 13
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("kernel", ["natural_invariants", "screw_of_motion"])
 def test_no_case_may_use_the_scale_otherwise(book, kernel):
     request = book(kernel)

@@ -11,6 +11,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from ..sampling import WHOLE
+
 STRICT = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"]
 
 
@@ -195,6 +197,7 @@ def test_a_group_is_loaded_before_any_of_it_is_stored(texts, kernels):
 
 SANITIZERS = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-g"]
 BATCHES = Path(__file__).with_name("batches.c")
+HASTILY = [] if WHOLE else ["-O1"]
 
 
 @pytest.fixture(scope="module")
@@ -222,7 +225,7 @@ def test_batches_are_right_in_any_storage(batches):
 
 @pytest.mark.slow
 def test_sanitizers_find_nothing(batches):
-    program = batches(*SANITIZERS)
+    program = batches(*SANITIZERS, *HASTILY)
     code, out, err = tried(program)
     if "LeakSanitizer has encountered a fatal error" in err:
         code, out, err = tried("env", "ASAN_OPTIONS=detect_leaks=0", program)
@@ -232,5 +235,5 @@ def test_sanitizers_find_nothing(batches):
 @pytest.mark.slow
 @pytest.mark.skipif(shutil.which("valgrind") is None, reason="no valgrind")
 def test_valgrind_finds_nothing(batches):
-    command = ["valgrind", "--quiet", "--error-exitcode=9", "--leak-check=full", batches("-g"), "memory"]
+    command = ["valgrind", "--quiet", "--error-exitcode=9", "--leak-check=full", batches("-g", *HASTILY), "memory"]
     assert tried(*command) == (0, "right\n", "")
