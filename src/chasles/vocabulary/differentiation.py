@@ -33,15 +33,18 @@ def rate_of(node: Node) -> Node:
         case Scale(factor, term):
             return Sum((Scale(Rate(factor), term), Scale(factor, Rate(term))))
         case Quotient(numerator, denominator):
-            return Quotient(Sum((Rate(numerator), Negative(Scale(Rate(denominator), node)))), denominator)
+            falling = Scale(Rate(denominator) / denominator**2, numerator)
+            return Sum((Rate(numerator) / denominator, Negative(falling)))
         case Contract(factors):
             return Sum(tuple(Contract((*factors[:k], Rate(f), *factors[k + 1 :])) for k, f in enumerate(factors)))
         case Power(Norm(of), exponent) if exponent % 2 == 0:
             square: Node = Dot(of, of)
             return Rate(square if exponent == 2 else Power(square, exponent // 2))
+        case Power(base, 1):
+            return Rate(base)
         case Power(base, exponent) if node.is_scalar:
-            below = Number(Fraction(1)) if exponent == 1 else Power(base, exponent - 1)
-            return Scale(Number(Fraction(exponent)), Scale(below, Rate(base)))
+            below = base if exponent == 2 else Power(base, exponent - 1)
+            return Scale(Scale(Number(Fraction(exponent)), below), Rate(base))
         case Power(base, exponent):
             return rate_of(Contract((base,) * exponent))
         case Transpose() | Skew() | Vect() | Trace() | Block():
@@ -61,8 +64,8 @@ def _rate_of_scalar_or_vector(node: Node) -> Node:
         case Norm(of):
             return Quotient(Dot(of, Rate(of)), node)
         case Call("sin", argument):
-            return Scale(Call("cos", argument), Rate(argument))
+            return Scale(Rate(argument), Call("cos", argument))
         case Call("cos", argument):
-            return Negative(Scale(Call("sin", argument), Rate(argument)))
+            return Negative(Scale(Rate(argument), Call("sin", argument)))
         case _:
             raise NoRule(f"the rate of {plain(node)} follows no rule: state it in the rates of symbols")
