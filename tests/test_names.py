@@ -24,18 +24,7 @@ pytestmark = pytest.mark.skipif(not (SRC / "cli").is_dir(), reason="needs the so
 SHARED_CLASS_NAMES = {
     "Entry": "public in `statements`, an entry of a chapter; and a word, an entry of a family",
     "Inverse": "public in `statements`, an inverse function; and a word, the inverse of a matrix",
-    "Kernel": "public in `statements`, what a chapter asks for; and what becomes of it in `targets`",
     "Step": "public in `statements`, a step of a derivation; and one of a program",
-    "NoValue": "exact numbers and the reference of 50 digits, which shares no code with them",
-    "_Evaluation": "the same two",
-    "Block": "a word, a matrix in blocks; and one of C",
-    "Truth": "public in `statements`, an answer that is true or false; and of a comparison, in boxes",
-    "Form": "public in `statements`, what is asserted; and of a rotation, in bounds",
-    "Case": "of a function in pieces: as lowered, and as bounded",
-    "Comparison": "as lowered, and in C",
-    "Reading": "by the checker, which imports nothing, and by the proof that programs are equal",
-    "Input": "of a compiled function, and of a kernel that is verified",
-    "Output": "of a compiled function, and of one that is lowered",
 }
 """Names of more than one class, each with the reason why neither has another."""
 

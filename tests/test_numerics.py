@@ -25,7 +25,7 @@ from chasles.numerics import (
     Evidence,
     ExpectedOutput,
     Finding,
-    NoValue,
+    MissingValue,
     Singular,
     Specification,
     Unsatisfiable,
@@ -223,7 +223,7 @@ def test_values_come_before_rules_and_rules_before_abbreviations() -> None:
 def test_rates_are_values() -> None:
     assert evaluate(rate(a) + rate(at(a)), {rate(a): [1, 2, 3]}) == [[2], [4], [6]]
     assert evaluate(rate(rate(a)), {rate(rate(a)): [1, 2, 3]}) == [[1], [2], [3]]
-    with pytest.raises(NoValue, match="a_dot has no value: give it among the values"):
+    with pytest.raises(MissingValue, match="a_dot has no value: give it among the values"):
         evaluate(rate(a), {a: [1, 2, 3]})
 
 
@@ -246,7 +246,7 @@ def test_numbers_are_taken_as_they_are(value: Any, expected: Any) -> None:
 @pytest.mark.parametrize(
     ("write", "error", "said"),
     [
-        (lambda: evaluate(a, {}), NoValue, "a has no value: give it one"),
+        (lambda: evaluate(a, {}), MissingValue, "a has no value: give it one"),
         (lambda: evaluate(1 / phi, {phi: 0}), Singular, "phi is zero here"),
         (lambda: evaluate(1 / (1 - cos(phi) ** 2 - sin(phi) ** 2), {phi: 1}), Singular, "is zero here"),
         (lambda: evaluate(inverse(CPM(e)), {e: [1, 2, 3]}), Singular, r"CPM\(e\) has no inverse here"),

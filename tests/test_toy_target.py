@@ -8,7 +8,7 @@ import pytest
 
 import chasles
 from chasles.lowering.program import Argument, Op, Program, Result, Step
-from chasles.targets import EmissionError, Heading, Kernel, discover, render, stale, write
+from chasles.targets import EmissionError, Heading, TargetKernel, discover, render, stale, write
 
 LANGUAGE = """
 from pathlib import Path
@@ -73,7 +73,7 @@ def kernel():
     )
     arguments = Argument("x", (3,), "a vector"), Argument("end", (), "an angle")
     program = Program("half_turn", arguments, steps, (Result("y", (2,), "two numbers", (3, 5)),))
-    return Kernel(program, Heading("3.1", "A toy.", "holds", (), "0" * 64))
+    return TargetKernel(program, Heading("3.1", "A toy.", "holds", (), "0" * 64))
 
 
 @pytest.fixture

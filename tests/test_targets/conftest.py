@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 from chasles.lowering.program import Argument, Op, Program, Result, Step
-from chasles.targets import Check, Heading, Kernel, discover, render, write
+from chasles.targets import Check, Heading, TargetKernel, discover, render, write
 
 CC = shutil.which("gcc") or shutil.which("cc")
 STRICT = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]
@@ -229,7 +229,7 @@ def kernel_of(name):
         derivation="0123456789abcdef" * 4,
         section=SECTIONS.get(name, "s03_invariants"),
     )
-    return Kernel(PROGRAMS[name], heading, tuple(checks_of(name)))
+    return TargetKernel(PROGRAMS[name], heading, tuple(checks_of(name)))
 
 
 def pytest_generate_tests(metafunc):

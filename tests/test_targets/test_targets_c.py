@@ -110,11 +110,13 @@ def test_the_self_test_finds_what_is_wrong(generated, compile_c, tmp_path, right
 
 
 def test_a_self_test_without_vectors_does_not_pass(builder, compile_c, tmp_path):
-    from chasles.targets import Heading, Kernel, discover, render, write
+    from chasles.targets import Heading, TargetKernel, discover, render, write
 
     line = builder("bare", x=())
     (x,) = line.inputs()
-    write(tmp_path, render([Kernel(line.program(y=x * x), Heading("3.1", "s", "holds", (), "0" * 64))], discover()))
+    write(
+        tmp_path, render([TargetKernel(line.program(y=x * x), Heading("3.1", "s", "holds", (), "0" * 64))], discover())
+    )
     done = self_test(tmp_path, compile_c, tmp_path, (tmp_path / "c/src").glob("*.c"))
     assert (done.returncode, done.stdout) == (1, "0 passed, 0 failed\n")
 

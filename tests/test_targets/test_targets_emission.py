@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 import chasles.targets
-from chasles.targets import EmissionError, Kernel, Page, Target, discover, render, stale, write
+from chasles.targets import EmissionError, Page, Target, TargetKernel, discover, render, stale, write
 
 ROOM = Path(chasles.targets.__file__).parent
 
@@ -94,7 +94,7 @@ def test_kernels_of_one_name_are_refused(kernels):
 def test_c_functions_of_one_name_are_refused(kernels, builder):
     line = builder("rotation_from_axis_anglef", x=())
     (x,) = line.inputs()
-    clash = Kernel(line.program(y=x), kernels[0].heading)
+    clash = TargetKernel(line.program(y=x), kernels[0].heading)
     with pytest.raises(EmissionError, match=r"target c: .*chasles_rotation_from_axis_anglef"):
         render([kernels[0], clash], discover())
 

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from chasles.lowering.program import Argument, Op, Program, Result, Step
-from chasles.targets import EmissionError, Heading, Kernel, signature
+from chasles.targets import EmissionError, Heading, TargetKernel, signature
 from chasles.targets.constants import DOUBLE, SINGLE, literal, literals, rounded
 from chasles.targets.dialect import ARITHMETIC, Dialect, call
 from chasles.targets.gufunc.text import c_string
@@ -228,7 +228,7 @@ def test_signature_and_what_a_kernel_refuses(builder):
     good = line.program(u=((3,), Q[:3]), w=phi)
     assert signature(good) == "(3,3),()->(3),()"
     heading = Heading("3.1", "says", "holds", (), "0" * 64)
-    assert Kernel(good, heading).name == "refusals"
+    assert TargetKernel(good, heading).name == "refusals"
     truth = line.step(Op.LESS, phi, 0)
     for bad in (
         line.program(u=((3,), Q[:2])),
@@ -239,7 +239,7 @@ def test_signature_and_what_a_kernel_refuses(builder):
         Program("refusals", good.arguments, (), ()),
     ):
         with pytest.raises(ValueError, match="refusals"):
-            Kernel(bad, heading)
+            TargetKernel(bad, heading)
 
 
 @pytest.mark.parametrize("bad", [{"says": r"\phi"}, {"says": "two\nlines"}, {"derivation": "12"}, {"section": "../x"}])

@@ -25,7 +25,7 @@ from chasles.bounds.termwise import Share, shares
 from chasles.lowering.program import Op, Program
 from chasles.lowering.scales import is_scale
 
-__all__ = ["Case", "cases", "rotations"]
+__all__ = ["CaseOutline", "cases", "rotations"]
 
 SLACK = 2.0**-21
 """How far a rotation's entries may be from those of one: some roundoffs of single precision."""
@@ -40,14 +40,14 @@ Truths = Mapping[int, bool]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Case:
+class CaseOutline:
     """The steps of a case, and the outcomes of comparisons that lead to it."""
 
     outline: Outline
     truths: tuple[Truths, ...]
 
 
-def cases(program: Program) -> tuple[Case, ...]:
+def cases(program: Program) -> tuple[CaseOutline, ...]:
     """The cases of a program. Raises NoBound for too many comparisons, and for others than of two computed values."""
     choices = _choices(program)
     if len(choices) > FEW:
@@ -58,7 +58,7 @@ def cases(program: Program) -> tuple[Case, ...]:
         outline = outlined(program, truths)
         key = outline.needed, tuple(outline.operands(k) for k in outline.needed), _entries(outline)
         found.setdefault(key, (outline, []))[1].append(truths)
-    return tuple(Case(outline, tuple(truths)) for outline, truths in found.values())
+    return tuple(CaseOutline(outline, tuple(truths)) for outline, truths in found.values())
 
 
 def _entries(outline: Outline) -> tuple[tuple[int, ...], ...]:
@@ -81,7 +81,7 @@ def _choices(program: Program) -> tuple[int, ...]:
     return tuple(sorted(found))
 
 
-def case_shares(case: Case, model: Model, rotation: int | None) -> dict[int, Share]:
+def case_shares(case: CaseOutline, model: Model, rotation: int | None) -> dict[int, Share]:
     """The shares of a case's steps, given that one of the arguments is a rotation. Raises NoBound."""
     if rotation is None:
         return shares(case.outline, model)
@@ -112,7 +112,7 @@ def _is_mixed(outline: Outline, operands: tuple[int, ...]) -> bool:
     return any(outline.program.steps[k].op not in exact for k in operands)
 
 
-def rotations(case: Case, sums: Sequence[int], argument: int, model: Model) -> dict[int, Fraction]:
+def rotations(case: CaseOutline, sums: Sequence[int], argument: int, model: Model) -> dict[int, Fraction]:
     """The relative errors of the sums, for all rotations for which the case is taken; of those that have one."""
     found = {number: _Rotations(case, number, argument, model).largest() for number in sums}
     return {number: Fraction(error) for number, error in found.items() if np.isfinite(error)}
@@ -121,7 +121,7 @@ def rotations(case: Case, sums: Sequence[int], argument: int, model: Model) -> d
 class _Rotations:
     """Boxes of quaternions, of which one component is 1 and the others are not larger."""
 
-    def __init__(self, case: Case, number: int, argument: int, model: Model) -> None:
+    def __init__(self, case: CaseOutline, number: int, argument: int, model: Model) -> None:
         steps = case.outline.program.steps
         compared = {k for truths in case.truths for c in truths for k in steps[c].operands}
         self._outline = _with(case.outline, (*compared, number))

@@ -15,30 +15,30 @@ from chasles.lowering.program import Op
 if TYPE_CHECKING:
     from chasles.bounds.running import Running
 
-__all__ = ["Truth", "chosen", "truth"]
+__all__ = ["ComparisonOutcome", "chosen", "truth"]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Truth:
+class ComparisonOutcome:
     """In which boxes a comparison may hold, and in which it may not; `exact` if rounding never changes which."""
 
     may: NDArray[np.bool_]
     may_not: NDArray[np.bool_]
     exact: bool
 
-    def part(self, rows: NDArray[np.intp]) -> Truth:
+    def part(self, rows: NDArray[np.intp]) -> ComparisonOutcome:
         """The same in some of the boxes."""
-        return Truth(self.may[rows], self.may_not[rows], self.exact)
+        return ComparisonOutcome(self.may[rows], self.may_not[rows], self.exact)
 
 
-def truth(running: Running, op: Op, operands: tuple[int, ...]) -> Truth:
+def truth(running: Running, op: Op, operands: tuple[int, ...]) -> ComparisonOutcome:
     """What is known of a comparison, of exact and of computed values."""
     a, b = (running.around[k].value for k in operands)
     exact = running.rounded.isdisjoint(operands) or _has_right_sign(running, operands)
     if op is Op.LESS:
-        return Truth(a.low < b.high, a.high >= b.low, exact)
+        return ComparisonOutcome(a.low < b.high, a.high >= b.low, exact)
     same = (a.low == a.high) & (b.low == b.high) & (a.low == b.low)
-    return Truth((a.low <= b.high) & (b.low <= a.high), ~same, exact)
+    return ComparisonOutcome((a.low <= b.high) & (b.low <= a.high), ~same, exact)
 
 
 def chosen(running: Running, operands: tuple[int, ...]) -> tuple[Scaled, Interval, Array]:

@@ -12,7 +12,7 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
-from chasles.bounds.choosing import Truth, chosen, truth
+from chasles.bounds.choosing import ComparisonOutcome, chosen, truth
 from chasles.bounds.intervals import SAFE, Array, Interval, exactly, function_of
 from chasles.bounds.model import Model
 from chasles.bounds.outline import NoBound, Outline
@@ -68,7 +68,7 @@ class Running:
         self._unrounded: dict[int, Interval] = {}
         self.losses: dict[int, Array] = {}
         self.rounded: set[int] = set()
-        self.truths: dict[int, Truth] = {}
+        self.truths: dict[int, ComparisonOutcome] = {}
         self.bad = np.zeros(count, dtype=bool)
         self.why = np.full(count, -1)
         self.empty = np.zeros(count, dtype=bool)

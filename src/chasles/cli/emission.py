@@ -15,7 +15,7 @@ from chasles.lowering.request import Request
 from chasles.report.waiting import progress
 from chasles.statements import Entry
 from chasles.statements import Kernel as Asked
-from chasles.targets import MANIFEST, EmissionError, Kernel, discover, render
+from chasles.targets import MANIFEST, EmissionError, TargetKernel, discover, render
 from chasles.targets.commission import kernel_of
 
 __all__ = ["commissioned", "emitted"]
@@ -24,7 +24,7 @@ A_KERNEL = 0.025
 """About how many seconds it takes to make a kernel and to prove it equal to its statement."""
 
 
-def commissioned(entries: Sequence[Entry], session: Session, *folders: Path) -> tuple[Kernel, ...]:
+def commissioned(entries: Sequence[Entry], session: Session, *folders: Path) -> tuple[TargetKernel, ...]:
     """The kernels of all statements that ask for some; error bounds that a manifest in `folders` has are taken over.
 
     Raises Failure with a line for each kernel that is refused, and where a bound has to be proved without python-flint.
@@ -36,7 +36,7 @@ def commissioned(entries: Sequence[Entry], session: Session, *folders: Path) -> 
     def prove(program: Program, request: Request) -> Bound:
         return known.get(key_of(program, request)) or _proved(program, request)
 
-    def made(asked: tuple[Entry, Asked]) -> Kernel | str:
+    def made(asked: tuple[Entry, Asked]) -> TargetKernel | str:
         """The kernel, or why it is refused."""
         try:
             return kernel_of(asked[0], session.decide, asked[1], prove)
@@ -49,7 +49,7 @@ def commissioned(entries: Sequence[Entry], session: Session, *folders: Path) -> 
     refused = [why for why in found if isinstance(why, str)]
     if refused:
         raise Failure(f"nothing was emitted; {len(refused)} of {len(asking)} kernels refused: {'; '.join(refused)}")
-    return tuple(kernel for kernel in found if isinstance(kernel, Kernel))
+    return tuple(kernel for kernel in found if isinstance(kernel, TargetKernel))
 
 
 def _decide(session: Session, entries: Sequence[Entry]) -> None:
@@ -79,7 +79,7 @@ def _proved(program: Program, request: Request) -> Bound:
         ) from error
 
 
-def emitted(kernels: tuple[Kernel, ...], pages: Mapping[str, str]) -> dict[str, str]:
+def emitted(kernels: tuple[TargetKernel, ...], pages: Mapping[str, str]) -> dict[str, str]:
     """The text of each file by its path: the kernels in all languages, and the `pages`.
 
     Raises Failure where a language cannot spell a kernel.

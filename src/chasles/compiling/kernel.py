@@ -20,7 +20,7 @@ from chasles.compiling.store import loaded
 from chasles.display import Displayed
 from chasles.kernels.signatures import signature_of_call
 from chasles.lowering.program import Op, Program
-from chasles.targets.kernel import Heading, Kernel, signature
+from chasles.targets.kernel import Heading, TargetKernel, signature
 
 __all__ = ["CompiledKernel", "kernel_of"]
 
@@ -99,7 +99,7 @@ def kernel_of(program: Program) -> CompiledKernel:
     """
     digest = sha256(repr(program).encode()).hexdigest()
     heading = Heading("Expression", "given to chasles.compile.", "nothing is claimed", (), digest, section="expression")
-    sources = sources_of(Kernel(program, heading))
+    sources = sources_of(TargetKernel(program, heading))
     written = _written_out(program, sources)
     ufunc, one = _compiled(program, sources, written.__doc__ or "")
     return CompiledKernel(program, sources, ufunc, one, written)

@@ -15,7 +15,7 @@ from chasles.compiling.scalars import shown
 from chasles.lowering.program import Argument
 from chasles.lowering.refusal import LoweringError
 
-__all__ = ["Input", "Output", "inputs_of", "outputs_of", "require_kernel_name"]
+__all__ = ["Input", "ResultEntries", "inputs_of", "outputs_of", "require_kernel_name"]
 
 TAKEN = ("best_level", "block", "data", "entry", "loop", "run", "shape")
 
@@ -35,7 +35,7 @@ class Input:
 
 
 @dataclass(frozen=True, slots=True)
-class Output:
+class ResultEntries:
     """A result: its name, its core shape and its entries, row-major."""
 
     name: str
@@ -63,7 +63,7 @@ def inputs_of(given: Any) -> tuple[Input, ...]:
     return tuple(found)
 
 
-def outputs_of(expression: Any, given: Sequence[Input], names: Any) -> tuple[Output, ...]:
+def outputs_of(expression: Any, given: Sequence[Input], names: Any) -> tuple[ResultEntries, ...]:
     """The results, in symbols that stand for entries of inputs; one for each item of a list or tuple.
 
     Raises `LoweringError` for a free symbol that is no input, and where the names are not as many as the results.
@@ -162,13 +162,13 @@ def _value(item: Any) -> Any:
     return value
 
 
-def _output(name: str, value: Any, table: Mapping[sympy.Basic, sympy.Basic]) -> Output:
+def _output(name: str, value: Any, table: Mapping[sympy.Basic, sympy.Basic]) -> ResultEntries:
     shape: tuple[int, ...] = ()
     entries: Iterator[Any] = iter((value,))
     if isinstance(value, sympy.MatrixBase | sympy.MatrixExpr):
         value = _explicit(value) if isinstance(value, sympy.MatrixExpr) else value
         shape, entries = _core(value.shape), iter(value)
-    return Output(name, shape, tuple(_closed(sympy.sympify(entry), table) for entry in entries))
+    return ResultEntries(name, shape, tuple(_closed(sympy.sympify(entry), table) for entry in entries))
 
 
 def _closed(entry: sympy.Expr, table: Mapping[sympy.Basic, sympy.Basic]) -> sympy.Expr:

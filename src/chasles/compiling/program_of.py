@@ -11,7 +11,7 @@ import sympy
 
 from chasles.compiling.derivatives import derivatives
 from chasles.compiling.nesting import nested
-from chasles.compiling.operands import Input, Output
+from chasles.compiling.operands import Input, ResultEntries
 from chasles.compiling.scalars import Scalars
 from chasles.lowering.builder import Builder
 from chasles.lowering.cost import price
@@ -28,13 +28,13 @@ MOST_STEPS = 1000
 """A program of more steps is not looked at in other spellings: that would take longer than it saves."""
 
 
-def program_of(name: str, inputs: Sequence[Input], outputs: Sequence[Output], *, jacobian: bool) -> Program:
+def program_of(name: str, inputs: Sequence[Input], outputs: Sequence[ResultEntries], *, jacobian: bool) -> Program:
     """The cheapest program that is proved to be the same as the expressions and loses no digits another one keeps.
 
     NaN where a divisor is zero. Raises `LoweringError` for what no program computes.
     """
 
-    def spelled(outputs: Sequence[Output], *, common: bool) -> Program:
+    def spelled(outputs: Sequence[ResultEntries], *, common: bool) -> Program:
         return _program(name, inputs, outputs, common=common, jacobian=jacobian)
 
     stated = spelled(outputs, common=False)
@@ -43,7 +43,9 @@ def program_of(name: str, inputs: Sequence[Input], outputs: Sequence[Output], *,
     return guarded(next((program for program in ranked if program == stated or equivalent(stated, program)), stated))
 
 
-def _candidates(stated: Program, outputs: Sequence[Output], spelled: Callable[..., Program]) -> Iterator[Program]:
+def _candidates(
+    stated: Program, outputs: Sequence[ResultEntries], spelled: Callable[..., Program]
+) -> Iterator[Program]:
     """The expressions as they stand, nested, with common subexpressions; functions of an angle in lowest terms, too."""
     yield stated
     if len(stated.steps) > MOST_STEPS:
@@ -59,7 +61,9 @@ def _candidates(stated: Program, outputs: Sequence[Output], spelled: Callable[..
                     yield pruned(respelled(program, halved=halved))
 
 
-def _program(name: str, inputs: Sequence[Input], outputs: Sequence[Output], *, common: bool, jacobian: bool) -> Program:
+def _program(
+    name: str, inputs: Sequence[Input], outputs: Sequence[ResultEntries], *, common: bool, jacobian: bool
+) -> Program:
     build = Builder()
     places = {
         symbol: build.input(place, entry)

@@ -8,7 +8,7 @@ from dataclasses import replace as with_fields
 from pathlib import Path
 
 from chasles.lowering.refusal import LoweringError
-from chasles.targets import EmissionError, Kernel, Page, Target, render
+from chasles.targets import EmissionError, Page, Target, TargetKernel, render
 from chasles.targets.c import TARGET as C
 from chasles.targets.c.blocks import loop_name
 from chasles.targets.c.functions import PRECISIONS, single
@@ -21,7 +21,7 @@ COMMAND = "chasles.compile"
 _HERE = Path(__file__).parent
 
 SOURCES = ("src/expression.c", "src/batches.c", "src/entry.c")
-"""What is compiled once; in `Kernel` the section is `expression`."""
+"""What is compiled once; in `TargetKernel` the section is `expression`."""
 BLOCKS = ("src/expression_blocks.c", "src/trigonometry_blocks.c")
 """What is compiled for each set of instructions."""
 INCLUDES = ("include", "src")
@@ -36,7 +36,7 @@ class Sources:
     files: Mapping[str, str]
 
 
-def sources_of(kernel: Kernel) -> Sources:
+def sources_of(kernel: TargetKernel) -> Sources:
     """The texts of a kernel. Raises `LoweringError` where no target can spell it."""
     try:
         compiled = render([kernel], [Target("c", C.templates, _compiled), Target("shown", _HERE, _shown)], head=())
@@ -47,14 +47,14 @@ def sources_of(kernel: Kernel) -> Sources:
     return Sources(compiled["shown/function.c"], compiled["shown/function.py"], files)
 
 
-def _compiled(kernels: tuple[Kernel, ...]) -> Iterator[Page]:
+def _compiled(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
     """The pages of the C library without its self-test."""
     for page in C.pages(kernels):
         if not page.path.startswith("test/"):
             yield _signed(page)
 
 
-def _shown(kernels: tuple[Kernel, ...]) -> Iterator[Page]:
+def _shown(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
     """The functions alone, and the loop that a ufunc calls."""
     [kernel] = kernels
     functions: Iterable[object] = [single(kernel, precision) for precision in PRECISIONS]

@@ -1,8 +1,8 @@
 """NUMBERS: kernels against 50-digit evaluations of the statements they come from. Nothing here decides what is true."""
 
-from chasles.numerics.reference import NoValue, Singular, evaluate
+from chasles.numerics.reference import MissingValue, Singular, evaluate
 from chasles.numerics.sampling import STRATEGIES, Unsatisfiable, draw
-from chasles.numerics.specification import ExpectedOutput, Input, Specification, specification_of
+from chasles.numerics.specification import ExpectedOutput, KernelInput, Specification, specification_of
 from chasles.numerics.specification_of_inverse import specification_of_inverse
 from chasles.numerics.verify import Evidence, Finding, verify, verify_all
 
@@ -11,8 +11,8 @@ __all__ = [
     "Evidence",
     "ExpectedOutput",
     "Finding",
-    "Input",
-    "NoValue",
+    "KernelInput",
+    "MissingValue",
     "Singular",
     "Specification",
     "Unsatisfiable",

@@ -18,7 +18,7 @@ from chasles.numerics.enclosures import ends, exactly, interval_context, is_narr
 from chasles.vocabulary import PI, At, Call, Determinant, Group, Inverse, Misfit, Node, Norm, Rate, Symbol
 from chasles.vocabulary.differentiation import rate_of
 
-__all__ = ["Matrix", "NoValue", "Singular", "evaluate"]
+__all__ = ["Matrix", "MissingValue", "Singular", "evaluate"]
 
 GUARD = 15
 """Digits beyond those asked for in the first evaluation."""
@@ -26,7 +26,7 @@ MOST_DIGITS = 4000
 """Precision at which what cannot be told from zero is zero: no product of ten floats is as small."""
 
 
-class NoValue(LookupError):
+class MissingValue(LookupError):
     """A symbol or a rate that has neither a value nor a rule; the message names it."""
 
 
@@ -41,8 +41,8 @@ def evaluate(
 
     `values` gives numbers (exactly as they are: integers, fractions, floats, mpmath numbers, nested sequences or arrays
     of them) to symbols and to rates of symbols, and comes before `rules`, which say what a symbol stands for. Raises
-    `NoValue` for a symbol or rate with neither, `Singular` for a division by zero, `Misfit` for an expression that does
-    not fit together, ValueError for a value of another shape than its symbol's.
+    `MissingValue` for a symbol or rate with neither, `Singular` for a division by zero, `Misfit` for an expression that
+    does not fit together, ValueError for a value of another shape than its symbol's.
     """
     if node.fault:
         raise Misfit(node.fault)
@@ -96,7 +96,7 @@ class _Enclosures(Interpreter):
             case Symbol() if node == PI:
                 return [[self.context.convert(self.context.pi)]]
             case Symbol():
-                raise NoValue(f"{node} has no value: give it one, or a statement that says what it is")
+                raise MissingValue(f"{node} has no value: give it one, or a statement that says what it is")
             case Rate(At(of, "t") | Group(of)):
                 return self(Rate(of))
             case Rate(of):
@@ -119,7 +119,9 @@ class _Enclosures(Interpreter):
             case Symbol(stands_for=Node() as meaning):
                 return self(rate_of(meaning))
             case Symbol() | Rate():
-                raise NoValue(f"{node} has no value: give it among the values, or a statement that says what it is")
+                raise MissingValue(
+                    f"{node} has no value: give it among the values, or a statement that says what it is"
+                )
             case _:
                 return self(rate_of(of))
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chasles.evaluation.matrices import Matrix
-from chasles.numerics.reference import NoValue, Singular, evaluate
+from chasles.numerics.reference import MissingValue, Singular, evaluate
 from chasles.statements import Hypothesis, Kernel, Packed, Statement, problem_of, symmetric
 from chasles.statements.arrays import argument_name, core_shape
 from chasles.statements.kernel import Argument, nodes_of, places_of
@@ -19,7 +19,7 @@ from chasles.statements.statement import bare
 from chasles.vocabulary import Block, Call, Node, Symbol, children, plain
 from chasles.vocabulary.nodes import measured
 
-__all__ = ["ExpectedOutput", "Input", "Specification", "expected_output", "inputs_of", "specification_of"]
+__all__ = ["ExpectedOutput", "KernelInput", "Specification", "expected_output", "inputs_of", "specification_of"]
 
 ROUNDINGS = 16
 """How many roundings in a row a kernel may do where its program is not at hand."""
@@ -29,7 +29,7 @@ Reference = Callable[[Values, int], tuple[Matrix, ...]]
 
 
 @dataclass(frozen=True, slots=True)
-class Input:
+class KernelInput:
     """An argument of the kernel, and the symbol, or rate of a symbol, or several, whose values it holds."""
 
     holds: Argument
@@ -76,7 +76,7 @@ class Specification:
     """
 
     name: str
-    inputs: tuple[Input, ...]
+    inputs: tuple[KernelInput, ...]
     outputs: tuple[ExpectedOutput, ...]
     reference: Reference
     hypotheses: tuple[Hypothesis, ...] = ()
@@ -97,7 +97,7 @@ class Specification:
                 try:
                     if evaluate(node, values, self.rules, digits=1)[0][0] == 0:
                         return False
-                except NoValue:
+                except MissingValue:
                     continue
                 except Singular:
                     return False
@@ -157,9 +157,9 @@ def _parts(statement: Statement, kernel: Kernel, right: Node) -> tuple[Node, ...
     return blocks
 
 
-def inputs_of(kernel: Kernel) -> tuple[Input, ...]:
+def inputs_of(kernel: Kernel) -> tuple[KernelInput, ...]:
     """The kernel's inputs, named as in its program."""
-    return tuple(map(Input, kernel.of))
+    return tuple(map(KernelInput, kernel.of))
 
 
 def _symbols(kernel: Kernel) -> frozenset[Node]:

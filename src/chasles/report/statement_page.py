@@ -11,7 +11,7 @@ from rich.text import Text
 
 from chasles.decisions.session import Decision
 from chasles.report.details import evidence, indented, number_in_words, objections, printed, rests_on
-from chasles.report.emitted import recorded
+from chasles.report.emission_records import recorded
 from chasles.report.screen import Screen
 from chasles.report.words import labelled
 from chasles.statements import Entry

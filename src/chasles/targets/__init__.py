@@ -7,7 +7,7 @@ the languages.
 from __future__ import annotations
 
 from chasles.targets.emit import MANIFEST, render
-from chasles.targets.kernel import Check, EmissionError, Heading, Kernel, signature
+from chasles.targets.kernel import Check, EmissionError, Heading, TargetKernel, signature
 from chasles.targets.target import COMMAND, Page, Target, discover
 from chasles.targets.tree import Difference, Written, stale, write
 
@@ -18,9 +18,9 @@ __all__ = [
     "Difference",
     "EmissionError",
     "Heading",
-    "Kernel",
     "Page",
     "Target",
+    "TargetKernel",
     "Written",
     "discover",
     "render",

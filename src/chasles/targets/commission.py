@@ -17,7 +17,7 @@ from chasles.statements import Entry
 from chasles.statements import Kernel as Asked
 from chasles.statements.fingerprint import fingerprint
 from chasles.targets.demands import demands_of
-from chasles.targets.kernel import EmissionError, Heading, Kernel
+from chasles.targets.kernel import EmissionError, Heading, TargetKernel
 from chasles.targets.self_checks import checks_of
 from chasles.verdict import HoldsUnder, Verdict
 
@@ -27,7 +27,7 @@ Prove = Callable[[Program, Request], Bound]
 """What is proved of a program's errors."""
 
 
-def kernel_of(entry: Entry, decide: Decide, asked: Asked | None = None, prove: Prove | None = None) -> Kernel:
+def kernel_of(entry: Entry, decide: Decide, asked: Asked | None = None, prove: Prove | None = None) -> TargetKernel:
     """The kernel `asked` of a statement, or the first that it asks for; `decide` gives verdicts, `prove` error bounds.
 
     Raises EmissionError where the statement does not stand, where no program can be made of it, and where the program
@@ -46,7 +46,9 @@ def kernel_of(entry: Entry, decide: Decide, asked: Asked | None = None, prove: P
     heading = _heading(entry, decide(entry.statement), request, asked)
     needed = [hypothesis for hypothesis in request.hypotheses if hypothesis.text in heading.hypotheses]
     demands = demands_of(request, (*needed, *asked.expected))
-    return Kernel(program, heading, checks_of(request, program), demands, prove(program, request) if prove else None)
+    return TargetKernel(
+        program, heading, checks_of(request, program), demands, prove(program, request) if prove else None
+    )
 
 
 def _unequal(entry: Entry, request: Request, wrong: tuple[str, ...]) -> str:

@@ -7,7 +7,7 @@ from textwrap import wrap
 
 from chasles.bounds import SINGLE
 from chasles.lowering.program import Op, Program
-from chasles.targets.kernel import Kernel
+from chasles.targets.kernel import TargetKernel
 
 __all__ = ["cited", "contract", "operations", "summary"]
 
@@ -29,7 +29,7 @@ def operations(program: Program) -> str:
     return f"{counts.total()}: {', '.join(parts)}" if parts else "0"
 
 
-def contract(kernel: Kernel, inputs: Sequence[str], outputs: Sequence[str]) -> tuple[str, ...]:
+def contract(kernel: TargetKernel, inputs: Sequence[str], outputs: Sequence[str]) -> tuple[str, ...]:
     """The whole contract; `inputs` and `outputs` are the arguments and results as the language declares them."""
     program, heading = kernel.program, kernel.heading
     given = [f"{text}: {item.meaning}" for text, item in zip(inputs, program.arguments, strict=True)]
@@ -48,7 +48,7 @@ def contract(kernel: Kernel, inputs: Sequence[str], outputs: Sequence[str]) -> t
     )
 
 
-def summary(kernel: Kernel, what: str) -> tuple[str, ...]:
+def summary(kernel: TargetKernel, what: str) -> tuple[str, ...]:
     """The head of a variant, whose contract is the main function's: what it is and where it comes from."""
     heading = kernel.heading
     # A hypothesis is not broken across lines.
@@ -60,7 +60,7 @@ def summary(kernel: Kernel, what: str) -> tuple[str, ...]:
     )
 
 
-def _bounded(kernel: Kernel) -> tuple[str, ...]:
+def _bounded(kernel: TargetKernel) -> tuple[str, ...]:
     """What is proved of the errors, a line for each result, what u is, and under which rounding model."""
     if kernel.bound is None:
         return ()

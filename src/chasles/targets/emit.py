@@ -13,7 +13,7 @@ from chasles import __version__
 from chasles.bounds import Bound
 from chasles.lowering.program import Op
 from chasles.targets.contract import cited, operations
-from chasles.targets.kernel import EmissionError, Kernel, signature
+from chasles.targets.kernel import EmissionError, TargetKernel, signature
 from chasles.targets.target import COMMAND, Page, Target
 
 __all__ = ["HEAD", "MANIFEST", "render"]
@@ -26,7 +26,7 @@ _INDEX = Path(__file__).parent / "templates"
 
 
 def render(
-    kernels: Iterable[Kernel],
+    kernels: Iterable[TargetKernel],
     targets: Iterable[Target],
     beside: Mapping[str, str] | None = None,
     head: Iterable[str] = HEAD,
@@ -56,7 +56,7 @@ def render(
     return pages
 
 
-def _index(kernels: tuple[Kernel, ...], paths: list[str], head: tuple[str, ...]) -> dict[str, str]:
+def _index(kernels: tuple[TargetKernel, ...], paths: list[str], head: tuple[str, ...]) -> dict[str, str]:
     """The files at the top of generated/."""
     files = [*paths, "README.md", "__init__.py"]
     folders = sorted({path.split("/")[0] for path in paths if "/" in path})
@@ -70,7 +70,7 @@ def _index(kernels: tuple[Kernel, ...], paths: list[str], head: tuple[str, ...])
     return {name: _filled(_INDEX, Page(name, f"{name}.jinja", values), head) for name in names}
 
 
-def _entry(kernel: Kernel) -> dict[str, object]:
+def _entry(kernel: TargetKernel) -> dict[str, object]:
     """A kernel as the manifest and the table of the README show it."""
     heading, counts = kernel.heading, kernel.program.operations
     assumes = ", ".join(heading.hypotheses) or "nothing"

@@ -21,7 +21,7 @@ __all__ = [
     "EmissionError",
     "Exact",
     "Heading",
-    "Kernel",
+    "TargetKernel",
     "require_plain",
     "signature",
 ]
@@ -111,7 +111,7 @@ class Demand:
 
 
 @dataclass(frozen=True, slots=True)
-class Kernel:
+class TargetKernel:
     """A program ready to be spelled in every language, with what is proved of its errors, if that was asked for.
 
     Raises ValueError where a check has other sizes than the program, or the program cannot be spelled: nothing to

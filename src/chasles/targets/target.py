@@ -13,7 +13,7 @@ from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 from types import ModuleType
 
-from chasles.targets.kernel import EmissionError, Kernel
+from chasles.targets.kernel import EmissionError, TargetKernel
 
 __all__ = ["COMMAND", "Page", "Target", "discover"]
 
@@ -38,7 +38,7 @@ class Target:
 
     name: str
     templates: Path
-    pages: Callable[[tuple[Kernel, ...]], Iterable[Page]]
+    pages: Callable[[tuple[TargetKernel, ...]], Iterable[Page]]
 
 
 def discover(folders: Iterable[Path] = ()) -> tuple[Target, ...]:

@@ -21,7 +21,7 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> None:
     """
     from chasles.cli.recorded import manifest
     from chasles.decisions.recalled import session_of
-    from chasles.report.emitted import emitted_kernels
+    from chasles.report.emission_records import emitted_kernels
     from chasles.report.records import as_json, described, record
     from chasles.report.screen import Screen
     from chasles.report.statement_page import statement_page

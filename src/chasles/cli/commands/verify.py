@@ -41,7 +41,7 @@ def command(names: tuple[str, ...], points: tuple[str, ...], samples: int, stric
     from chasles.cli.recorded import manifest
     from chasles.cli.verification import verified
     from chasles.decisions.recalled import session_of
-    from chasles.report.emitted import emitted_kernels, proved
+    from chasles.report.emission_records import emitted_kernels, proved
     from chasles.report.evidence import evidence_table, losses
     from chasles.report.records import as_json
     from chasles.report.screen import Screen

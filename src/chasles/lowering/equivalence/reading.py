@@ -20,7 +20,7 @@ from chasles.lowering.request import Request
 from chasles.lowering.scales import is_scale
 from chasles.vocabulary import Call, Node, Number, Scale, Sum, Symbol, uniform
 
-__all__ = ["Reading", "Settled", "Unreadable", "angles_of", "scale_symbols"]
+__all__ = ["ProgramReading", "Settled", "Unreadable", "angles_of", "scale_symbols"]
 
 Linear = dict[Symbol, Fraction]
 UNSETTLED = (Op.SELECT, Op.LESS, Op.EQUAL, Op.DIVIDE, Op.SQUARE_ROOT)
@@ -44,7 +44,7 @@ class Settled:
                 self.steps.add(number)
 
 
-class Reading(Operators):
+class ProgramReading(Operators):
     """A program's steps as fractions on one way through its cases, read as far as they are needed.
 
     None is what has no value. Raises `Unreadable`, and `Fork` where a comparison is not settled.

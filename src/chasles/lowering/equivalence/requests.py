@@ -8,7 +8,7 @@ from itertools import product
 from chasles.algebra.localization import Ratio
 from chasles.lowering.cases import Choice
 from chasles.lowering.equivalence.algebra import Algebra
-from chasles.lowering.equivalence.reading import Reading, Settled, Unreadable, angles_of, scale_symbols
+from chasles.lowering.equivalence.reading import ProgramReading, Settled, Unreadable, angles_of, scale_symbols
 from chasles.lowering.equivalence.signs import Differences, Fork, Impossible, Signs
 from chasles.lowering.program import Program
 from chasles.lowering.request import Output, Request
@@ -99,7 +99,7 @@ def _on_way(request: Request, program: Program, way: Sequence[int], algebras: _A
         if not signs.is_possible:
             continue
         try:
-            reading = Reading(program, request, signs, settled, algebras.scales)
+            reading = ProgramReading(program, request, signs, settled, algebras.scales)
             yield from _compared(request, reading, program, signs, valueless)
         except Fork as fork:
             waiting += signs.forked(fork)
@@ -120,7 +120,7 @@ def _signs(algebra: Algebra, choices: Sequence[Choice], way: Sequence[int]) -> S
 
 
 def _compared(
-    request: Request, reading: Reading, program: Program, signs: Signs, valueless: Sequence[Symbol]
+    request: Request, reading: ProgramReading, program: Program, signs: Signs, valueless: Sequence[Symbol]
 ) -> Iterator[str]:
     algebra = signs.differences.algebra
     lost = _Lost(request, algebra, valueless)

@@ -34,13 +34,13 @@ from chasles.targets.c.functions import PRECISIONS, Function, batch, in_short, s
 from chasles.targets.c.loops import loop
 from chasles.targets.c.vectors import vectors
 from chasles.targets.constants import Precision
-from chasles.targets.kernel import EmissionError, Kernel
+from chasles.targets.kernel import EmissionError, TargetKernel
 from chasles.targets.target import COMMAND, Page, Target
 
 __all__ = ["TARGET"]
 
 
-def _pages(kernels: tuple[Kernel, ...]) -> Iterator[Page]:
+def _pages(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
     functions = {kernel.name: _functions(kernel) for kernel in kernels}
     pairs = [(kernel, precision) for kernel in kernels for precision in PRECISIONS]
     inner = [name(*pair) for pair in pairs for name in (loop_name, block_name)]
@@ -61,7 +61,7 @@ def _pages(kernels: tuple[Kernel, ...]) -> Iterator[Page]:
     yield Page("test/self_test.c", "self_test.c.jinja", {"command": COMMAND, "checks": checks})
 
 
-def _batches(kernels: tuple[Kernel, ...]) -> Iterator[Page]:
+def _batches(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
     """What all blocks have in common."""
     pairs = [(kernel, precision) for kernel in kernels for precision in PRECISIONS]
     values = {
@@ -83,7 +83,7 @@ def _words(precision: Precision) -> dict[str, str]:
     return {"name": precision.name, "suffix": suffix, "mark": suffix.upper(), "roots": roots}
 
 
-def _functions(kernel: Kernel) -> tuple[Function, ...]:
+def _functions(kernel: TargetKernel) -> tuple[Function, ...]:
     """The functions of a kernel: one item, then a batch, each in both precisions."""
     return tuple(make(kernel, precision) for make in (single, batch) for precision in PRECISIONS)
 

@@ -13,7 +13,7 @@ from chasles.targets.c.functions import public_name
 from chasles.targets.c.registers import ON_REGISTERS, register, spread
 from chasles.targets.c.sincos import parted
 from chasles.targets.constants import Precision
-from chasles.targets.kernel import EmissionError, Kernel
+from chasles.targets.kernel import EmissionError, TargetKernel
 from chasles.targets.layout import listed
 from chasles.targets.spelling import Spelled, spelled
 
@@ -35,17 +35,17 @@ class BlockFunction:
     scalar: tuple[str, ...]
 
 
-def loop_name(kernel: Kernel, precision: Precision) -> str:
+def loop_name(kernel: TargetKernel, precision: Precision) -> str:
     """The name of the constant that describes a kernel in one precision."""
     return public_name(kernel, precision, "_loop")
 
 
-def block_name(kernel: Kernel, precision: Precision) -> str:
+def block_name(kernel: TargetKernel, precision: Precision) -> str:
     """The name of the block function, to which the level's is appended."""
     return public_name(kernel, precision, "_block")
 
 
-def block(kernel: Kernel, precision: Precision) -> BlockFunction:
+def block(kernel: TargetKernel, precision: Precision) -> BlockFunction:
     """The block function of the kernel. Raises EmissionError for more operands or entries than a batch can have."""
     operands = kernel.program.parameters
     entries = sum(math.prod(item.shape) for item in operands)
@@ -59,7 +59,7 @@ def block(kernel: Kernel, precision: Precision) -> BlockFunction:
     return BlockFunction(prototype, tuple(_on_registers(kernel, precision)), _one_by_one(kernel, precision))
 
 
-def _on_registers(kernel: Kernel, precision: Precision) -> Iterator[str]:
+def _on_registers(kernel: TargetKernel, precision: Precision) -> Iterator[str]:
     parts, inputs = parted(kernel.program), len(kernel.program.arguments)
     read = {place for place, _ in _read(pruned(kernel.program))}
     for place in range(len(kernel.program.parameters)):
@@ -154,7 +154,7 @@ def _read(program: Program) -> frozenset[tuple[int, int]]:
     return frozenset((step.argument, step.entry) for step in program.steps if step.op is Op.INPUT)
 
 
-def _one_by_one(kernel: Kernel, precision: Precision) -> tuple[str, ...]:
+def _one_by_one(kernel: TargetKernel, precision: Precision) -> tuple[str, ...]:
     """The call of the scalar kernel for item i."""
     passed = []
     inputs = len(kernel.program.arguments)

@@ -11,7 +11,7 @@ from chasles.lowering.program import Argument, Op, Result
 from chasles.targets.c.language import DIALECTS, RESERVED
 from chasles.targets.constants import DOUBLE, SINGLE, Precision
 from chasles.targets.contract import cited, contract, summary
-from chasles.targets.kernel import Kernel
+from chasles.targets.kernel import TargetKernel
 from chasles.targets.layout import listed
 from chasles.targets.names import Names
 from chasles.targets.spelling import spelled
@@ -31,12 +31,12 @@ class Function:
     lines: tuple[str, ...]
 
 
-def public_name(kernel: Kernel, precision: Precision, variant: str = "") -> str:
+def public_name(kernel: TargetKernel, precision: Precision, variant: str = "") -> str:
     """The name in the header: chasles_NAME, chasles_NAMEf, chasles_NAME_batch, chasles_NAME_batchf."""
     return f"chasles_{kernel.name}{variant}{precision.suffix}"
 
 
-def single(kernel: Kernel, precision: Precision) -> Function:
+def single(kernel: TargetKernel, precision: Precision) -> Function:
     """The function that computes one item and stores it once all of it is known."""
     program = kernel.program
     text = spelled(program, DIALECTS[precision])
@@ -59,7 +59,7 @@ def single(kernel: Kernel, precision: Precision) -> Function:
     return Function(name, _comment(comment), _prototype(name, [*inputs, *outputs]), (*unread, *text.lines, *stores))
 
 
-def in_short(kernel: Kernel) -> str:
+def in_short(kernel: TargetKernel) -> str:
     """One line: the equation, the shapes of what goes in and comes out, and where the whole contract stands."""
     names, program = Names(RESERVED), kernel.program
     words = [_shown(names.take(item.name), item) for item in program.parameters]
@@ -68,7 +68,7 @@ def in_short(kernel: Kernel) -> str:
     return line
 
 
-def batch(kernel: Kernel, precision: Precision) -> Function:
+def batch(kernel: TargetKernel, precision: Precision) -> Function:
     """The function that computes `count` items, each input and output with a step of its own."""
     program = kernel.program
     names = Names(RESERVED | {"loop", "size"})

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from chasles.lowering.program import Op
 from chasles.targets.c.blocks import block_name, loop_name
 from chasles.targets.constants import Precision
-from chasles.targets.kernel import EmissionError, Kernel
+from chasles.targets.kernel import EmissionError, TargetKernel
 from chasles.targets.layout import listed
 
 __all__ = ["Loop", "loop"]
@@ -26,7 +26,7 @@ class Loop:
     block: str
 
 
-def loop(kernel: Kernel, precision: Precision) -> Loop:
+def loop(kernel: TargetKernel, precision: Precision) -> Loop:
     """The constant for the kernel. Raises EmissionError for an operand of more than two core axes."""
     program = kernel.program
     shapes = []

@@ -9,11 +9,11 @@ from fractions import Fraction
 from chasles.targets.c.functions import PRECISIONS, public_name
 from chasles.targets.c.language import RESERVED
 from chasles.targets.constants import DOUBLE, Precision, literal
-from chasles.targets.kernel import Check, Exact, Kernel
+from chasles.targets.kernel import Check, Exact, TargetKernel
 from chasles.targets.layout import listed
 from chasles.targets.names import Names
 
-__all__ = ["Comparison", "Vector", "vectors"]
+__all__ = ["OutputCheck", "Vector", "vectors"]
 
 _BATCH = 11
 """How many times a vector stands in its batch: whole groups and a rest, in either precision at every level."""
@@ -21,7 +21,7 @@ _EPSILON = {"double": "DBL_EPSILON", "float": "FLT_EPSILON"}
 
 
 @dataclass(frozen=True, slots=True)
-class Comparison:
+class OutputCheck:
     """One output of a vector: what it is called, how many entries it has, and where they are."""
 
     what: str
@@ -38,17 +38,17 @@ class Vector:
 
     function: str
     lines: tuple[str, ...]
-    comparisons: tuple[Comparison, ...]
+    comparisons: tuple[OutputCheck, ...]
 
 
-def vectors(kernel: Kernel) -> Iterator[Vector]:
+def vectors(kernel: TargetKernel) -> Iterator[Vector]:
     """The vectors of the kernel, by precision and in their order."""
     for precision in PRECISIONS:
         for number, check in enumerate(kernel.checks, start=1):
             yield _vector(kernel, check, precision, number)
 
 
-def _vector(kernel: Kernel, check: Check, precision: Precision, number: int) -> Vector:
+def _vector(kernel: TargetKernel, check: Check, precision: Precision, number: int) -> Vector:
     program, names = kernel.program, Names(RESERVED)
     lines: list[str] = []
     passed, steps, comparisons = [], [], []
@@ -68,7 +68,7 @@ def _vector(kernel: Kernel, check: Check, precision: Precision, number: int) -> 
         compare = f"compare{precision.suffix}"
         for said, got in (("", word), (", first of a batch", all_), (", last", f"{all_} + {(_BATCH - 1) * size}")):
             what = f'"{function}, vector {number}{said}: {result.name}"'
-            comparisons.append(Comparison(what, compare, size, got, expected, tolerance))
+            comparisons.append(OutputCheck(what, compare, size, got, expected, tolerance))
     lines.append(f"{function}({', '.join(passed)});")
     lines += listed(f"{public_name(kernel, precision, '_batch')}(", [str(_BATCH), *steps], ");")
     return Vector(f"{kernel.name}_vector_{number}{precision.suffix}", tuple(lines), tuple(comparisons))

@@ -16,7 +16,7 @@ from chasles.targets.c.blocks import loop_name
 from chasles.targets.constants import DOUBLE, SINGLE
 from chasles.targets.contract import contract
 from chasles.targets.gufunc.text import c_string
-from chasles.targets.kernel import Kernel, signature
+from chasles.targets.kernel import TargetKernel, signature
 from chasles.targets.target import COMMAND, Page, Target
 
 __all__ = ["TARGET"]
@@ -36,7 +36,7 @@ class _Ufunc:
     signature: str
 
 
-def _ufunc(kernel: Kernel) -> _Ufunc:
+def _ufunc(kernel: TargetKernel) -> _Ufunc:
     program = kernel.program
     given = [_shown(item) for item in program.arguments]
     returned = [_shown(item) for item in program.results]
@@ -55,7 +55,7 @@ def _shown(item: Argument | Result) -> str:
     return f"{item.name} ({', '.join(map(str, item.shape))})" if item.shape else item.name
 
 
-def _pages(kernels: tuple[Kernel, ...]) -> Iterator[Page]:
+def _pages(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
     values = {"command": COMMAND, "ufuncs": [_ufunc(kernel) for kernel in kernels], "count": len(kernels)}
     for name in ("kernels.h", "_kernels.c", "light.c", "factory.c"):
         yield Page(name, f"{name}.jinja", values)

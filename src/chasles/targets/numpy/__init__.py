@@ -12,7 +12,7 @@ from chasles.lowering.program import Argument, Op, Program, Result
 from chasles.targets.constants import DOUBLE, literals
 from chasles.targets.contract import contract
 from chasles.targets.dialect import ARITHMETIC, Dialect, Level, Phrase, Shape, call
-from chasles.targets.kernel import Kernel, signature
+from chasles.targets.kernel import TargetKernel, signature
 from chasles.targets.layout import listed
 from chasles.targets.numpy.hypotheses import divisors, rows
 from chasles.targets.spelling import Spelled, spelled
@@ -65,7 +65,7 @@ class _Function:
     lines: tuple[str, ...]
 
 
-def _function(kernel: Kernel) -> _Function:
+def _function(kernel: TargetKernel) -> _Function:
     program = kernel.program
     text = spelled(program, _DIALECT)
     given = [_shown(name, item) for name, item in zip(text.arguments, program.arguments, strict=True)]
@@ -98,7 +98,7 @@ def _opening(kernel: str, program: Program, text: Spelled) -> Iterator[str]:
         yield "xp = batch.xp"
 
 
-def _closing(kernel: Kernel, text: Spelled) -> Iterator[str]:
+def _closing(kernel: TargetKernel, text: Spelled) -> Iterator[str]:
     """The lines that put the results together."""
     for name, result, entries in zip(text.results, kernel.program.results, text.entries, strict=True):
         yield from listed(f"{name} = batch.array(", [str(result.shape), *entries], ")", closing_line=True)
@@ -114,7 +114,7 @@ def _docstring(lines: tuple[str, ...]) -> tuple[str, ...]:
     return tuple(line.removeprefix("  ").replace('"', "'") for line in lines)
 
 
-def _pages(kernels: tuple[Kernel, ...]) -> Iterator[Page]:
+def _pages(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
     values = {"command": COMMAND, "functions": [_function(kernel) for kernel in kernels]}
     yield Page("kernels.py", "kernels.py.jinja", values)
     functions = divisors(kernels, _divisor)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from chasles.lowering.program import Argument, Program
-from chasles.targets.kernel import Demand, Kernel
+from chasles.targets.kernel import Demand, TargetKernel
 
 __all__ = ["DivisorFunction", "Row", "divisors", "rows"]
 
@@ -31,7 +31,7 @@ class Row:
     lines: tuple[str, ...]
 
 
-def divisors(kernels: Iterable[Kernel], body: Body) -> dict[tuple[object, ...], DivisorFunction]:
+def divisors(kernels: Iterable[TargetKernel], body: Body) -> dict[tuple[object, ...], DivisorFunction]:
     """A function for each thing that must not vanish, by what it computes; `body` writes its lines."""
     found: dict[tuple[object, ...], DivisorFunction] = {}
     for kernel in kernels:
@@ -46,7 +46,7 @@ def divisors(kernels: Iterable[Kernel], body: Body) -> dict[tuple[object, ...], 
     return found
 
 
-def rows(kernels: Iterable[Kernel], functions: dict[tuple[object, ...], DivisorFunction]) -> Iterator[Row]:
+def rows(kernels: Iterable[TargetKernel], functions: dict[tuple[object, ...], DivisorFunction]) -> Iterator[Row]:
     """The lines of the table."""
     for kernel in kernels:
         inputs = _tuple([_input(argument) for argument in kernel.program.arguments])

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from chasles.lowering.program import Argument, Result
 from chasles.targets.contract import cited, contract
-from chasles.targets.kernel import Kernel, signature
+from chasles.targets.kernel import TargetKernel, signature
 from chasles.targets.target import COMMAND, Page, Target
 
 __all__ = ["TARGET"]
@@ -40,7 +40,7 @@ class _Declared:
     docstring: tuple[str, ...]
 
 
-def _declared(kernel: Kernel) -> _Declared:
+def _declared(kernel: TargetKernel) -> _Declared:
     program = kernel.program
     given = [_shown(item) for item in program.arguments]
     returned = [_shown(item) for item in program.results]
@@ -75,7 +75,7 @@ def _shown(item: Argument | Result) -> str:
     return f"{item.name} ({', '.join(map(str, item.shape))})" if item.shape else item.name
 
 
-def _pages(kernels: tuple[Kernel, ...]) -> Iterator[Page]:
+def _pages(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
     values = {"command": COMMAND, "declared": [_declared(kernel) for kernel in kernels]}
     for module in ("__init__", "protocols", "calls"):
         yield Page(f"{module}.pyi", f"{module}.pyi.jinja", values)
