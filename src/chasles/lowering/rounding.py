@@ -115,15 +115,12 @@ class RunningErrors:
         return Rounded(self.numbers.not_a_number(), math.inf)
 
     def add(self, x: Rounded, y: Rounded) -> Rounded:
-        """The sum."""
         return self._rounded(x.value + y.value, x.error + y.error)
 
     def subtract(self, x: Rounded, y: Rounded) -> Rounded:
-        """The difference."""
         return self._rounded(x.value - y.value, x.error + y.error)
 
     def negate(self, x: Rounded) -> Rounded:
-        """The opposite, exactly."""
         return Rounded(-x.value, x.error)
 
     def multiply(self, x: Rounded, y: Rounded) -> Rounded:
@@ -133,39 +130,31 @@ class RunningErrors:
         return self._rounded(x.value * y.value, abs(x.value) * y.error + abs(y.value) * x.error)
 
     def divide(self, x: Rounded, y: Rounded) -> Rounded:
-        """The quotient."""
         value = self.numbers.divide(x.value, y.value)
         return self._rounded(value, (x.error + abs(value) * y.error) / abs(y.value) if y.value else math.inf)
 
     def square_root(self, x: Rounded) -> Rounded:
-        """The root."""
         value = self.numbers.square_root(x.value)
         return self._rounded(value, x.error / (2 * value) if value else math.inf)
 
     def sine(self, x: Rounded) -> Rounded:
-        """The sine."""
         return self._rounded(self.numbers.sine(x.value), abs(self.numbers.cosine(x.value)) * x.error)
 
     def cosine(self, x: Rounded) -> Rounded:
-        """The cosine."""
         return self._rounded(self.numbers.cosine(x.value), abs(self.numbers.sine(x.value)) * x.error)
 
     def arctangent2(self, y: Rounded, x: Rounded) -> Rounded:
-        """The angle of the point (x, y)."""
         square = x.value * x.value + y.value * y.value
         carried = (abs(x.value) * y.error + abs(y.value) * x.error) / square if square else math.inf
         return self._rounded(self.numbers.arctangent2(y.value, x.value), carried)
 
     def less(self, x: Rounded, y: Rounded) -> Rounded:
-        """Whether the one value is below the other."""
         return Rounded(x.value < y.value)
 
     def equal(self, x: Rounded, y: Rounded) -> Rounded:
-        """Whether the values are equal."""
         return Rounded(x.value == y.value)
 
     def select(self, condition: Rounded, if_true: Rounded, if_false: Rounded) -> Rounded:
-        """One of two, unrounded."""
         return if_true if condition.value else if_false
 
     def _rounded(self, value: Any, carried: Any) -> Rounded:
