@@ -37,7 +37,8 @@ for name in sorted(LANGUAGES):
         answer = ask_statement(asked.statement) if name == "declared" else ask(asked)
         print(name, number, answer.name, answer.words or repr(answer.verdict))
 """
-TIMES = re.compile(r"\b[0-9.]+ m?s\b|\"seconds\": [0-9.e-]+")
+TIMES = re.compile(r"\b[0-9.]+ m?s\b|\"(milli)?seconds\": [0-9.e-]+|0x[0-9a-f]{6,}")
+"""Times and addresses in memory, which differ from run to run."""
 
 
 def seen() -> Iterator[tuple[str, str]]:
@@ -70,13 +71,13 @@ def _printed(*command: str, cache: str) -> str:
     environment = {**os.environ, "CHASLES_CACHE": cache and str(Path(cache) / "cache"), "COLUMNS": "100"}
     done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, check=False)
     text = f"{done.returncode}\n{done.stdout}\n{done.stderr}"
-    return TIMES.sub("TIME", text.replace(cache, "FOLDER") if cache else text)
+    return text.replace(cache, "FOLDER") if cache else text
 
 
 def _files(name: str, folder: Path) -> Iterator[tuple[str, str]]:
     for path in sorted(folder.rglob("*")):
         if path.is_file() and path.suffix not in (".png", ".pdf"):
-            yield f"{name}: {path.relative_to(folder)}", TIMES.sub("TIME", path.read_text("utf-8"))
+            yield f"{name}: {path.relative_to(folder)}", path.read_text("utf-8")
 
 
 def _exercises() -> list[str]:
@@ -106,7 +107,7 @@ def _signatures() -> Iterator[tuple[str, str]]:
 def differences(before: dict[str, str], after: dict[str, str]) -> Iterator[str]:
     """What differs, one after the other, the first lines of each."""
     for name in sorted({*before, *after}):
-        old, new = (each.get(name, "").splitlines() for each in (before, after))
+        old, new = (TIMES.sub("TIME", each.get(name, "")).splitlines() for each in (before, after))
         if old != new:
             lines = [line[:160] for line in unified_diff(old, new, lineterm="", n=0)][2:]
             yield "\n".join([f"{name}: {len(lines)} lines", *lines[:6]])
