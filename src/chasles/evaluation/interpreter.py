@@ -35,6 +35,7 @@ from chasles.vocabulary import (
     Vect,
     Zero,
 )
+from chasles.vocabulary.defined import Defined
 
 __all__ = ["Interpreter"]
 
@@ -96,6 +97,8 @@ class Interpreter:
         match node:
             case Symbol(stands_for=Node() as of) | At(of) | Group(of):
                 return self(of)
+            case Defined():
+                return self(node.definition)
             case Number(value):
                 return [[self.constant(value)]]
             case Identity(size):

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from chasles.statements.statement import bare
 from chasles.vocabulary import Group, Negative, Node, Number, Power, Quotient, Scale, Symbol, children
+from chasles.vocabulary.defined import opened
 
 __all__ = ["divisors_of"]
 
@@ -13,7 +14,7 @@ __all__ = ["divisors_of"]
 def divisors_of(node: Node, rules: Mapping[Node, Node], seen: dict[Node, None] | None = None) -> Iterator[Node]:
     """What an expression divides by once the rules are applied, factor by factor, inner divisors first."""
     seen = {} if seen is None else seen
-    node = bare(node)
+    node = opened(bare(node))
     if node in seen:
         return
     seen[node] = None

@@ -7,7 +7,9 @@ A free equation is not among them, so that no conclusion can be assumed.
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from dataclasses import dataclass
+from dataclasses import replace as with_fields
 from fractions import Fraction
 
 from chasles.vocabulary import (
@@ -64,6 +66,12 @@ class Hypothesis(Declared):
     def __post_init__(self) -> None:
         for left, right in self.equations:
             added(measured(left), measured(right), (left, right), f"assume {self.kind}: cannot equate")
+
+    def rewritten(self, change: Callable[[Node], Node]) -> Hypothesis:
+        """The same said of changed expressions."""
+        equations = tuple((change(left), change(right)) for left, right in self.equations)
+        subjects, nonvanishing = (tuple(map(change, each)) for each in (self.subjects, self.nonvanishing))
+        return with_fields(self, subjects=subjects, equations=equations, nonvanishing=nonvanishing)
 
 
 def _symbol(subject: Node, kind: str) -> None:

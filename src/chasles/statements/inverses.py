@@ -7,7 +7,6 @@ determinant (Cramer). That it is not zero is assumed wherever it does not follow
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
-from dataclasses import replace as with_fields
 from fractions import Fraction
 from functools import lru_cache
 from typing import Any
@@ -59,11 +58,9 @@ class Inverses:
 
     def hypothesis(self, said: Hypothesis) -> Hypothesis:
         """The same said without inverses."""
-        places = tuple(map(self, said.nonvanishing))
-        equations = tuple((self(left), self(right)) for left, right in said.equations)
-        if (places, equations) == (said.nonvanishing, said.equations):
-            return said
-        return with_fields(said, subjects=tuple(map(self, said.subjects)), equations=equations, nonvanishing=places)
+        found = said.rewritten(self)
+        same = (found.nonvanishing, found.equations) == (said.nonvanishing, said.equations)
+        return said if same else found
 
     def _inverse(self, of: Node) -> Node:
         """The inverse of a scalar or a matrix."""

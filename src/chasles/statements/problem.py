@@ -5,7 +5,7 @@ The prover and the checker of certificates both start here, and from nowhere els
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterator, Mapping
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
 from fractions import Fraction
@@ -36,6 +36,7 @@ from chasles.vocabulary import (
     plain,
     replace,
 )
+from chasles.vocabulary.defined import opened
 from chasles.vocabulary.families import indices_of
 from chasles.vocabulary.measure import added
 from chasles.vocabulary.nodes import lifted, measured
@@ -136,7 +137,7 @@ def problem_of(statement: Decidable, form: str = "printed", standing: AcceptedSi
         goals = tuple(_goals(statement, form, standing))
     for goal in goals:
         added(measured(goal.left), measured(goal.right), (goal.left, goal.right), "equate")
-    return with_directions(_with_simple_lengths(without_inverses(with_fields(problem, goals=goals))))
+    return with_directions(_with_simple_lengths(_in_simpler_words(with_fields(problem, goals=goals))))
 
 
 def _angle_rules(
@@ -158,30 +159,47 @@ def _angle_rules(
             yield found
 
 
-def without_inverses(problem: Problem) -> Problem:
-    """The same problem with every inverse in other words, under the hypotheses that there are such inverses."""
+def _in_simpler_words(problem: Problem) -> Problem:
+    """The same problem without defined words and inverses, under the hypotheses that there are such inverses."""
+    problem = _rewritten(problem, opened, lambda said: said.rewritten(opened))
     inverses = Inverses(problem.hypotheses, dict(problem.rules))
-    sides = [side for goal in (*problem.goals, *problem.conditions) for side in (goal.left, goal.right)]
-    at_work = reached(sides, dict(problem.rules))
-    rules = tuple((left, inverses(right) if left in at_work else right) for left, right in problem.rules)
-    goals = tuple(Goal(goal.label, inverses(goal.left), inverses(goal.right)) for goal in problem.goals)
-    conditions = tuple(Goal(goal.label, inverses(goal.left), inverses(goal.right)) for goal in problem.conditions)
+    at_work = reached(_sides(problem), dict(problem.rules))
+    found = _rewritten(problem, inverses, inverses.hypothesis, at_work)
     presupposed = tuple(dict.fromkeys((*problem.presupposed, *inverses.used)))
-    hypotheses = (*inverses.needed, *map(inverses.hypothesis, problem.hypotheses))
-    cases = tuple(Goal(case.label, inverses(case.left), case.right) for case in problem.cases)
-    return Problem(goals, rules, conditions, problem.unknowns, hypotheses, presupposed, cases)
+    return with_fields(found, hypotheses=(*inverses.needed, *found.hypotheses), presupposed=presupposed)
+
+
+def _sides(problem: Problem) -> list[Node]:
+    return [side for goal in (*problem.goals, *problem.conditions) for side in (goal.left, goal.right)]
+
+
+def _rewritten(
+    problem: Problem,
+    side: Callable[[Node], Node],
+    hypothesis: Callable[[Hypothesis], Hypothesis],
+    at_work: Container[Node] | None = None,
+) -> Problem:
+    """The same problem with each side said otherwise; of rules only those `at_work`, if these are named."""
+
+    def rewritten(goal: Goal) -> Goal:
+        return Goal(goal.label, side(goal.left), side(goal.right))
+
+    rules = tuple((left, side(right) if at_work is None or left in at_work else right) for left, right in problem.rules)
+    return with_fields(
+        problem,
+        goals=tuple(map(rewritten, problem.goals)),
+        rules=rules,
+        conditions=tuple(map(rewritten, problem.conditions)),
+        hypotheses=tuple(map(hypothesis, problem.hypotheses)),
+        cases=tuple(map(rewritten, problem.cases)),
+    )
 
 
 def _with_simple_lengths(problem: Problem) -> Problem:
     """The same problem with every length said of as simple a vector as is known."""
     lengths = Lengths(problem.hypotheses, dict(problem.rules))
-    goals = tuple(Goal(goal.label, lengths(goal.left), lengths(goal.right)) for goal in problem.goals)
-    conditions = tuple(Goal(goal.label, lengths(goal.left), lengths(goal.right)) for goal in problem.conditions)
-    rules = tuple((left, lengths(right)) for left, right in problem.rules)
-    hypotheses = tuple(map(lengths.hypothesis, problem.hypotheses))
-    presupposed = tuple(dict.fromkeys((*problem.presupposed, *lengths.used)))
-    cases = tuple(Goal(case.label, lengths(case.left), case.right) for case in problem.cases)
-    return Problem(goals, rules, conditions, problem.unknowns, hypotheses, presupposed, cases)
+    found = _rewritten(problem, lengths, lengths.hypothesis)
+    return with_fields(found, presupposed=tuple(dict.fromkeys((*problem.presupposed, *lengths.used))))
 
 
 def _theorem_goals(statement: Theorem, problem: Problem) -> Iterator[Goal]:

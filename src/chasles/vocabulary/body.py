@@ -6,13 +6,13 @@ from chasles.vocabulary.dimension import LENGTH
 from chasles.vocabulary.fitting import measured, word
 from chasles.vocabulary.letters import Symbol
 from chasles.vocabulary.measure import Measure, scaled
-from chasles.vocabulary.nodes import Node
+from chasles.vocabulary.nodes import OfOne
 
 __all__ = ["Integral"]
 
 
 @word
-class Integral(Node):
+class Integral(OfOne):
     """The integral over the volume of a body.
 
     The `density`, and the quantities `over` which the integral is taken, differ from element to element; so does what
@@ -20,13 +20,9 @@ class Integral(Node):
     not change with time.
     """
 
-    of: Node
     density: Symbol
     over: tuple[Symbol, ...]
     body: str = r"\mathcal{B}"
-
-    def _parts(self) -> tuple[Node, ...]:
-        return (self.of,)
 
     def _measured(self) -> Measure:
         return scaled(measured(self.of), LENGTH**3)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from chasles.vocabulary.defined import Defined
 from chasles.vocabulary.layout import At, Block, Call, Group, Rate
 from chasles.vocabulary.letters import Identity, Zero
 from chasles.vocabulary.nodes import Contract, Negative, Node, Number, Power, Quotient, Scale, Sum, Transpose
@@ -24,6 +25,8 @@ def rate_of(node: Node) -> Node:
     Raises `NoRule` for what has no such rule: symbols, inverses, determinants.
     """
     match node:
+        case Defined():
+            return Rate(node.definition)
         case Number() | Identity() | Zero():
             return Zero(*node.shape)
         case Sum(terms):

@@ -61,9 +61,6 @@ class Entry(Node):
     j: Index
     letter_of_entry: str
 
-    def _parts(self) -> tuple[Node, ...]:
-        return (self.of,)
-
     def _measured(self) -> Measure:
         return uniform((1, 1), measured(self.of).the_dimension(self.of))
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from chasles.vocabulary.dimension import NO_DIMENSION, Dimension
 from chasles.vocabulary.fitting import SCALAR, measured, word
 from chasles.vocabulary.measure import Measure, Misfit, entrywise, stacked, uniform
-from chasles.vocabulary.nodes import Node
+from chasles.vocabulary.nodes import Node, OfOne
 
 __all__ = ["At", "Block", "Call", "Group", "Rate"]
 
@@ -31,9 +31,6 @@ class Call(Node):
     function: str
     argument: Node
 
-    def _parts(self) -> tuple[Node, ...]:
-        return (self.argument,)
-
     def _measured(self) -> Measure:
         if not self.argument.is_scalar or measured(self.argument).grid[0][0] not in (None, NO_DIMENSION):
             raise Misfit(f"{self.function} takes an angle in radians, and {self.argument} is not one")
@@ -41,45 +38,32 @@ class Call(Node):
 
 
 @word
-class Rate(Node):
+class Rate(OfOne):
     """The time derivative."""
-
-    of: Node
-
-    def _parts(self) -> tuple[Node, ...]:
-        return (self.of,)
 
     def _measured(self) -> Measure:
         return entrywise(lambda d: Dimension(d.length, d.mass, d.time - 1), measured(self.of))
 
 
 @word
-class At(Node):
+class At(OfOne):
     """The quantity, printed with its argument: p(t)."""
 
-    of: Node
     argument: str
-
-    def _parts(self) -> tuple[Node, ...]:
-        return (self.of,)
 
     def _measured(self) -> Measure:
         return measured(self.of)
 
 
 @word
-class Group(Node):
+class Group(OfOne):
     """A term that the author puts between brackets which its meaning does not ask for.
 
     With a `frame`, the brackets say in which coordinate frame the components are given, and bear its letter.
     """
 
-    of: Node
     brackets: str = "()"
     frame: str = ""
-
-    def _parts(self) -> tuple[Node, ...]:
-        return (self.of,)
 
     def _measured(self) -> Measure:
         return measured(self.of)

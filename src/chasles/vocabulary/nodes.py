@@ -6,7 +6,9 @@ Equality is equality of spelling. A node has no truth value: whether an equation
 
 from __future__ import annotations
 
+from dataclasses import fields
 from fractions import Fraction
+from functools import cache
 from itertools import pairwise
 
 from chasles.display import Displayed
@@ -35,7 +37,7 @@ class Node(Displayed, Fitted):
     __slots__ = ()
 
     def _parts(self) -> tuple[Node, ...]:
-        return ()
+        return tuple(getattr(self, name) for name in node_fields(type(self)))  # type: ignore[arg-type]
 
     @property
     def T(self) -> Transpose:
@@ -88,6 +90,19 @@ class Node(Displayed, Fitted):
         from chasles.vocabulary.plain import plain
 
         return plain(self)
+
+
+@cache
+def node_fields(kind: type[Node]) -> tuple[str, ...]:
+    """The fields of a word that hold expressions."""
+    return tuple(each.name for each in fields(kind) if each.type in ("Node", Node))  # type: ignore[arg-type]
+
+
+@word
+class OfOne(Node):
+    """A word of one expression."""
+
+    of: Node
 
 
 def lifted(value: Node | int | Fraction) -> Node:
@@ -147,9 +162,6 @@ class Negative(Node):
 
     term: Node
 
-    def _parts(self) -> tuple[Node, ...]:
-        return (self.term,)
-
     def _measured(self) -> Measure:
         return measured(self.term)
 
@@ -161,9 +173,6 @@ class Scale(Node):
     factor: Node
     term: Node
     trailing: bool = False
-
-    def _parts(self) -> tuple[Node, ...]:
-        return (self.factor, self.term)
 
     def _measured(self) -> Measure:
         if not self.factor.is_scalar:
@@ -178,9 +187,6 @@ class Quotient(Node):
     numerator: Node
     denominator: Node
     slash: bool = False
-
-    def _parts(self) -> tuple[Node, ...]:
-        return (self.numerator, self.denominator)
 
     def _measured(self) -> Measure:
         if not self.denominator.is_scalar:
@@ -216,9 +222,6 @@ class Power(Node):
     base: Node
     exponent: int
 
-    def _parts(self) -> tuple[Node, ...]:
-        return (self.base,)
-
     def _measured(self) -> Measure:
         if self.exponent < 1:
             raise Misfit(f"the exponent of {self.base} is {self.exponent}; write a quotient or `inverse` instead")
@@ -229,13 +232,8 @@ class Power(Node):
 
 
 @word
-class Transpose(Node):
+class Transpose(OfOne):
     """The transpose."""
-
-    of: Node
-
-    def _parts(self) -> tuple[Node, ...]:
-        return (self.of,)
 
     def _measured(self) -> Measure:
         return measured(self.of).transposed

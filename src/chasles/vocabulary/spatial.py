@@ -8,7 +8,7 @@ from itertools import permutations
 from chasles.vocabulary.dimension import NO_DIMENSION, Dimension
 from chasles.vocabulary.fitting import SCALAR, measured, square_measure, word
 from chasles.vocabulary.measure import Measure, Misfit, completed, contracted, entrywise, uniform
-from chasles.vocabulary.nodes import Node
+from chasles.vocabulary.nodes import Node, OfOne
 
 __all__ = ["Cofactor", "Cross", "Determinant", "Dot", "Inverse", "Norm", "Skew", "Trace", "Vect"]
 
@@ -33,13 +33,8 @@ def _of_determinant(measure: Measure) -> Dimension | None:
 
 
 @word
-class Inverse(Node):
+class Inverse(OfOne):
     """The inverse of a square matrix; a claim about it says that the product with the other side is the identity."""
-
-    of: Node
-
-    def _parts(self) -> tuple[Node, ...]:
-        return (self.of,)
 
     def _measured(self) -> Measure:
         of = completed(square_measure(self.of, "an inverse"), self.of)
@@ -47,13 +42,8 @@ class Inverse(Node):
 
 
 @word
-class Cofactor(Node):
+class Cofactor(OfOne):
     """The cofactor matrix of a square matrix; a rotation equals its own."""
-
-    of: Node
-
-    def _parts(self) -> tuple[Node, ...]:
-        return (self.of,)
 
     def _measured(self) -> Measure:
         of = completed(square_measure(self.of, "a cofactor matrix"), self.of)
@@ -62,13 +52,8 @@ class Cofactor(Node):
 
 
 @word
-class Skew(Node):
+class Skew(OfOne):
     """The cross-product matrix of a vector: CPM(a) b = a x b. Source: (2.38)."""
-
-    of: Node
-
-    def _parts(self) -> tuple[Node, ...]:
-        return (self.of,)
 
     def _measured(self) -> Measure:
         dimension = _vector(self.of, "a cross-product matrix")
@@ -76,13 +61,8 @@ class Skew(Node):
 
 
 @word
-class Vect(Node):
+class Vect(OfOne):
     """The axial vector of a 3 x 3 matrix: that of its skew-symmetric part."""
-
-    of: Node
-
-    def _parts(self) -> tuple[Node, ...]:
-        return (self.of,)
 
     def _measured(self) -> Measure:
         if square_measure(self.of, "an axial vector").shape != (3, 3):
@@ -91,13 +71,8 @@ class Vect(Node):
 
 
 @word
-class Trace(Node):
+class Trace(OfOne):
     """The sum of the diagonal entries of a square matrix."""
-
-    of: Node
-
-    def _parts(self) -> tuple[Node, ...]:
-        return (self.of,)
 
     def _measured(self) -> Measure:
         grid = square_measure(self.of, "a trace").grid
@@ -106,26 +81,16 @@ class Trace(Node):
 
 
 @word
-class Determinant(Node):
+class Determinant(OfOne):
     """The determinant of a square matrix."""
-
-    of: Node
-
-    def _parts(self) -> tuple[Node, ...]:
-        return (self.of,)
 
     def _measured(self) -> Measure:
         return uniform(SCALAR, _of_determinant(completed(square_measure(self.of, "a determinant"), self.of)))
 
 
 @word
-class Norm(Node):
+class Norm(OfOne):
     """The Euclidean norm of a column or a scalar."""
-
-    of: Node
-
-    def _parts(self) -> tuple[Node, ...]:
-        return (self.of,)
 
     def _measured(self) -> Measure:
         if measured(self.of).shape[1] != 1:
@@ -139,9 +104,6 @@ class Dot(Node):
 
     left: Node
     right: Node
-
-    def _parts(self) -> tuple[Node, ...]:
-        return (self.left, self.right)
 
     def _measured(self) -> Measure:
         left, right = measured(self.left), measured(self.right)
@@ -157,9 +119,6 @@ class Cross(Node):
 
     left: Node
     right: Node
-
-    def _parts(self) -> tuple[Node, ...]:
-        return (self.left, self.right)
 
     def _measured(self) -> Measure:
         left = _vector(self.left, "a vector product")

@@ -14,6 +14,7 @@ from enum import IntEnum
 from typing import Protocol
 
 from chasles.vocabulary.body import Integral
+from chasles.vocabulary.defined import Defined
 from chasles.vocabulary.families import Entry, Kronecker, Member
 from chasles.vocabulary.layout import At, Block, Call, Group, Rate
 from chasles.vocabulary.letters import Identity, Symbol, Zero
@@ -145,6 +146,10 @@ def spell(node: Node, style: Style) -> Piece:
                 Precedence.ATOM,
                 piece.depth + 1,
             )
+        case Defined():
+            parts = [spell(part, style) for part in node._parts()]
+            depth = max(piece.depth for piece in parts)
+            return style.function(node.function, Piece(", ".join(p.text for p in parts), Precedence.SUM, depth))
         case Block(rows):
             spelled = [[spell(block, style) for block in row] for row in rows]
             depth = max(piece.depth for row in spelled for piece in row)

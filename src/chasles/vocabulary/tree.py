@@ -3,22 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import fields
 from dataclasses import replace as with_fields
-from functools import cache
 from typing import Any
 
 from chasles.vocabulary.body import Integral
 from chasles.vocabulary.layout import Block, Rate
 from chasles.vocabulary.letters import Symbol
-from chasles.vocabulary.nodes import Contract, Node, Sum
+from chasles.vocabulary.nodes import Contract, Node, Sum, node_fields
 
 __all__ = ["children", "rebuilt", "replace", "symbols_of", "undotted", "walk"]
-
-
-@cache
-def _node_fields(kind: type[Node]) -> tuple[str, ...]:
-    return tuple(f.name for f in fields(kind) if f.type in ("Node", Node))  # type: ignore[arg-type]
 
 
 def children(node: Node) -> tuple[Node, ...]:
@@ -37,7 +30,7 @@ def rebuilt(node: Node, parts: tuple[Node, ...]) -> Node:
             taken = iter(parts)
             return Block(tuple(tuple(next(taken) for _ in row) for row in rows))
         case _:
-            names = _node_fields(type(node))  # type: ignore[arg-type]
+            names = node_fields(type(node))  # type: ignore[arg-type]
             changes: dict[str, Any] = dict(zip(names, parts, strict=True))
             return with_fields(node, **changes) if changes else node  # type: ignore[type-var]
 
