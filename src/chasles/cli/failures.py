@@ -86,6 +86,9 @@ class Guarded(click.Group):
         except Exception as error:
             if os.environ.get(DEBUG):
                 print_exc()
+            if _is_of_a_declaration(error):
+                _say(str(error))
+                return BAD_INPUT
             _say(
                 f"this is a defect of chasles: {type(error).__name__}: {error}. "
                 f"Please report it, with what the same command prints under {DEBUG}=1"
@@ -114,6 +117,13 @@ def _with_help(error: click.ClickException) -> str:
     if isinstance(error, click.UsageError) and error.ctx is not None:
         return f"{message}; see `{error.ctx.command_path} --help`"
     return message
+
+
+def _is_of_a_declaration(error: Exception) -> bool:
+    """Whether a chapter or an exercise is declared wrongly: that is its author's to mend."""
+    from chasles.statements import DeclarationError
+
+    return isinstance(error, DeclarationError)
 
 
 def _say(message: str) -> None:

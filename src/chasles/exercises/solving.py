@@ -14,6 +14,7 @@ from chasles.exercises.solution import Solution
 from chasles.exercises.worksheet import Worksheet
 from chasles.statements.exercise import Exercise
 from chasles.statements.exercises import exercise as find_exercise
+from chasles.statements.packages import DeclarationError
 
 __all__ = ["solve", "solve_with", "solved_on_sheet"]
 
@@ -47,7 +48,9 @@ def solved_on_sheet(exercise: Exercise, data: Mapping[str, Any]) -> tuple[Soluti
         raise DataError("a number grows too large; give smaller ones") from error
     except BasePolynomialError as error:
         raise DataError("polynomials in these numbers are not known; give numbers that square roots express") from error
-    assert status in exercise.statuses, f"{status} is not among {exercise.statuses}"
+    if status not in exercise.statuses:
+        expected = ", ".join(map(repr, exercise.statuses))
+        raise DeclarationError(f"`solve` of exercise {exercise.number} returns {status!r}, and must return {expected}")
     solution = Solution(
         exercise.number,
         exercise.title,

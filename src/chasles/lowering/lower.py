@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import reduce
 
 from chasles.lowering.builder import Builder
 from chasles.lowering.cost import price
@@ -20,6 +21,9 @@ from chasles.statements.arrays import argument_name, core_shape, meaning_of
 
 __all__ = ["expanded", "lower", "program_of"]
 
+LAST: tuple[Callable[[Program], Program], ...] = (guarded,)
+"""What is done to the program that was chosen, one pass after the other."""
+
 
 def lower(sentence: Entry | Sentence, decide: Decide, kernel: Kernel | None = None) -> Program:
     """The program of a sentence's kernel, in the form of the sentence that stands; `decide` is `Session.decide`.
@@ -32,7 +36,8 @@ def lower(sentence: Entry | Sentence, decide: Decide, kernel: Kernel | None = No
 
 def program_of(request: Request) -> Program:
     """The cheapest of the programs that lose no digits another one keeps; NaN where one of its divisors is zero."""
-    return guarded(min(map(scaled, stable(request, list(dict.fromkeys(_candidates(request))))), key=price))
+    cheapest = min(map(scaled, stable(request, list(dict.fromkeys(_candidates(request))))), key=price)
+    return reduce(lambda program, last: last(program), LAST, cheapest)
 
 
 def _candidates(request: Request) -> Iterator[Program]:
