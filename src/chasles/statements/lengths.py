@@ -60,10 +60,8 @@ class Lengths:
 
     def hypothesis(self, said: Hypothesis) -> Hypothesis:
         """The same said of simpler lengths."""
-        places = tuple(map(self, said.nonvanishing))
-        if places == said.nonvanishing:
-            return said
-        return with_fields(said, subjects=tuple(map(self, said.subjects)), nonvanishing=places)
+        found = with_fields(said.rewritten(self), equations=said.equations)
+        return said if found.nonvanishing == said.nonvanishing else found
 
     def _length(self, of: Node) -> Node:
         match of:

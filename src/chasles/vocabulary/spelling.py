@@ -139,17 +139,11 @@ def spell(node: Node, style: Style) -> Piece:
             return style.norm(spell(of, style))
         case Call(function, argument):
             return style.function(function, spell(argument, style))
-        case Skew(of) | Vect(of) | Trace(of) | Determinant(of) | Cofactor(of):
-            piece = spell(of, style)
-            return Piece(
-                style.function(FUNCTIONS[type(node)], Piece(f"{piece.text}", Precedence.SUM, piece.depth)).text,
-                Precedence.ATOM,
-                piece.depth + 1,
-            )
-        case Defined():
+        case Defined() | Skew() | Vect() | Trace() | Determinant() | Cofactor():
             parts = [spell(part, style) for part in node._parts()]
-            depth = max(piece.depth for piece in parts)
-            return style.function(node.function, Piece(", ".join(p.text for p in parts), Precedence.SUM, depth))
+            inner = joined(parts, ", ".join(part.text for part in parts), Precedence.SUM)
+            name = node.function if isinstance(node, Defined) else FUNCTIONS[type(node)]
+            return Piece(style.function(name, inner).text, Precedence.ATOM, inner.depth + 1)
         case Block(rows):
             spelled = [[spell(block, style) for block in row] for row in rows]
             depth = max(piece.depth for row in spelled for piece in row)
