@@ -85,13 +85,13 @@ WORD = '''"""Symmetric parts of matrices."""
 
 from typing import ClassVar
 
-from chasles.vocabulary.defined import Defined
+from chasles.vocabulary.shorthand import Shorthand
 from chasles.vocabulary.fitting import word
 from chasles.vocabulary.nodes import Node
 
 
 @word
-class SymmetricPart(Defined):
+class SymmetricPart(Shorthand):
     """The symmetric part of a square matrix."""
 
     of: Node

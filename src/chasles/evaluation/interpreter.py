@@ -35,7 +35,7 @@ from chasles.vocabulary import (
     Vect,
     Zero,
 )
-from chasles.vocabulary.defined import Defined
+from chasles.vocabulary.shorthand import Shorthand
 
 __all__ = ["Interpreter"]
 
@@ -97,7 +97,7 @@ class Interpreter:
         match node:
             case Symbol(stands_for=Node() as of) | At(of) | Group(of):
                 return self(of)
-            case Defined():
+            case Shorthand():
                 return self(node.definition)
             case Number(value):
                 return [[self.constant(value)]]

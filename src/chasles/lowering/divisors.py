@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from chasles.statements.statement import bare
 from chasles.vocabulary import Group, Negative, Node, Number, Power, Quotient, Scale, Symbol, children
-from chasles.vocabulary.defined import opened
+from chasles.vocabulary.shorthand import opened
 
 __all__ = ["divisors_of"]
 

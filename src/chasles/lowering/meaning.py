@@ -14,8 +14,8 @@ from chasles.statements import Packed
 from chasles.statements.kernel import Place, nodes_of, places_of
 from chasles.statements.statement import bare
 from chasles.vocabulary import Group, Node, Rate, Symbol, Zero, plain
-from chasles.vocabulary.defined import Defined
 from chasles.vocabulary.differentiation import rate_of
+from chasles.vocabulary.shorthand import Shorthand
 
 __all__ = ["Meanings"]
 
@@ -54,7 +54,7 @@ class Meanings:
                     node = self._rules[node]
                 case Symbol(stands_for=Node() as inner) | Group(inner):
                     node = inner
-                case Defined():
+                case Shorthand():
                     node = node.definition
                 case Rate(of):
                     node = self._rate(self.of(of))

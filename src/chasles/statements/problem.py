@@ -36,10 +36,10 @@ from chasles.vocabulary import (
     plain,
     replace,
 )
-from chasles.vocabulary.defined import opened
 from chasles.vocabulary.families import indices_of
 from chasles.vocabulary.measure import added
 from chasles.vocabulary.nodes import lifted, measured
+from chasles.vocabulary.shorthand import opened
 
 __all__ = ["AcceptedSides", "Goal", "Problem", "default_form", "default_sides", "problem_of"]
 

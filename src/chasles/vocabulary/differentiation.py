@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from chasles.vocabulary.defined import Defined
 from chasles.vocabulary.layout import At, Block, Call, Group, Rate
 from chasles.vocabulary.letters import Identity, Zero
 from chasles.vocabulary.nodes import Contract, Negative, Node, Number, Power, Quotient, Scale, Sum, Transpose
 from chasles.vocabulary.plain import plain
+from chasles.vocabulary.shorthand import Shorthand
 from chasles.vocabulary.spatial import Cross, Dot, Norm, Skew, Trace, Vect
 from chasles.vocabulary.tree import children, rebuilt
 
@@ -25,7 +25,7 @@ def rate_of(node: Node) -> Node:
     Raises `NoRule` for what has no such rule: symbols, inverses, determinants.
     """
     match node:
-        case Defined():
+        case Shorthand():
             return Rate(node.definition)
         case Number() | Identity() | Zero():
             return Zero(*node.shape)

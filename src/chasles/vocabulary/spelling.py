@@ -14,11 +14,11 @@ from enum import IntEnum
 from typing import Protocol
 
 from chasles.vocabulary.body import Integral
-from chasles.vocabulary.defined import Defined
 from chasles.vocabulary.families import Entry, Kronecker, Member
 from chasles.vocabulary.layout import At, Block, Call, Group, Rate
 from chasles.vocabulary.letters import Identity, Symbol, Zero
 from chasles.vocabulary.nodes import Contract, Negative, Node, Number, Power, Quotient, Scale, Sum, Transpose
+from chasles.vocabulary.shorthand import Shorthand
 from chasles.vocabulary.spatial import Cofactor, Cross, Determinant, Dot, Inverse, Norm, Skew, Trace, Vect
 
 __all__ = ["Piece", "Precedence", "Style", "spell"]
@@ -139,10 +139,10 @@ def spell(node: Node, style: Style) -> Piece:
             return style.norm(spell(of, style))
         case Call(function, argument):
             return style.function(function, spell(argument, style))
-        case Defined() | Skew() | Vect() | Trace() | Determinant() | Cofactor():
+        case Shorthand() | Skew() | Vect() | Trace() | Determinant() | Cofactor():
             parts = [spell(part, style) for part in node._parts()]
             inner = joined(parts, ", ".join(part.text for part in parts), Precedence.SUM)
-            name = node.function if isinstance(node, Defined) else FUNCTIONS[type(node)]
+            name = node.function if isinstance(node, Shorthand) else FUNCTIONS[type(node)]
             return Piece(style.function(name, inner).text, Precedence.ATOM, inner.depth + 1)
         case Block(rows):
             spelled = [[spell(block, style) for block in row] for row in rows]

@@ -11,10 +11,10 @@ from chasles.vocabulary.measure import Measure
 from chasles.vocabulary.nodes import Node
 from chasles.vocabulary.tree import children, rebuilt
 
-__all__ = ["Defined", "opened"]
+__all__ = ["Shorthand", "opened"]
 
 
-class Defined(Node):
+class Shorthand(Node):
     """A word that is short for its `definition`; printed as the `function` of its parts.
 
     Decided, checked, lowered and evaluated is the definition, whose shape and dimensions the word has.
@@ -35,7 +35,7 @@ class Defined(Node):
 @lru_cache(maxsize=4096)
 def opened(node: Node) -> Node:
     """The expression with every defined word in it said in simpler words."""
-    if isinstance(node, Defined):
+    if isinstance(node, Shorthand):
         return opened(node.definition)
     if isinstance(node, Symbol):
         inner = None if node.stands_for is None else opened(node.stands_for)
