@@ -7,8 +7,9 @@
  *   Developed at SunSoft, a Sun Microsystems, Inc. business.
  *   Permission to use, copy, modify, and distribute this software is freely granted, provided that this notice is
  *   preserved.
- * There is no branch: the nearest multiple k of pi/2 is taken off in parts whose products with k are exact, both
- * polynomials are evaluated, and the bits of k say which is which and of what sign. Adding 1.5 * 2^52 rounds to a whole
+ * There is no branch: the nearest multiple k of pi/2 is taken off in parts whose products with k are exact (Cody and
+ * Waite, Software Manual for the Elementary Functions, 1980), both polynomials are evaluated, and the bits of k say
+ * which is which and of what sign. Adding 1.5 * 2^52 rounds to a whole
  * number and leaves it in the lowest bits; no compiler may rearrange that, so nothing of -ffast-math is to be given.
  */
 

@@ -34,7 +34,7 @@ VANISHING = 2.0**-16
 """A sum that errs by more, relatively, at some point is taken to vanish somewhere."""
 ROUNDS = 5
 FEW = 6
-"""So many comparisons at most: their outcomes are looked at one by one."""
+"""The most comparisons a program may make: every combination of outcomes is a case."""
 
 Truths = Mapping[int, bool]
 

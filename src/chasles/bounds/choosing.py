@@ -27,7 +27,7 @@ class ComparisonOutcome:
     exact: bool
 
     def part(self, rows: NDArray[np.intp]) -> ComparisonOutcome:
-        """The same in some of the boxes."""
+        """What is known in these boxes alone."""
         return ComparisonOutcome(self.may[rows], self.may_not[rows], self.exact)
 
 

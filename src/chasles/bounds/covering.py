@@ -1,7 +1,8 @@
 """How large does a measure of error become over all inputs? Boxes that cover them, the worst ones halved.
 
 Each box has a bound, and the largest of all boxes' bounds is a bound for all inputs. Halving ends where it is hardly
-larger than the bound at some point: smaller boxes would gain nothing.
+larger than the bound at some point: smaller boxes would gain nothing. This is branch and bound with interval arithmetic
+(Moore, Interval Analysis, 1966).
 """
 
 from __future__ import annotations
@@ -130,7 +131,7 @@ class Boxes:
     places: Mapping[int, Places] = field(default_factory=dict)
 
     def kept(self, which: Any) -> Boxes:
-        """Those of the boxes, in their order."""
+        """The boxes of these rows, in their order."""
         places = {k: (least[which], most[which]) for k, (least, most) in self.places.items()}
         return Boxes(self.regions, self.owner[which], self.low[which], self.high[which], places)
 

@@ -86,36 +86,36 @@ class Interval:
         return np.maximum(np.maximum(self.low, -self.high), 0)
 
     def union(self, other: Interval) -> Interval:
-        """What holds both."""
+        """The smallest interval that holds both."""
         return Interval(np.minimum(self.low, other.low), np.maximum(self.high, other.high))
 
     def part(self, rows: NDArray[np.intp]) -> Interval:
-        """The same in some of the boxes."""
+        """The interval in these boxes alone."""
         return Interval(self.low[rows], self.high[rows])
 
     def common(self, other: Interval) -> Interval:
-        """What lies in both; if that is nothing, what lies between them."""
+        """The intersection; where that is empty, what lies between the two."""
         low, high = np.maximum(self.low, other.low), np.minimum(self.high, other.high)
         return Interval(np.minimum(low, high), np.maximum(low, high))
 
     def sized(self, size: Interval) -> Interval:
-        """What may have that size; upside down where there is nothing."""
+        """The part whose absolute values are in the given interval; low > high where there is none."""
         low = np.maximum(self.low, np.where(self.low > 0, size.low, -size.high))
         high = np.minimum(self.high, np.where(self.high < 0, -size.low, size.high))
         return Interval(low, high)
 
     def widened(self, by: Array) -> Interval:
-        """What is no farther than that from it."""
+        """The interval widened by a distance on both sides."""
         return Interval(_down(self.low - by), _up(self.high + by))
 
     def times(self, factor: float) -> Interval:
-        """Its multiples by a power of two, which rounds nothing, or by zero."""
+        """The interval times a power of two, which rounds nothing, or times zero."""
         ends = self.low * factor, self.high * factor
         return Interval(np.minimum(*ends), np.maximum(*ends))
 
 
 def below(x: Array) -> Array:
-    """Numbers below sizes that have been rounded."""
+    """Lower bounds of absolute values that were computed with rounding."""
     return x * (2 - SAFE)
 
 
@@ -135,7 +135,7 @@ def exactly(value: Fraction, like: Array) -> Interval:
 
 
 def enclosed(ball: Any) -> tuple[float, float]:
-    """Floats that a ball lies between."""
+    """The floats around a ball, rounded outwards."""
     low, high = float(ball.lower()), float(ball.upper())
     return low - (abs(low) * 2 * UNIT + LEAST), high + (abs(high) * 2 * UNIT + LEAST)
 
@@ -167,7 +167,7 @@ def _value(name: str, row: tuple[float, ...]) -> tuple[float, float]:
 
 
 def _sine(x: Any) -> Any:
-    """Within what sines are at all."""
+    """The part of the interval within [-1, 1]."""
     return _within(x.sin(), 1)
 
 

@@ -1,4 +1,7 @@
-"""What may the machine do to a value? The rounding model under which every bound is proved."""
+"""What may the machine do to a value? The rounding model under which every bound is proved.
+
+It is the standard model of floating-point arithmetic: Higham, Accuracy and Stability of Numerical Algorithms, 2.2.
+"""
 
 from __future__ import annotations
 

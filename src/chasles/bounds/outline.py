@@ -1,4 +1,4 @@
-"""A program as a bound reads it: guards of divisions looked through, angles as exact multiples of inputs."""
+"""A program prepared for bounds: guards of divisions looked through, angles as exact multiples of inputs."""
 
 from __future__ import annotations
 

@@ -43,17 +43,17 @@ class FacePiece:
 
     @property
     def negative(self) -> list[Sign]:
-        """What is negative on the piece."""
+        """The entries that are negative on the piece."""
         return [("input", self.argument, k) for k in range(3) if self.signs[k] < 0]
 
     @property
     def kind(self) -> tuple[int, ...]:
-        """What changes of sign leave as it is."""
+        """What tells pieces apart that no change of sign takes into one another."""
         return self.argument, self.axis
 
     @property
     def batch(self) -> tuple[int, ...]:
-        """Pieces of one batch have their steps in the same powers of t."""
+        """What pieces have in common that are covered in one batch: the powers of t of all steps."""
         return ()
 
 
@@ -105,12 +105,12 @@ class AnglePiece:
 
     @property
     def kind(self) -> tuple[int, ...]:
-        """What changes of sign leave as it is."""
+        """What tells pieces apart that no change of sign takes into one another."""
         return self.argument, self.entry, self.quarter % 2, self.near
 
     @property
     def batch(self) -> tuple[int, ...]:
-        """Pieces of one batch have their steps in the same powers of t."""
+        """What pieces have in common that are covered in one batch: the powers of t of all steps."""
         return (self.quarter,) if self.near else ()
 
     @property

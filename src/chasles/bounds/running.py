@@ -28,7 +28,7 @@ Angles = Callable[[int, int, Fraction], tuple[Scaled, Scaled]]
 
 
 def no_angles(argument: int, entry: int, factor: Fraction) -> tuple[Scaled, Scaled]:
-    """Those of a program whose angles are values like others. Raises KeyError."""
+    """The angles of a program that has none apart from its other values. Raises KeyError."""
     raise KeyError((argument, entry, factor))
 
 
@@ -95,7 +95,7 @@ class Running:
         self.bad |= lost
 
     def part(self, rows: NDArray[np.intp], entry: int) -> Running:
-        """The same in some of the boxes, of a step's derivatives: all that the step depends on."""
+        """What the derivatives of a step depend on, in these boxes alone."""
         found: Running = object.__new__(Running)
         found.outline, found.rounded, found._model = self.outline, self.rounded, self._model
         found.zero, found._weight = self.zero[rows], self._weight[rows]

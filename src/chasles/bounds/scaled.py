@@ -25,5 +25,5 @@ class Scaled:
     error: Array
 
     def part(self, rows: NDArray[np.intp]) -> Scaled:
-        """The same in some of the boxes."""
+        """The value in these boxes alone."""
         return Scaled(self.power, self.value.part(rows), self.error[rows])

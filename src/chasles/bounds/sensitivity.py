@@ -5,6 +5,8 @@ derivative by it, taken somewhere between (mean value theorem). The derivative i
 values that rounding can lead to, so that the sum of sizes is a bound without any remainder. Errors that cancel in an
 entry, as those of a cosine that enters twice, are seen to; but a product that enters several sums may be rounded for
 one of them and contracted with another, so that its errors there count one by one.
+
+The derivatives are those of the reverse mode: Griewank and Walther, Evaluating Derivatives, 2008, section 3.2.
 """
 
 from __future__ import annotations
@@ -19,8 +21,6 @@ from chasles.bounds.running import Running
 from chasles.lowering.program import Op
 
 __all__ = ["entry_error"]
-
-SUMS = (Op.ADD, Op.SUBTRACT)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -1,7 +1,8 @@
 """Which changes of sign leave every bound as it is? So that inputs of one sign stand for those of others.
 
 A change of the signs of inputs, sines and cosines that changes each step's sign or leaves it, and nothing else, leaves
-all sizes, and so all bounds. Which changes do is a system of linear equations over two elements: one for each sum.
+all sizes, and so all bounds. Which changes do is a system of linear equations over the field of two elements, one for
+each sum.
 """
 
 from __future__ import annotations

@@ -4,6 +4,8 @@ Along with each step goes the sum of the sizes of its terms: the same step with 
 sums in the place of differences. The computed value differs from the exact one by at most a multiple of that sum,
 which is kept as an exact fraction. A sum of two exact values counts as one term; a value of one term, or of terms that
 are none of them negative, is that sum itself up to its sign, and so has a relative error.
+
+The analysis is that of Higham, Accuracy and Stability of Numerical Algorithms, 2002, chapters 3 and 4.
 """
 
 from __future__ import annotations
@@ -35,7 +37,7 @@ class Share:
 def shares(
     outline: Outline, model: Model, known: Mapping[int, Fraction] | None = None, most: int = 1
 ) -> dict[int, Share]:
-    """The share of every step that results need; `known` are relative errors of sums that do not cancel.
+    """The error of every step that results need; `known` are relative errors of sums that do not cancel.
 
     With `most` above 1 a divisor may cancel: shares are in parts of the sum of terms times the divisor's condition,
     which is the sum of its terms' sizes over its own size, as long as that is not above `most`. Errors are convex

@@ -1,6 +1,7 @@
 """How do steps change with an input? By the chain rule, step by step, so that derivatives share what is computed.
 
-Of a choice it is the derivative of what is chosen; where the choice changes nothing is said.
+This is the forward mode of automatic differentiation (Griewank and Walther, Evaluating Derivatives, 2008, section 3.1).
+Of a choice it is the derivative of what is chosen; nothing is said of where the choice changes.
 """
 
 from __future__ import annotations

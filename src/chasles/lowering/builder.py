@@ -1,7 +1,8 @@
 """Steps as they are asked for: equal steps are one, constants are folded exactly, signs are pulled to the outside.
 
 Nothing is rounded here and nothing is guessed: a product with a constant zero is zero because the zero is structural,
-as on the diagonal of a cross-product matrix; x - x is left to the machine, where it is NaN if x is.
+as on the diagonal of a cross-product matrix; x - x is left to the machine, where it is NaN if x is. Compilers know this
+as value numbering and constant folding (Muchnick, Advanced Compiler Design and Implementation, 1997, chapter 12).
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ _COSTLY = (Op.DIVIDE, Op.SQUARE_ROOT)
 
 
 class Builder:
-    """A growing list of steps; every method returns the number of the step that holds what it says."""
+    """A growing list of steps; each operation returns the number of the step that holds its result."""
 
     def __init__(self) -> None:
         self._numbers: dict[Step, int] = {}

@@ -64,7 +64,7 @@ class Meanings:
                     return node
 
     def is_known(self, node: Node) -> bool:
-        """Whether the node's entries are steps of their own."""
+        """Whether it is an argument, a choice or an angle, whose entries are steps and no expressions."""
         return node in self._known or node in self._choices or node in self._angles
 
     def is_ruled(self, node: Node) -> bool:
@@ -73,7 +73,7 @@ class Meanings:
         return node in self._rules and not self.is_known(node)
 
     def rows(self, node: Node) -> Rows:
-        """The entries of a known node."""
+        """The steps that hold the entries of an argument, of a choice or of an angle."""
         if node not in self._known:
             assert isinstance(node, Symbol)
             if node in self._choices:

@@ -16,7 +16,7 @@ __all__ = ["Reach"]
 
 
 class Reach:
-    """What has been reached from the expressions followed so far."""
+    """The definitions that the expressions followed so far lead to."""
 
     def __init__(
         self,

@@ -1,4 +1,4 @@
-"""Words for words, before any step is made.
+"""Expressions rewritten before any step is made of them.
 
 Transposes are carried to the symbols; cosines and sines of an angle that is known by its
 own cosine and sine become polynomials in these.

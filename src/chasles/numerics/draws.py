@@ -55,7 +55,7 @@ class Draws:
         return unit_of(Draws.vector(self, 3))
 
     def related(self, other: Numbers) -> Numbers | None:
-        """A column that stands in a special relation to another one, or None if this one is drawn by itself."""
+        """A column nearly equal or parallel to another one, or None if this one is drawn by itself."""
         return None
 
     def chance(self, probability: float) -> bool:

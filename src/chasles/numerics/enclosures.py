@@ -1,4 +1,4 @@
-"""Numbers of any precision, and intervals that enclose them: the two arithmetics of mpmath, behind one door.
+"""Numbers of any precision, and intervals that enclose them: the two arithmetics of mpmath.
 
 Contexts are made once for each precision and never changed, so that evaluations do not disturb one another.
 """

@@ -1,7 +1,8 @@
 """What is the value, to 50 digits? Expressions evaluated with mpmath, apart from the prover and from every program.
 
 The digits are those of the result, not of the arithmetic: intervals enclose every step, and an evaluation is repeated
-with more precision until they are narrow. So 1 - cos(phi) has 50 right digits for phi = 1e-60 too.
+with more precision until they are narrow, as Ziv proposes (Fast evaluation of elementary mathematical functions, 1991).
+So 1 - cos(phi) has 50 right digits for phi = 1e-60 too.
 """
 
 from __future__ import annotations

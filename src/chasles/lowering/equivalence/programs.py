@@ -2,7 +2,8 @@
 
 Cosines and sines of one angle are polynomials in those of a part of it, modulo cos^2 + sin^2 = 1; a root's square is
 what stands under it. Of every other function it is known only that like arguments give like values. So what is said to
-be equivalent is; what is not said to be may yet be.
+be equivalent is; what is not said to be may yet be. Numerators are compared in normal form, by division with remainder
+in several variables (Cox, Little and O'Shea, Ideals, Varieties, and Algorithms, section 2.3).
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ POLYNOMIAL = (Op.INPUT, Op.CONSTANT, Op.ADD, Op.SUBTRACT, Op.MULTIPLY, Op.DIVIDE
 CIRCULAR = (Op.SINE, Op.COSINE)
 
 Angle = tuple[Ratio, Fraction, Polynomial, Polynomial]
-"""What an angle is a multiple of, which multiple it is, its cosine and its sine."""
+"""An angle without its rational factor, the factor of the part that is known, and the cosine and sine of that part."""
 
 
 def equivalent(one: Program, other: Program) -> bool:

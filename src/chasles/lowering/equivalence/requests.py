@@ -1,4 +1,4 @@
-"""Is a program equal to what was asked for? Decided in the prover's own fractions, entry by entry, case by case."""
+"""Does a program compute what was asked for? Decided in the prover's own fractions, entry by entry, case by case."""
 
 from __future__ import annotations
 
@@ -108,7 +108,7 @@ def _on_way(request: Request, program: Program, way: Sequence[int], algebras: _A
 
 
 def _signs(algebra: Algebra, choices: Sequence[Choice], way: Sequence[int]) -> Signs:
-    """What the cases taken, and those passed over, say."""
+    """The signs that follow from the cases that are taken and from those that are passed over."""
     signs = Signs(Differences(algebra))
     for choice, place in zip(choices, way, strict=True):
         for case in choice.cases[:place]:

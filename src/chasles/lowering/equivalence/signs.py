@@ -122,7 +122,7 @@ class Signs:
                 yield settled
 
     def knowing(self, difference: Ratio, signs: tuple[int, ...]) -> Signs:
-        """The same, and the difference has one of the given signs."""
+        """What is known once the difference has one of the given signs."""
         left = tuple(sign for sign in self.of(difference) if sign in signs)
         if self.differences.algebra.number(difference) is not None:
             # Two numbers that compare the other way make the whole way impossible: nothing is left for an empty clause.
@@ -131,14 +131,14 @@ class Signs:
         return with_fields(self, known={**self.known, number: tuple(sorted(sign * turn for sign in left))})
 
     def in_case(self, case: Case) -> Signs:
-        """The same, where the case applies."""
+        """What is known where the case applies."""
         signs = self
         for comparison in case.where:
             signs = signs.knowing(*signs._literal(comparison))
         return signs
 
     def not_in_case(self, case: Case) -> Signs:
-        """The same, where the case does not apply."""
+        """What is known where the case does not apply."""
         clause = tuple(map(self._literal, case.where))
         if len(clause) == 1:
             difference, signs = clause[0]

@@ -1,7 +1,7 @@
 """Coefficients that depend on one angle alone are written anew, by cosine and sine of the angle or of its half.
 
 In the half-angle 1 - cos(phi) is 2 sin^2(phi/2) and sin(phi)/(1 - cos(phi)) is cot(phi/2): what cancels in the formula
-cancels before anything is rounded.
+cancels before anything is rounded (Higham, Accuracy and Stability of Numerical Algorithms, 2002, section 1.7).
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Steps that no result reads are left out, and the others numbered anew in their order."""
+"""Dead code elimination: steps that no result reads are left out, the others numbered anew in their order."""
 
 from __future__ import annotations
 

@@ -4,6 +4,7 @@ The squares of small numbers vanish, and those of large ones overflow, where the
 which a divisor is a form of the second degree or of a higher one are divided by their scale s first. Every step that is
 homogeneous in them is s^k times the same step of the numbers divided; s^k is multiplied in where k differs between two
 terms, and at the end, which it seldom reaches. Forms with a constant term do not vanish with the inputs, and stay.
+Norms have long been scaled so: Blue, A portable Fortran program to find the Euclidean norm of a vector, ACM TOMS, 1978.
 """
 
 from __future__ import annotations

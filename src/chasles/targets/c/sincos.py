@@ -1,4 +1,4 @@
-"""Which sines and cosines can be computed before all else, for many items at once? Those of angles that need no other.
+"""Which sines and cosines can be computed first, for many items at once? Those of angles that need no other.
 
 A program is cut in two: one that gives the angles, and one that takes their sines and cosines as further arguments.
 Two tight loops keep the machine busier than one that does both: their chains of operations together are longer than
