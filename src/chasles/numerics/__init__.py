@@ -4,7 +4,7 @@ from chasles.numerics.reference import MissingValue, Singular, evaluate
 from chasles.numerics.sampling import STRATEGIES, Unsatisfiable, draw
 from chasles.numerics.specification import ExpectedOutput, KernelInput, Specification, specification_of
 from chasles.numerics.specification_of_inverse import specification_of_inverse
-from chasles.numerics.verify import Evidence, Finding, verify, verify_all
+from chasles.numerics.verify import Evidence, Finding, verify
 
 __all__ = [
     "STRATEGIES",
@@ -21,5 +21,4 @@ __all__ = [
     "specification_of",
     "specification_of_inverse",
     "verify",
-    "verify_all",
 ]

@@ -7,7 +7,7 @@ last place moves the exact result. A kernel that loses digits which its inputs d
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import islice
 from math import inf, isfinite
@@ -24,7 +24,7 @@ from chasles.numerics.sampling import STRATEGIES, Sample, draw, moves
 from chasles.numerics.specification import Specification
 from chasles.vocabulary import Node
 
-__all__ = ["Evidence", "Finding", "verify", "verify_all"]
+__all__ = ["Evidence", "Finding", "verify"]
 
 Function = Callable[..., Any]
 SHOWN = 3
@@ -138,12 +138,6 @@ def verify(
     total = samples * len(strategies)
     kept = tuple(failures[:SHOWN])
     return Evidence(asked.name, np.dtype(dtype).name, total, skipped, tuple(worst), kept, len(failures), share)
-
-
-def verify_all(kernels: Iterable[tuple[Specification, Function]], **options: Any) -> Iterator[Evidence]:
-    """The evidence on each kernel, one at a time; `options` are those of `verify`."""
-    for asked, function in kernels:
-        yield verify(asked, function, **options)
 
 
 def _results(
