@@ -1,5 +1,6 @@
 # make          sets up .venv; decides the chapter, emits, compiles and verifies the kernels
 # make test     sets up .venv; runs the tests (ARGS="-k twist" narrows them)
+# make quick    sets up .venv; runs in less than a minute those tests that find most
 # make bench    sets up .venv and the peers; times the kernels beside them (ARGS="--rounds 3" and the like)
 # make docs     sets up .venv; executes and builds the manual: docs/_build/html/index.html
 # make lint | types | compile | wheel | clean
@@ -21,7 +22,7 @@ INSTALL := SKBUILD_BUILD_DIR=$(VENV)/build $(PIP) install --no-build-isolation -
 BUILD_FILES := pyproject.toml CMakeLists.txt $(wildcard cmake/*) src/chasles/__init__.py
 C_FILES := $(wildcard generated/c/include/* generated/c/src/* generated/gufunc/*)
 
-.PHONY: all chapter compile test bench docs lint types wheel clean
+.PHONY: all chapter compile test quick bench docs lint types wheel clean
 .DELETE_ON_ERROR:
 
 all: chapter
@@ -38,6 +39,19 @@ compile: $(VENV)/.compiled
 
 test: $(VENV)/.compiled $(VENV)/.tools
 	@$(BIN)/python -m pytest -n 2 --dist worksteal $(ARGS)
+
+# Of each room what fails first: names and imports, the verdicts on record, proofs and points checked again, grades,
+# programs and their kernels, what the commands print.
+QUICK := \
+    asking assumptions by_hand certificate checked complex derive drawn enclosures formulas_in_html imports intervals \
+    judge kernel_choice kernel_names lengths_and_angles mistakes names no_heuristics printed recheck recheck_relations \
+    sentences side_conditions slips spelling verdicts \
+    exercises/test_claims exercises/test_grading exercises/test_grading_of_signs \
+    lowering/test_branches lowering/test_builder lowering/test_lower lowering/test_rounding \
+    targets/test_targets_emission targets/test_targets_spelling cli/test_cli_contract cli/test_cli_usage
+
+quick: $(VENV)/.compiled $(VENV)/.tools
+	@$(BIN)/python -m pytest -n 2 --dist worksteal -m 'not slow' $(ARGS) $(QUICK:%=tests/test_%.py)
 
 bench: $(VENV)/.compiled $(VENV)/.tools $(VENV)/.peers
 	@$(BIN)/python -m benchmarks.kernels $(ARGS)

@@ -693,6 +693,7 @@ def book() -> tuple[Session, tuple[Any, ...]]:
     return session, tuple(session.decide(entry.statement) for entry in sample(load(), EVERY))
 
 
+@pytest.mark.slow
 def test_every_certificate_of_the_book_is_accepted() -> None:
     judge, decisions = book()
     checked = 0
@@ -706,6 +707,7 @@ def test_every_certificate_of_the_book_is_accepted() -> None:
     assert checked >= (98 if WHOLE else 98 // EVERY)
 
 
+@pytest.mark.slow
 def test_the_certificates_of_the_book_are_small(record_property: Callable[[str, object], None]) -> None:
     """As JSON without blanks: all together less than 500 kB by far, where cofactors would take a megabyte."""
     sizes = {}

@@ -239,6 +239,7 @@ def test_an_unknown_kernel_is_no_attribute() -> None:
         _ = checked.no_such
 
 
+@pytest.mark.slow
 def test_every_hypothesis_of_a_kernel_is_tested_or_has_a_stand_in() -> None:
     """What is assumed of symbols that are no arguments is expected of the arguments in other words."""
     session, silent = chapter_session(), []

@@ -319,6 +319,7 @@ def test_derive_finds_the_roads_that_come_past_a_number() -> None:
     assert all(set(e) == {"text", "latex"} for step in by_name["steps"] for e in step["equations"])
 
 
+@pytest.mark.slow
 def test_derive_without_a_number_names_all_roads() -> None:
     lines = call("derive").stdout.splitlines()
     assert len(lines) == len(ROADS)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -76,3 +77,10 @@ def test_why_there_is_no_environment_is_passed_on(checkout: Path) -> None:
     assert "Error: the disk is full" in said
     assert "what it says stands above" in said
     assert "python3-venv" not in said
+
+
+def test_the_quick_tests_are_there() -> None:
+    said = subprocess.run(["make", "--dry-run", "quick"], cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    files = re.findall(r"tests/test_[a-z_/]+\.py", said)
+    assert len(files) > 30
+    assert [file for file in files if not (ROOT / file).is_file()] == []

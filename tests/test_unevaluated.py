@@ -105,6 +105,7 @@ def test_what_is_written_out_is_proved(left: Any, right: Any) -> None:
     assert isinstance(same(left, right), Holds)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("left", "right", "needs"), INVERSES, ids=str)
 def test_an_inverse_needs_its_determinant(left: Any, right: Any, needs: int) -> None:
     assert len(same(left, right).needs) == needs

@@ -98,6 +98,7 @@ def test_arguments_and_results_are_named_and_explained(book):
     assert [a.name for a in book.program("screw_axis_point").arguments] == ["e", "phi", "a", "a_prime"]
 
 
+@pytest.mark.slow
 def test_the_same_whatever_the_hash_seed(tmp_path):
     script = tmp_path / "print_programs.py"
     here = Path(__file__).parent

@@ -23,6 +23,7 @@ def content(root):
     return {path.relative_to(root).as_posix(): path.read_bytes() for path in root.rglob("*") if path.is_file()}
 
 
+@pytest.mark.slow
 def test_two_hash_seeds_give_the_same_bytes(texts, tmp_path):
     script = (
         "import importlib.util, pathlib, sys\n"
