@@ -60,7 +60,7 @@ def test_a_print_that_is_wrong_has_repairs_and_others_none() -> None:
 def test_a_road_is_walked() -> None:
     road = chasles.derive("3.96c")
     assert road.arrives
-    assert repr(road) == "<road to 3.96c: arrives after 3>"
+    assert repr(road) == "<derivation of 3.96c: complete after 3>"
     assert "differentiate both sides" in str(road)
 
 
@@ -68,7 +68,7 @@ def test_a_road_is_walked() -> None:
     ("ask", "number", "error", "says"),
     [
         (chasles.decide, "3.999", LookupError, "the book has no equation '3.999'; near it: 3.99, "),
-        (chasles.derive, "3.999", LookupError, "no road leads to '3.999'; near it: "),
+        (chasles.derive, "3.999", LookupError, "no derivation leads to '3.999'; near it: "),
         (chasles.derive, "3.76a", LookupError, "3 roads lead to 3.76a: name one of rates_of_natural_invariants, "),
         (chasles.decide, 3.10, TypeError, "a number is given as text, since 3.1 is not 3.10: '3.1', and not 3.1"),
         (chasles.repair, None, TypeError, "a number is given as text"),

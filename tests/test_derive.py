@@ -108,7 +108,7 @@ def test_what_is_found_is_printed_or_the_difference_is_reported(walked: Walked) 
             expected = None if name in OTHER_INVERSES else DIFFERENT.get(key, "printed")
             assert comparison.form == expected, (name, key, comparison.words)
             if comparison.form is None:
-                assert "differs from the print in row" in comparison.words
+                assert "differs from the printed equation in row" in comparison.words
 
 
 def test_every_kind_of_step_is_taken(walked: Walked) -> None:
@@ -305,8 +305,8 @@ def test_derive_prints_a_road() -> None:
     assert done.exit_code == 0, done.stderr
     assert done.stdout.startswith("(3.18)  ")
     assert re.search(r"^ +9 ansatz \(A\^T A\)\^-1 is sought as alpha 1 \+ beta e e\^T", done.stdout, re.MULTILINE)
-    assert "compare (3.18): equal to the print" in done.stdout
-    assert "arrives; all that is found is as printed" in done.stdout
+    assert "compare (3.18): equal to the printed equation" in done.stdout
+    assert "complete; all results are as printed" in done.stdout
     assert r"\mathbf{A}^T \mathbf{A}" in call("derive", "3.18", "--latex").stdout
 
 
@@ -323,13 +323,13 @@ def test_derive_finds_the_roads_that_come_past_a_number() -> None:
 def test_derive_without_a_number_names_all_roads() -> None:
     lines = call("derive").stdout.splitlines()
     assert len(lines) == len(ROADS)
-    assert all("arrives" in line for line in lines)
+    assert all("complete" in line for line in lines)
 
 
 def test_derive_speaks_to_the_person() -> None:
     done = call("derive", "3.999")
     assert done.exit_code == 2
-    assert "no road leads to '3.999'" in done.stderr
+    assert "no derivation leads to '3.999'" in done.stderr
 
 
 def test_derive_fails_where_a_step_does(monkeypatch: pytest.MonkeyPatch) -> None:

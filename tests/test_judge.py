@@ -51,7 +51,7 @@ def test_without_a_book_nothing_is_repaired() -> None:
     judge = Session()
     assert not judge.decide(wrong).stands
     assert isinstance(judge.decide(resting).verdict, Undecided)
-    with pytest.raises(TypeError, match="does not stand"):
+    with pytest.raises(TypeError, match="is not proved"):
         judge.accepted(wrong)
 
 
@@ -106,7 +106,7 @@ def test_an_inverse_that_rests_on_what_does_not_stand_is_undecided(place: str) -
     sentence = halving(hopeless, w / 2) if place == "of" else halving(formula, w / 2, hopeless)
     verdict = Session().decide(sentence).verdict
     assert isinstance(verdict, Undecided)
-    assert "rests on (9.4), which does not stand" in verdict.reason
+    assert "rests on (9.4), which is not proved" in verdict.reason
 
 
 def test_an_inverse_whose_values_do_not_fit_is_ill_formed() -> None:

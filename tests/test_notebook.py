@@ -135,8 +135,8 @@ def test_all_that_is_known_is_shown(shown: dict[str, Any]) -> None:
         assert words in kernel
     assert "void chasles_expression(" in Parsed(shown["compiled"]._repr_html_()).visible
     road = Parsed(shown["road"]._repr_html_()).visible
-    assert "arrives; all that is found is as printed" in road
-    assert "not yet walked" in shown["derivation"]._repr_html_()
+    assert "complete; all results are as printed" in road
+    assert "not yet checked" in shown["derivation"]._repr_html_()
     assert "Section" not in shown["chapter"]._repr_html_()
     assert "The Screw of a Rigid-Body Motion" in shown["chapter"]._repr_html_()
 

@@ -166,7 +166,7 @@ def test_certificates_and_kernels_are_named(html: str) -> None:
 def test_roads_open_and_close(html: str) -> None:
     roads = html.split('<details class="road">')[1:]
     assert len(roads) > 50
-    assert all("arrives" in road for road in roads)
+    assert all("complete" in road for road in roads)
     assert not re.search(r"<details[^>]* open", html)
 
 

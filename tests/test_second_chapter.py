@@ -109,7 +109,7 @@ def test_the_misprint_is_repaired_and_the_road_comes_to_the_repaired_form() -> N
     assert "the sign of omega^2 (p - a) is turned" in run("repair").stdout
     walked = run("derive", "2.6")
     assert walked.exit_code == 0
-    assert "equal to the print as repaired" in walked.stdout
+    assert "equal to the printed equation as repaired" in walked.stdout
 
 
 def test_the_verdict_is_on_what_is_declared(tmp_path: Path) -> None:
@@ -131,7 +131,7 @@ def test_commands_show_the_chapter_and_nothing_of_the_book(tmp_path: Path) -> No
     assert "the book has no equation '1.6'; near it: 2.6, 1.5" in refused("show", "1.6", chapter=PLANAR)
     done = run("report", "--out", str(tmp_path))
     assert done.exit_code == 0, done.stderr
-    assert "1 of 1 derivations arrive" in done.stdout
+    assert "1 of 1 derivations complete" in done.stdout
     page = (tmp_path / "index.html").read_text("utf-8")
     assert "Motion in a Plane" in page
     assert "Chasles" not in page

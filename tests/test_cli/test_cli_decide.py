@@ -127,14 +127,14 @@ def test_a_false_print_is_a_finding(run, records, chapter_is) -> None:
     found = record["counterexample"]
     assert re.search(rf"left +{found['lhs']} +\(row {found['entry'][0]}, column {found['entry'][1]}", done.stdout)
     assert re.search(r"instead +a x b = -\(?b x a\)?\n +as repaired, it holds\n", done.stdout)
-    assert "1 certificates and 1 counterexamples checked again" in done.stdout
+    assert "1 certificate and 1 counterexample checked again" in done.stdout
 
 
 def test_a_wrong_correction_fails(run, chapter_is) -> None:
     chapter_is(turned=Claim("9.1", x + y, x - y, corrected=x + 2 * y, says="Wrong twice."))
     done = run("decide")
     assert done.exit_code == 1
-    assert done.stderr == "chasles: what is declared to stand in for the print is not proved: (9.1)\n"
+    assert done.stderr == "chasles: the declared correction is not proved: (9.1)\n"
 
 
 def test_undecided_fails_in_both_outputs(run, chapter_is, monkeypatch: pytest.MonkeyPatch) -> None:

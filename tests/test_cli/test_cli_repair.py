@@ -40,7 +40,7 @@ def test_what_stands_and_what_cannot_be_repaired_is_said(run, chapter_is) -> Non
         right=Claim("9.2", cross(a, b), -cross(b, a), says="Turned."),
         far=Claim("9.3", dot(a, b), norm(a) * norm(b), says="Far from it."),
     )
-    assert "repair   it stands as printed\n" in run("repair", "9.2").stdout
+    assert "repair   it is right as printed\n" in run("repair", "9.2").stdout
     assert "repair   nothing was found\n" in run("repair").stdout
     assert "(9.2)" not in run("repair").stdout
     assert run("repair", "9.9").exit_code == 2

@@ -110,7 +110,7 @@ def test_a_false_claim_cannot_be_used() -> None:
     sheet = Worksheet({})
     wrong = Claim("9.1", dot(a, a), number(0), says="A vector has no length.")
     sheet.given({a: column_of(0, 0, 0)})
-    with pytest.raises(TypeError, match="does not stand"):
+    with pytest.raises(TypeError, match="is not proved"):
         sheet.holds(wrong)
     sheet.refute(wrong, "It has.")
     assert "not so at a_" in sheet.steps[-1].lines[1].text
@@ -198,7 +198,7 @@ def test_what_rests_on_an_undecided_statement_is_said_to(number: str) -> None:
     assert done.exit_code == 1
     (line,) = done.stderr.splitlines()
     assert line.startswith(f"chasles: exercise {number} is not solved: ")
-    assert "undecided" in line or "the road stops" in line
+    assert "undecided" in line or "the derivation stops" in line
     assert done.stdout == ""
     view = worked_view(load(), number)
     assert (view.outcome, view.steps, view.unsolved) == ("unsolved", (), line.partition(" is not solved: ")[2])

@@ -15,7 +15,7 @@ COMMANDS = (
 )  # fmt: skip
 EXIT_STATUS = """\b
 Exit status:
-  0    fine; a print of the book that is wrong is a finding
+  0    fine; a wrong equation in the book is a finding, not an error
   1    something failed, is undecided, or is not as `chasles emit` makes it
   2    bad usage or input
   130  stopped from the keyboard

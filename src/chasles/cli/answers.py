@@ -1,4 +1,4 @@
-"""What a chapter brings along: the answers on its statements, its roads, and what its exercises say themselves."""
+"""What a chapter brings along: the answers on its statements, its derivations, and what its exercises state."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def answers(book: Chapter, session: Session) -> dict[str, str]:
     All is asked again of a session that knows only what is kept, so that what a check needs is kept too.
     """
     finding = list(_asking(book, session))
-    for _, ask in progress(iter(finding), len(finding), "Walking"):
+    for _, ask in progress(iter(finding), len(finding), "Deriving"):
         ask()
     memory = Memory(session.memory.everything)
     asking = list(_asking(book, Session(book=book, memory=memory)))

@@ -50,7 +50,7 @@ def as_data(command: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def chapter() -> Chapter:
-    """The chapter of `--chapter`, or the book. Raises Failure, with the place of a declaration that does not stand."""
+    """The chapter of `--chapter`, or the book. Raises Failure, with the place of a declaration that is wrong."""
     package = _package()
     if package != BOOK and str(Path.cwd()) not in sys.path:
         # Last, so that no module here stands in the way of one that is installed.

@@ -1,6 +1,6 @@
 """What a shell offers for the word that is being typed: numbers, sections, kernels and exercises.
 
-Nothing is decided for it, and SymPy is not imported. Where the declarations do not stand nothing is offered.
+Nothing is decided for it, and SymPy is not imported. Where the declarations cannot be read, nothing is offered.
 """
 
 from __future__ import annotations

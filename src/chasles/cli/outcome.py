@@ -13,7 +13,7 @@ from chasles.decisions.session import Decision, Session
 from chasles.report.decisions import Decided
 from chasles.report.details import number_in_words
 from chasles.report.findings import slips_in_words
-from chasles.report.words import counted, seconds
+from chasles.report.words import counted, number_of, seconds
 from chasles.statements import Chapter, Entry
 
 if TYPE_CHECKING:
@@ -37,13 +37,14 @@ class Outcome:
     def in_words(self) -> Iterator[str]:
         """Totals and times."""
         verdicts = [decision.verdict for _, decision in self.decided]
-        yield f"{len(verdicts)} statement{'s' * (len(verdicts) != 1)}: {counted(verdicts)}"
+        yield f"{number_of(len(verdicts), 'statement')}: {counted(verdicts)}"
         if found := slips_in_words(self.decided):
             yield f"not true as printed: {found}"
         times = f"decided in {seconds(self.deciding)}"
         if self.rechecked is not None:
-            proved, refuted = self.rechecked.certificates, self.rechecked.counterexamples
-            what = f"{proved} certificates and {refuted} counterexamples" if refuted else f"{proved} certificates"
+            what = number_of(self.rechecked.certificates, "certificate")
+            if refuted := self.rechecked.counterexamples:
+                what += f" and {number_of(refuted, 'counterexample')}"
             times += f"; {what} checked again in {seconds(self.rechecked.seconds)}"
         yield times
 
@@ -55,7 +56,7 @@ class Outcome:
         if undecided:
             yield f"undecided: {_numbers(undecided)}"
         if unproved:
-            yield f"what is declared to stand in for the print is not proved: {_numbers(unproved)}"
+            yield f"the declared correction is not proved: {_numbers(unproved)}"
         rejected = self.rechecked.rejected if self.rechecked else ()
         for entry, why in rejected[:SHOWN]:
             yield f"checked again, the verdict on {_numbers([entry])} is rejected: {why}"

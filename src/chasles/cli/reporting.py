@@ -46,7 +46,7 @@ class Reported:
         """Totals and times."""
         yield from self.outcome.in_words
         arriving = sum(road.arrives for road in self.roads)
-        yield f"{arriving} of {len(self.roads)} derivations arrive; all in {seconds(self.seconds)}"
+        yield f"{arriving} of {len(self.roads)} derivations complete; all in {seconds(self.seconds)}"
 
     @property
     def failures(self) -> Iterator[str]:
@@ -54,7 +54,7 @@ class Reported:
         yield from self.outcome.failures
         stuck = [road.name for road in self.roads if not road.arrives]
         if stuck:
-            yield f"derivations that do not arrive: {', '.join(stuck)}"
+            yield f"incomplete derivations: {', '.join(stuck)}"
         yield from self.unsolved
 
 

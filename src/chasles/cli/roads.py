@@ -31,10 +31,10 @@ def chosen_roads(book: Chapter, words: Sequence[str]) -> dict[str, Derivation]:
     """
     known = all_roads(book)
     if not known:
-        raise Failure(f"{book.package} declares no roads: those of its package `roads` would be walked", BAD_INPUT)
+        raise Failure(f"{book.package} declares no derivations: those in its package `roads` would be taken", BAD_INPUT)
     if not words:
         return known
     try:
         return derivations_cited(known, words)
     except UnknownNumber as error:
-        raise Failure(f"{error}; `chasles derive` names all roads", BAD_INPUT) from error
+        raise Failure(f"{error}; `chasles derive` lists all derivations", BAD_INPUT) from error

@@ -12,7 +12,7 @@ from chasles.cli.comparison import Asked, backend_of, compared
 from chasles.decisions.session import Session
 from chasles.numerics import Evidence
 from chasles.report.evidence import is_wrong, worst_of
-from chasles.report.words import seconds
+from chasles.report.words import number_of, seconds
 
 __all__ = ["Verification", "verified"]
 
@@ -41,7 +41,8 @@ class Verification:
         """Totals, the largest errors and the time."""
         count = len({found.kernel for found in self.evidence})
         points = sum(found.samples - found.skipped for found in self.evidence)
-        yield f"{count} kernels ({self.backend}) compared with 50 digits at {points} points in {seconds(self.seconds)}"
+        compared = f"{number_of(count, 'kernel')} ({self.backend}) compared with 50 digits"
+        yield f"{compared} at {number_of(points, 'point')} in {seconds(self.seconds)}"
         if self.evidence:
             yield worst_of(self.evidence)
         if self.lossy:

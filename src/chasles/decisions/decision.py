@@ -98,7 +98,7 @@ class Decision(Displayed):
 
     @property
     def sides(self) -> Equation:
-        """The sides of what stands; as printed if nothing does. Only of an equation."""
+        """The sides of what is right: as printed, or of the correction; as printed if none is. Only of an equation."""
         assert isinstance(self.statement, Statement)
         if self.verdict.true or self.correction is None or not self.correction.verdict.true:
             return self.statement.printed
@@ -106,14 +106,14 @@ class Decision(Displayed):
 
     @property
     def repaired(self) -> Sentence:
-        """The sentence as it would be printed if it said what stands."""
+        """The sentence as it would be printed if it were right."""
         if self.verdict.true or not isinstance(self.statement, Statement):
             return self.statement
         return self.statement.saying(*self.sides)
 
     @property
     def certificate(self) -> Certificate | None:
-        """The certificate of the form that stands, if one was made."""
+        """The certificate of the form that is proved, if one was made."""
         verdict = self.correction.verdict if self.correction and not self.verdict.true else self.verdict
         found = getattr(verdict, "certificate", None) if verdict.true else None
         return None if found is None else Certificate(found)
@@ -131,7 +131,7 @@ class Decisions(Several[Decision]):
 
     @property
     def verdict(self) -> Verdict:
-        """The verdict on the part that is least certain: one that does not stand as printed, else one with needs."""
+        """The verdict on the part that is least certain: one that is wrong as printed, else one with needs."""
         return min((decision.verdict for decision in self), key=_certainty)
 
     @property

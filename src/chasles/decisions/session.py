@@ -1,4 +1,4 @@
-"""Every sentence of the book gets its verdict here, and beside a printed slip the verdict on what stands in for it."""
+"""Every statement of the book gets its verdict here; one that is wrong as printed also that on what replaces it."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ __all__ = ["Correction", "Decision", "Session", "Used"]
 class Session:
     """Decides sentences, each once; a given claim that fails is used in the form that stands in for it.
 
-    With `book`, or what loads it, what does not stand as printed is repaired: what the book says about a symbol tells
+    With `book`, or what loads it, what is wrong as printed is repaired: what the book says about a symbol tells
     which freedom it has, and claims that rest on a definition tell what it is. What is in `memory` is not decided
     again; what it has from another time is checked.
     """
@@ -79,7 +79,7 @@ class Session:
         return self._used(statement).sides
 
     def _used(self, statement: Statement) -> Used:
-        """The form in which a given statement is used: printed, unless that fails and another form stands in."""
+        """The form in which a given statement is used: as printed, unless that fails and another form is proved."""
         if not isinstance(statement, Claim):
             return Used(default_form(statement), default_sides(statement))
         decision = self.decide(statement)
@@ -88,7 +88,7 @@ class Session:
         if decision.correction is not None and decision.correction.verdict.true:
             return Used(decision.correction.form, decision.correction.sides)
         raise DoesNotStand(
-            f"it rests on ({statement.number}), which does not stand: its verdict is '{decision.verdict.name}'"
+            f"it rests on ({statement.number}), which is not proved: its verdict is '{decision.verdict.name}'"
         )
 
     def _decide(self, sentence: Sentence) -> Decision:

@@ -17,16 +17,16 @@ from chasles.vocabulary import Contract, Identity, Inverse, Negative, Node, Sum,
 __all__ = ["PrintComparison", "compare"]
 
 FORMS = {
-    "printed": "the print",
-    "reading": "the print as read",
-    "repair": "the print as repaired",
-    "corrected": "the print as corrected",
+    "printed": "the printed equation",
+    "reading": "the printed equation as read",
+    "repair": "the printed equation as repaired",
+    "corrected": "the printed equation as corrected",
 }
 
 
 @dataclass(frozen=True, slots=True)
 class PrintComparison:
-    """The form of the statement that is equal to what was found, if one is, and the verdict on the print.
+    """The form of the statement that is equal to what was found, if one is, and the verdict on the printed equation.
 
     `chosen` are the values of free symbols for which they agree; `found` is the equation with these.
     """
@@ -44,7 +44,7 @@ class PrintComparison:
         """What came of it, in words."""
         for_what = f", for {', '.join(f'{s} = {v}' for s, v in self.chosen)}" if self.chosen else ""
         if self.form == "printed":
-            return f"equal to the print{for_what}"
+            return f"equal to the printed equation{for_what}"
         why = _why(self.printed)
         if self.form:
             return f"{why}; equal to {FORMS[self.form]}{for_what}"
@@ -58,9 +58,10 @@ def _why(verdict: Verdict) -> str:
     match verdict:
         case Fails(found):
             row, column = found.entry
-            return f"differs from the print in row {row}, column {column}: found {found.left}, printed {found.right}"
+            where = f"differs from the printed equation in row {row}, column {column}"
+            return f"{where}: found {found.left}, printed {found.right}"
         case IllFormed(reason):
-            return f"the print does not fit together: {reason}"
+            return f"the printed equation does not fit together: {reason}"
         case Undecided(reason):
             return f"not decided: {reason}"
         case _:

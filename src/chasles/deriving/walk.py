@@ -53,7 +53,8 @@ class CheckedDerivation(Displayed):
     steps: tuple[CheckedStep, ...]
 
     def __repr__(self) -> str:
-        return f"<road to {self.derivation.number}: {'arrives' if self.arrives else 'stops'} after {len(self.steps)}>"
+        came = "complete" if self.arrives else "stops"
+        return f"<derivation of {self.derivation.number}: {came} after {len(self.steps)}>"
 
     def __str__(self) -> str:
         return self._repr_text_()

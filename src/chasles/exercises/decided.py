@@ -67,7 +67,7 @@ class Decided:
         if not walked.arrives:
             last = walked.steps[-1]
             unknown = isinstance(last.verdict, Undecided)
-            raise (DoesNotStand if unknown else Refuted)(f"the road stops at {last.kind}: {last.reason}")
+            raise (DoesNotStand if unknown else Refuted)(f"the derivation stops at {last.kind}: {last.reason}")
         equations = [equation for step in walked.steps for equation in step.equations]
         lines = [stated("", *sides) for sides in dict.fromkeys(equations) if plain(sides[0]) != plain(sides[1])]
         shown = tuple(line for line in lines if len(line.text) <= MOST_SHOWN)

@@ -155,7 +155,7 @@ class Nearest:
 
 
 def given_sides(statement: Statement, accepted: AcceptedSides) -> tuple[Node, ...]:
-    """Both sides of all that a statement is given, or restates; raises TypeError if some of that does not stand."""
+    """Both sides of all that a statement is given, or restates; raises TypeError if some of that is not proved."""
     return tuple(side for each in statement.relied_on for side in accepted(each))
 
 

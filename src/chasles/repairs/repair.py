@@ -64,7 +64,7 @@ def repair(
     `accepted` gives the sides with which given statements are used. What was changed is told from the print; where
     restored marks alone do not make it true, the search goes on from the statement's reading if it has one. `context`
     are other statements of the book: claims about a symbol say which freedom it has, claims that rest on a definition
-    say what it is. What rests on a statement that does not stand is not repaired.
+    say what it is. What rests on a statement that is not proved is not repaired.
     """
     try:
         sides = given_sides(statement, accepted)

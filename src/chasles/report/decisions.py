@@ -1,4 +1,4 @@
-"""What came out? A table of verdicts, and below it, for each print that does not stand, why and what is right."""
+"""A table of verdicts, and below it, for each equation that is wrong as printed, why and what is right."""
 
 from __future__ import annotations
 
@@ -42,12 +42,12 @@ def verdict_table(screen: Screen, decided: Sequence[Decided]) -> Iterator[Render
 
 
 def is_finding(decision: Decision) -> bool:
-    """Whether there is more to say than the verdict: the print does not stand, or assumes what it does not need."""
+    """Whether there is more to say than the verdict: it is wrong as printed, or assumes what it does not need."""
     return not decision.verdict.true or bool(getattr(decision.verdict, "unused", ()))
 
 
 def findings(screen: Screen, decided: Sequence[Decided]) -> Iterator[RenderableType]:
-    """For each print that does not stand: what it says, why not, and what stands in; and hypotheses not needed."""
+    """For each equation that is wrong as printed: what it says, why, and what is right; and hypotheses not needed."""
     for entry, decision in decided:
         if is_finding(decision):
             number = number_in_words(entry.number, entry.statement.part)

@@ -63,7 +63,7 @@ def rests_on(entry: Entry, decision: Decision) -> Lines:
 
 
 def objections(entry: Entry, decision: Decision) -> Lines:
-    """Why the print does not stand and what stands in, or which hypotheses it does not need."""
+    """Why the equation is wrong as printed and what is right, or which hypotheses it does not need."""
     yield from objections_to_print(decision)
     if decision.correction is not None and isinstance(entry.statement, Statement):
         yield from _instead(entry.statement, decision.correction)
@@ -72,7 +72,7 @@ def objections(entry: Entry, decision: Decision) -> Lines:
 
 
 def objections_to_print(decision: Decision) -> Lines:
-    """Why the print does not stand."""
+    """Why the equation is wrong as printed."""
     if why := reason(decision.verdict):
         yield "because", why
     if isinstance(decision.verdict, Fails):

@@ -1,4 +1,4 @@
-"""The errata: each print that does not stand, why not, and what is right, as a Markdown page for the book's author."""
+"""The errata: each equation that is wrong as printed, why, and what is right, as a Markdown page for its author."""
 
 from __future__ import annotations
 
@@ -29,19 +29,20 @@ __all__ = ["errata_page"]
 ABOUT = """\
 # Errata
 
-Each equation of the chapter that does not stand as it is printed: the print, why it does not stand, and what does. A
+Each equation of the chapter that is wrong as printed: the printed equation, why it is wrong, and what is right. A
 counterexample is exact and can be evaluated by hand: every symbol that is not named in it may have any value that
-satisfies the hypotheses. What stands instead is proved.
+satisfies the hypotheses. What is said to be right is proved.
 
 `chasles emit` writes this page; [VERDICTS.md](VERDICTS.md) has all the other equations."""
 
 
 def errata_page(book: Chapter, decisions: DecisionsByName) -> str:
-    """The page on all prints that do not stand; the same decisions and repairs give the same text."""
+    """The page on all equations that are wrong as printed; the same decisions and repairs give the same text."""
     decided = ordered(book, decisions)
     found = slips(decided)
     wrong = sum(map(len, found.values()))
-    count = f"{wrong} of {len(decided)} statements are not true as printed: {slips_in_words(decided)}."
+    are = "is" if wrong == 1 else "are"
+    count = f"{wrong} of {len(decided)} statements {are} not true as printed: {slips_in_words(decided)}."
     lines = [ABOUT, "", *([f"The book: {book.source}.", ""] if book.source else ())]
     lines += [count if found else "There are none."]
     for slip, pairs in found.items():
@@ -64,10 +65,10 @@ def _slip(entry: Entry, decision: Decision) -> Iterator[str]:
     yield from _why(entry, decision)
     found = replacements(entry, decision)
     if not found:
-        yield from ("Nothing that stands instead has been found.", "")
+        yield from ("No correct form has been found.", "")
     for place, replacement in enumerate(found):
         yield from _instead(replacement, first=place == 0)
-    yield f"More likely a slip {likely_slip(entry, decision)}."
+    yield f"Probably {likely_slip(entry, decision)}."
 
 
 def _why(entry: Entry, decision: Decision) -> Iterator[str]:
@@ -89,7 +90,7 @@ def _why(entry: Entry, decision: Decision) -> Iterator[str]:
 
 
 def _in_vain(statement: Statement, form: str, verdict: Fails, decision: Decision) -> Iterator[str]:
-    """A form that might have stood in, and fails too."""
+    """Another form that fails too."""
     yield "With the marks that the scan may have lost, it reads" if form == "reading" else "Corrected:"
     yield ""
     left, right = statement.printed

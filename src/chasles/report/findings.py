@@ -1,4 +1,4 @@
-"""What is to be said of a print that does not stand: what stands in, who found it, and whose slip it more likely is."""
+"""Of an equation that is wrong as printed: what is right, who found it, and whose slip it probably is."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ def ordered(book: Chapter, decisions: DecisionsByName) -> Pairs:
 
 
 def replacements(entry: Entry, decision: Decision) -> tuple[Replacement, ...]:
-    """What stands in for a print that does not, and the other repairs that were found; it may be nothing."""
+    """What replaces an equation that is wrong as printed, the other repairs too; there may be none."""
     statement, correction = entry.statement, decision.correction
     if decision.verdict.true or not isinstance(statement, Statement):
         return ()
@@ -93,14 +93,14 @@ def replacements(entry: Entry, decision: Decision) -> tuple[Replacement, ...]:
 
 
 def slips(decided: Pairs) -> dict[str, Pairs]:
-    """What does not stand as printed, by whose slip it more likely is; only what there is."""
+    """The equations that are wrong as printed, by whose slip it probably is; only what there is."""
     wrong = [(entry, decision) for entry, decision in decided if not decision.verdict.true]
     by_slip = {slip: [each for each in wrong if _slip(*each) == slip] for slip in SLIPS}
     return {slip: pairs for slip, pairs in by_slip.items() if pairs}
 
 
 def slips_in_words(decided: Pairs) -> str:
-    """How many are wrong in the book, how many were lost by the scan, how many both; nothing if all stand."""
+    """How many are wrong in the book, how many were lost by the scan, how many both; empty if all are right."""
     return ", ".join(f"{len(pairs)} {SLIPS[slip]}" for slip, pairs in slips(decided).items())
 
 
@@ -113,17 +113,17 @@ def _slip(entry: Entry, decision: Decision) -> str:
 
 
 def likely_slip(entry: Entry, decision: Decision) -> str:
-    """Whose slip it more likely is, and which marks the scan has lost."""
+    """Whose slip it probably is, and which marks the scan has lost."""
     statement, slip = entry.statement, _slip(entry, decision)
     if slip == "print":
-        return "of the print"
+        return "a misprint"
     assert isinstance(statement, Statement)
     lost = lost_marks(*(_in_latex(statement, form) for form in ("printed", "reading")))
     said = [f"has lost {_listed(lost.marks)}"] if lost.marks else []
     said += [f"has {_listed(lost.letters)}"] if lost.letters else []
     if slip == "scan":
-        return "of the scan" + (f", which {' and '.join(said)}" if said else "")
-    return f"of the scan, which {' and '.join(said) or 'has lost a mark'}, and another of the print"
+        return "a slip of the scan" + (f", which {' and '.join(said)}" if said else "")
+    return f"a slip of the scan, which {' and '.join(said) or 'has lost a mark'}, and a misprint"
 
 
 def _in_latex(statement: Statement, form: str) -> str:

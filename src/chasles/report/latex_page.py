@@ -118,7 +118,7 @@ def item_of(entry: Entry, decision: Decision, before: str, hypotheses: Mapping[s
         formulas=in_latex(entry.statement),
         why=tuple(escaped(f"{label}: {text}") for label, text in objections_to_print(decision)),
         instead=tuple(_instead(replacement, hypotheses, first=replacement is found[0]) for replacement in found),
-        slip=(escaped(f"More likely a slip {likely_slip(entry, decision)}."),) if wrong else (),
+        slip=(escaped(f"Probably {likely_slip(entry, decision)}."),) if wrong else (),
     )
 
 

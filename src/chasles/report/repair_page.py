@@ -1,4 +1,4 @@
-"""What is right instead of a print that is wrong: each repair with what it changes, the nearest first."""
+"""What is right instead of an equation that is wrong as printed: each repair and what it changes."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ __all__ = ["repair_page", "repair_record"]
 
 
 def repair_page(screen: Screen, entry: Entry, decision: Decision, latex: bool = False) -> Iterator[RenderableType]:
-    """The print, why it does not stand, and the repairs."""
+    """The printed equation, why it is wrong, and the repairs."""
     number = number_in_words(entry.number, entry.statement.part)
     yield Text.assemble((number, "bold"), "  ", labelled(decision.verdict, screen.signs))
     lines = [printed(entry, latex), objections_to_print(decision)]
     repairs = _repairs(decision)
     lines += [_repaired(entry, repair, latex) for repair in repairs]
     if not repairs:
-        what = "it stands as printed" if decision.verdict.true else "nothing was found"
+        what = "it is right as printed" if decision.verdict.true else "nothing was found"
         lines.append(iter([("repair", what)]))
     yield indented(chain.from_iterable(lines))
 

@@ -13,7 +13,7 @@ from rich.text import Text
 from chasles.deriving import CheckedDerivation, CheckedStep
 from chasles.report.details import number_in_words
 from chasles.report.screen import Screen
-from chasles.report.words import labelled, point_in_words, reason, said
+from chasles.report.words import labelled, number_of, point_in_words, reason, said
 from chasles.verdict import Fails
 from chasles.vocabulary import Node, plain
 from chasles.vocabulary import latex as in_latex
@@ -22,7 +22,7 @@ __all__ = ["equations_of", "objections_of", "road_line", "road_page", "road_reco
 
 
 def road_page(screen: Screen, name: str, road: CheckedDerivation, latex: bool = False) -> Iterator[RenderableType]:
-    """The whole road."""
+    """A derivation with all its steps."""
     derivation = road.derivation
     what = derivation.says if derivation.to is None else derivation.to.says
     yield Text.assemble((number_in_words(derivation.number), "bold"), "  ", what)
@@ -35,13 +35,13 @@ def road_page(screen: Screen, name: str, road: CheckedDerivation, latex: bool = 
 
 
 def road_line(screen: Screen, name: str, road: CheckedDerivation) -> Iterator[RenderableType]:
-    """The road in one line: where it leads, in how many steps, what came of it."""
-    words = f"{road.derivation.number}  {name}: {len(road.steps)} steps; "
+    """A derivation in one line: its number, how many steps it has, what came of it."""
+    words = f"{road.derivation.number}  {name}: {number_of(len(road.steps), 'step')}; "
     yield Text.assemble(words, *_outcome(road))
 
 
 def road_record(name: str, road: CheckedDerivation) -> dict[str, Any]:
-    """The road as `chasles derive --json` prints it; its keys and their order are fixed."""
+    """The derivation as `chasles derive --json` prints it; its keys and their order are fixed."""
     derivation = road.derivation
     return {
         "name": name,
@@ -85,7 +85,7 @@ def equations_of(step: CheckedStep) -> Iterator[tuple[str, Node, Node]]:
 
 
 def objections_of(step: CheckedStep) -> Iterator[str]:
-    """Why the step does not hold, or where the print is not as found."""
+    """Why the step does not hold, or where the printed equation differs from what was found."""
     if step.comparison is not None:
         printed = step.comparison.printed
         if isinstance(printed, Fails):
@@ -95,14 +95,14 @@ def objections_of(step: CheckedStep) -> Iterator[str]:
 
 
 def _outcome(road: CheckedDerivation) -> Iterator[tuple[str, str]]:
-    """Whether the road arrives, and what is printed otherwise than found."""
+    """Whether the derivation is complete, and which results differ from the printed equations."""
     if not road.arrives:
         yield f"stops at step {len(road.steps)}", "bold red"
         return
     different = road.differences
-    yield "arrives", "green"
+    yield "complete", "green"
     if not different and road.comparisons:
-        yield "; all that is found is as printed", ""
+        yield "; all results are as printed", ""
     for comparison in different:
         yield f"; {number_in_words(comparison.statement.number, comparison.statement.part)}: {comparison.words}", "red"
 

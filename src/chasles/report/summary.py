@@ -1,4 +1,4 @@
-"""How does the chapter stand? One table, a row for each section: verdicts, kernels, time."""
+"""The state of the chapter in one table, a row for each section: verdicts, kernels, time."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from chasles.report.decisions import Decided
 from chasles.report.details import number_in_words
 from chasles.report.findings import SLIPS, slips
 from chasles.report.screen import Screen
-from chasles.report.words import VERDICTS, seconds
+from chasles.report.words import VERDICTS, number_of, seconds
 
-__all__ = ["Tally", "prints_that_do_not_stand", "summary_table", "tallies"]
+__all__ = ["Tally", "summary_table", "tallies", "wrong_as_printed"]
 
 HEADERS = {
     "holds": "holds",
@@ -94,8 +94,8 @@ def summary_table(screen: Screen, sections: Sequence[Tally]) -> Iterator[Rendera
         yield from (_in_words(tally) for tally in (*sections, total))
 
 
-def prints_that_do_not_stand(decided: Sequence[Decided]) -> Iterator[RenderableType]:
-    """Their numbers, on a line for each kind of slip; nothing if all stand."""
+def wrong_as_printed(decided: Sequence[Decided]) -> Iterator[RenderableType]:
+    """The numbers of the equations that are wrong, on a line for each kind of slip; nothing if all are right."""
     found = slips(decided)
     for slip, pairs in found.items():
         numbers = (number_in_words(entry.number, entry.statement.part) for entry, _ in pairs)
@@ -113,7 +113,7 @@ def _cells(tally: Tally, shown: Sequence[str]) -> list[Text]:
 def _in_words(tally: Tally) -> Text:
     """The tally in a sentence."""
     said = [f"{tally.verdicts[name]} {VERDICTS[name][2]}" for name in HEADERS if tally.verdicts[name]]
-    rest = f"{', '.join(said)}; {tally.kernels} kernels, {seconds(tally.milliseconds / 1000)}"
+    rest = f"{', '.join(said)}; {number_of(tally.kernels, 'kernel')}, {seconds(tally.milliseconds / 1000)}"
     return Text.assemble((f"{tally.number} {tally.title}".strip(), "bold"), ": ", rest, overflow="fold")
 
 

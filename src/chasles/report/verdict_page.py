@@ -16,7 +16,7 @@ from chasles.report.findings import (
     slips_in_words,
 )
 from chasles.report.markdown import escaped, table
-from chasles.report.words import VERDICTS, counted
+from chasles.report.words import VERDICTS, counted, number_of
 from chasles.statements import Chapter, Entry, Section
 from chasles.vocabulary import plain
 
@@ -33,18 +33,18 @@ WORST_FIRST = (
     "assumed",
     "defined",
 )
-HEAD = ("number", "role", "verdict", "needs", "what stands in")
+HEAD = ("number", "role", "verdict", "needs", "right instead")
 ABOUT = """\
 # Verdicts
 
-Every equation of the chapter with what came out when it was decided. A number with several equations has the worst of
+Every equation of the chapter with its verdict. A number with several equations has the worst of
 their verdicts. *Holds* is proved, for all values of the symbols; *holds under* is proved from the hypotheses in the
 column *needs*; *fails* is refuted by an exact counterexample; what is *ill-formed* does not fit together as printed.
-Definitions are *defined*, conditions *posed* (a point satisfies them), postulates *assumed*. Where the print does not
-stand, the last column says what does, and whether the search for a repair found it or it had to be declared: then it is
-marked as a gap of the search. [ERRATA.md](ERRATA.md) says why each of these does not stand.
+Definitions are *defined*, conditions *posed* (a point satisfies them), postulates *assumed*. Where the printed
+equation is wrong, the last column says what is right, and whether the search for a repair found it or it had to be
+declared: then it is marked as a gap of the search. [ERRATA.md](ERRATA.md) says why each of these is wrong.
 
-`chasles emit` writes this page; `chasles decide` decides anew."""
+`chasles emit` writes this page; `chasles decide` decides again."""
 
 Group = list[tuple[Entry, Decision]]
 
@@ -63,12 +63,12 @@ def _totals(book: Chapter, decided: Pairs) -> Iterator[str]:
     count = numbers_of(book)
     earlier = f", {count.earlier} of earlier chapters," if count.earlier else ""
     yield f"{count.own} numbered equations{earlier} and {count.others} theorems, displays and exercises without one,"
-    yield f"in {len(decided)} statements: {counted(d.verdict for _, d in decided)}."
+    yield f"in {number_of(len(decided), 'statement')}: {counted(d.verdict for _, d in decided)}."
     wrong = [(e, d) for e, d in decided if not d.verdict.true]
     found = [replacement[0].found if (replacement := replacements(e, d)) else "nothing" for e, d in wrong]
     if wrong:
         yield (
-            f"{len(wrong)} are not true as printed: {slips_in_words(decided)}. "
+            f"{len(wrong)} {'is' if len(wrong) == 1 else 'are'} not true as printed: {slips_in_words(decided)}. "
             f"{found.count('repair')} are repaired by the search, {found.count('declared')} by what is declared, "
             f"{found.count('nothing')} by nothing."
         )

@@ -11,7 +11,7 @@ from chasles.algebra.values import InPi
 from chasles.verdict import Verdict
 from chasles.vocabulary import PI
 
-__all__ = ["VERDICTS", "counted", "labelled", "point_in_words", "reason", "said", "seconds"]
+__all__ = ["VERDICTS", "counted", "labelled", "number_of", "point_in_words", "reason", "said", "seconds"]
 
 VERDICTS: dict[str, tuple[str, str, str, str]] = {
     "holds": ("✓", "+", "holds", "green"),
@@ -50,6 +50,11 @@ def counted(verdicts: Iterable[Verdict]) -> str:
     names = [verdict.name for verdict in verdicts]
     found = ((names.count(name), plurals.get(name, word)) for name, (_, _, word, _) in VERDICTS.items())
     return ", ".join(f"{count} {word}" for count, word in found if count)
+
+
+def number_of(count: int, noun: str) -> str:
+    """How many there are: "1 step", "2 steps"."""
+    return f"{count} {noun}{'s' * (count != 1)}"
 
 
 def point_in_words(point: Mapping[str, object]) -> str:

@@ -36,7 +36,7 @@ def derivations_cited(known: Mapping[str, Derivation], words: Iterable[str]) -> 
     numbers = dict.fromkeys(number for road in known.values() for number in _numbers(road))
     meant = {word.casefold(): word.casefold() for word in (*numbers, *known)}
     found: set[str] = set()
-    for cited in _named(words, meant, "no road leads to", [*numbers, *known]):
+    for cited in _named(words, meant, "no derivation leads to", [*numbers, *known]):
         ending = [name for name, road in known.items() if cited in (name.casefold(), *_ends(road))]
         found.update(ending or [name for name, road in known.items() if cited in _numbers(road)])
     return {name: road for name, road in known.items() if name in found}

@@ -215,21 +215,23 @@ class Derivation(Declared, Displayed):
 
     def __post_init__(self) -> None:
         if not self.steps or not isinstance(self.steps[0], Take | Consider | Ansatz):
-            raise DeclarationError(f"the road to ({self.number}) must begin with Take, Consider or Ansatz")
+            raise DeclarationError(f"the derivation of ({self.number}) must begin with Take, Consider or Ansatz")
         if self.to is not None and (not self.stops or self.stops[-1] is not self.to):
             raise DeclarationError(
-                f"the last comparison of the road to ({self.number}) must be with ({self.to.number})"
+                f"the last comparison of the derivation of ({self.number}) must be with ({self.to.number})"
             )
         kinds = [type(step) for step in self.steps]
         if Ansatz in kinds and Solve not in kinds[len(kinds) - kinds[::-1].index(Ansatz) :]:
-            raise DeclarationError(f"the road to ({self.number}) makes an ansatz that no later Solve justifies")
+            raise DeclarationError(f"the derivation of ({self.number}) makes an ansatz that no later Solve justifies")
         for step in self.steps[: self._arrival]:
             if self.to is not None and any(statement is self.to for statement in step.cited):
-                raise DeclarationError(f"the road to ({self.number}) uses ({self.to.number}) before it comes there")
+                raise DeclarationError(
+                    f"the derivation of ({self.number}) uses ({self.to.number}) before it comes there"
+                )
         for given in self.given:
             if isinstance(given, Condition):
                 raise DeclarationError(
-                    f"the road to ({self.number}) is given ({given.number}), a condition: Take it, and solve it"
+                    f"the derivation of ({self.number}) is given ({given.number}), a condition: Take it, and solve it"
                 )
 
     @property

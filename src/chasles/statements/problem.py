@@ -78,17 +78,17 @@ class Problem:
 
 
 def default_form(statement: Statement) -> str:
-    """The form that stands for a statement that is not decided: as read where the print does not fit."""
+    """The form in which a statement is used before it is decided: as read where it does not fit as printed."""
     if not statement.fault:
         return "printed"
     for form in ("reading", "corrected"):
         if statement.form_exists(form):
             return form
-    raise TypeError(f"({statement.number}) does not fit as printed, and nothing is declared to stand in for it")
+    raise TypeError(f"({statement.number}) does not fit as printed, and no other form of it is declared")
 
 
 def default_sides(statement: Statement) -> Equation:
-    """The sides of the form that stands for a statement that is not decided; raises TypeError if there is none."""
+    """The sides with which a statement is used before it is decided; raises TypeError if none fit."""
     return statement.form(default_form(statement))
 
 

@@ -31,9 +31,9 @@ def command(
 ) -> int:
     """Decide whether equations are right: all of them, or those named.
 
-    Verdicts that the chapter brings along, or that an earlier run found, are checked; what is new is searched for.
-    A print that is wrong is a finding, no failure. Status 1 says that something could not be decided, that what is
-    declared to stand in for a print is not proved, or that a verdict was rejected when it was checked again.
+    Verdicts that come with the chapter, or that an earlier run found, are checked; new ones are searched for. An
+    equation that is wrong in the book is a finding, not a failure. Status 1 means that something could not be decided,
+    that a declared correction is not proved, or that a verdict was rejected when it was checked again.
     """
     from chasles.cli.hint import say_once_what_is_faster
     from chasles.cli.outcome import decide

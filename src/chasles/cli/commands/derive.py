@@ -16,14 +16,15 @@ if TYPE_CHECKING:
 __all__ = ["command"]
 
 
-@click.command("derive", short_help="Walk the road to a result.", epilog="Example: chasles derive 3.18")
+@click.command("derive", short_help="Derive an equation step by step.", epilog="Example: chasles derive 3.18")
 @of_numbers
 @click.option("--latex", is_flag=True, help="Show the equations in LaTeX as well.")
 @as_data
 def command(numbers: tuple[str, ...], latex: bool, json: bool) -> int:
-    """Walk the road to an equation: each step's result is found and decided, the end is compared with the print.
+    """Derive an equation: the result of each step is computed and decided, the last is compared with the printed one.
 
-    Without a number, all roads are walked and named, a line each. The exit status is 1 if a step does not hold.
+    Without a number, all derivations are checked, and listed on a line each. The exit status is 1 if a step does not
+    hold.
     """
     from chasles.cli.roads import chosen_roads
     from chasles.decisions.recalled import retained, session_of
@@ -35,7 +36,7 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> int:
 
     book = chapter()
     chosen, session = chosen_roads(book, numbers), session_of(book)
-    walked = {name: walk(road, session) for name, road in progress(iter(chosen.items()), len(chosen), "Walking")}
+    walked = {name: walk(road, session) for name, road in progress(iter(chosen.items()), len(chosen), "Deriving")}
     retained(session.memory)
     if json:
         click.echo(as_json({"roads": [road_record(name, road) for name, road in walked.items()]}))
@@ -48,7 +49,7 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> int:
 
 
 def _failures(walked: Sequence[tuple[str, CheckedDerivation]]) -> Iterator[str]:
-    """A line for each road that does not arrive."""
+    """A line for each derivation that is not complete."""
     for name, road in walked:
         if not road.arrives:
             last = road.steps[-1]

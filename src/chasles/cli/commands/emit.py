@@ -28,16 +28,16 @@ __all__ = ["command"]
 )
 @as_data
 def command(check: bool, anew: bool, out: Path | None, json: bool) -> int:
-    """Write the kernels of all statements that stand, in every language, and what was found of the statements.
+    """Write the kernels of all proved statements, in every language, and the verdicts on all statements.
 
-    A kernel is refused unless its program is proved equal to its statement. Either all files are written or none; a
-    file that is as it should be keeps its time. Status 1: something was refused or, with --check, is stale.
+    A kernel is refused unless its program is proved equal to its statement. Either all files are written or none; an
+    unchanged file keeps its time. Status 1: something was refused or, with --check, is out of date.
     """
     from chasles.cli.answers import answers
     from chasles.cli.emission import commissioned, emitted
     from chasles.decisions.recalled import session_of
     from chasles.report.pages import pages
-    from chasles.report.words import seconds
+    from chasles.report.words import number_of, seconds
     from chasles.targets import EmissionError
 
     started = perf_counter()
@@ -46,7 +46,7 @@ def command(check: bool, anew: bool, out: Path | None, json: bool) -> int:
     session = session_of(book, anew)
     kernels = commissioned(book.entries, session, *installed_folders(book), folder)
     texts = emitted(kernels, pages(book, session) | answers(book, session))
-    head = f"{len(kernels)} kernels, each proved equal to its statement"
+    head = f"{number_of(len(kernels), 'kernel')}, each proved equal to its statement"
     try:
         if check:
             return _check(folder, texts, head, json)

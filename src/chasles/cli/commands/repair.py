@@ -18,10 +18,10 @@ __all__ = ["command"]
 @click.option("--latex", is_flag=True, help="Show the equations in LaTeX as well.")
 @as_data
 def command(numbers: tuple[str, ...], latex: bool, json: bool) -> None:
-    """Find what is right instead of a print that is wrong: the nearest true equations, and what they change.
+    """Find what is right instead of a wrong equation: the nearest true ones, and what they change.
 
-    Without a number, all prints that do not stand are repaired. What stands as printed has nothing to repair, and
-    nothing may be found: both are said, and neither is a failure.
+    Without a number, all equations that are wrong as printed are repaired. One that is right has nothing to repair,
+    and for a wrong one nothing may be found: both are reported, and neither is a failure.
     """
     from chasles.decisions.recalled import retained, session_of
     from chasles.report.records import as_json

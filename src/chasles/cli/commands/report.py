@@ -30,8 +30,8 @@ __all__ = ["command"]
 def command(out: Path, site: Path | None, address: str, json: bool) -> int:
     """Write the whole chapter, decided and checked again: as one HTML page, and as LaTeX to print.
 
-    index.html needs no network; chapter.tex compiles with pdflatex. All is written whole or not at all. The exit
-    status is 1 if it is for `decide`, or if a derivation does not arrive.
+    index.html needs no network; chapter.tex compiles with pdflatex. Either everything is written or nothing. The
+    exit status is 1 where that of `decide` is, or if a derivation is not complete.
     """
     from chasles.cli.reporting import reported
     from chasles.cli.writing import write_whole

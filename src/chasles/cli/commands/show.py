@@ -17,7 +17,7 @@ __all__ = ["command"]
 def command(numbers: tuple[str, ...], latex: bool, json: bool) -> None:
     """Show an equation, what it rests on, its verdict and its certificate or counterexample.
 
-    Of its kernels what they are made of, and the error bound that is proved of them, with the rounding model.
+    For each of its kernels, the expression it is made from and its proved error bound, with the rounding model.
     """
     from chasles.cli.recorded import manifest
     from chasles.decisions.recalled import session_of

@@ -24,7 +24,7 @@ __all__ = ["command"]
 def command(sections: tuple[str, ...], samples: int, json: bool) -> int:
     """Decide the chapter, check the certificates again, compare the kernels with 50 digits; sum up by section.
 
-    The exit status is 1 if it is for `decide` or for `verify`.
+    The exit status is 1 where that of `decide` or of `verify` is.
     """
     from chasles.cli.comparison import installed_kernels
     from chasles.cli.outcome import decide
@@ -64,9 +64,9 @@ def _data(outcome: Outcome, verification: Verification) -> dict[str, Any]:
 
 def _show(outcome: Outcome, verification: Verification) -> None:
     from chasles.report.screen import Screen
-    from chasles.report.summary import prints_that_do_not_stand, summary_table, tallies
+    from chasles.report.summary import summary_table, tallies, wrong_as_printed
 
     screen = Screen()
     screen.show(*summary_table(screen, tallies(outcome.decided)), "")
-    screen.show(*outcome.in_words, *prints_that_do_not_stand(outcome.decided), "")
+    screen.show(*outcome.in_words, *wrong_as_printed(outcome.decided), "")
     screen.show(*verification.in_words)

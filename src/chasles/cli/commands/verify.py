@@ -34,8 +34,8 @@ def command(names: tuple[str, ...], points: tuple[str, ...], samples: int, stric
     """Compare the kernels installed here with 50-digit values of their statements, in float64 and float32.
 
     Errors are in units of the roundoff, relative to the size of the result; a kernel loses digits where its error is
-    larger than its inputs explain. Near a singular set a formula may do so as the book prints it, which is a finding;
-    status 1 says that a kernel does so at large. With names, the error bounds that are proved stand beside.
+    larger than its inputs explain. Near a singular set the formula of the book may lose digits itself: that is a
+    finding. Status 1 means that a kernel loses digits elsewhere. With names, the proved error bounds are shown too.
     """
     from chasles.cli.comparison import asking, installed_kernels
     from chasles.cli.recorded import manifest

@@ -64,5 +64,5 @@ def _outcome(road: CheckedDerivation) -> str:
         return f"stops at step {len(road.steps)}"
     different = [f"{number_in_words(c.statement.number, c.statement.part)}: {c.words}" for c in road.differences]
     if different:
-        return f"arrives; {'; '.join(different)}"
-    return "arrives; all that is found is as printed" if road.comparisons else "arrives"
+        return f"complete; {'; '.join(different)}"
+    return "complete; all results are as printed" if road.comparisons else "complete"

@@ -48,7 +48,7 @@ def part_of(book: Book, entry: Entry, decision: Decision, kernels: Sequence[Kern
         needs=tuple(map(book.condition, decision.needs)),
         why=tuple(_why(entry, decision)),
         instead=tuple(_repaired(book, entry, replacement) for replacement in found),
-        slip=(f"More likely a slip {likely_slip(entry, decision)}.",) if wrong else (),
+        slip=(f"Probably {likely_slip(entry, decision)}.",) if wrong else (),
         related=tuple(each for each in _related(book, entry, kernels) if each.links),
         facts=tuple(_facts(book, entry, decision)),
     )
@@ -74,7 +74,7 @@ def as_printed(sentence: Statement | Theorem | Inverse, found: Sequence[Replacem
 
 
 def _why(entry: Entry, decision: Decision) -> Iterator[Fact]:
-    """Why the print does not stand; what the reading or the correction comes to where that fails as well."""
+    """Why the equation is wrong as printed; what the reading or the correction comes to where that fails as well."""
     match decision.verdict:
         case IllFormed(words):
             yield Fact("does not fit", with_formulas(words, _sides(entry, decision)))

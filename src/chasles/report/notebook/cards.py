@@ -23,7 +23,7 @@ from chasles.report.html.statements import CODE, as_printed, equation, part_of
 from chasles.report.notebook.alone import Alone, cited, entry_of, needs_of, rests_on, sections_of
 from chasles.report.notebook.shown import Card
 from chasles.report.records import certificate_hash
-from chasles.report.words import point_in_words, reason
+from chasles.report.words import number_of, point_in_words, reason
 from chasles.statements import Chapter, Entry, Inverse, Statement, Theorem
 from chasles.statements.derivation import Derivation
 from chasles.verdict import Counterexample, Verdict
@@ -150,7 +150,7 @@ def _(value: Derivation) -> Card:
     return Card(
         title=number_in_words(value.number),
         says=value.says,
-        quiet=f"a road of {len(value.steps)} steps, not yet walked",
+        quiet=f"a derivation of {number_of(len(value.steps), 'step')}, not yet checked",
         facts=_told({"assuming": escape(", ".join(hypothesis.text for hypothesis in value.assuming))}),
         head=("step", "by"),
         rows=tuple((step.kind, cited(step.cited)) for step in value.steps),
@@ -162,7 +162,8 @@ def _(value: Chapter) -> Card:
     kernels = sum(len(entry.kernels) for entry in value)
     return Card(
         title=value.title,
-        quiet=f"{len(value.entries)} statements under {len(value.numbers)} numbers, {kernels} kernels",
+        quiet=f"{number_of(len(value.entries), 'statement')} under {number_of(len(value.numbers), 'number')}, "
+        f"{number_of(kernels, 'kernel')}",
         head=("section", "title", "numbers", "statements"),
         rows=tuple(sections_of(value)),
     )

@@ -22,7 +22,7 @@ from chasles.report.notebook.alone import cited, entry_of, needs_of, sections_of
 from chasles.report.records import certificate_hash
 from chasles.report.road_page import road_page
 from chasles.report.screen import Screen
-from chasles.report.words import labelled, point_in_words, reason
+from chasles.report.words import labelled, number_of, point_in_words, reason
 from chasles.report.worked_page import worked_page
 from chasles.statements import Chapter, Entry, Inverse, Statement, Theorem
 from chasles.statements.derivation import Derivation
@@ -105,7 +105,7 @@ def _(value: Repair, screen: Screen) -> Iterator[RenderableType]:
 
 @_pages.register
 def _(value: CheckedDerivation, screen: Screen) -> Iterator[RenderableType]:
-    yield from road_page(screen, "the road", value)
+    yield from road_page(screen, "derivation", value)
 
 
 @_pages.register
@@ -118,7 +118,7 @@ def _(value: Derivation, screen: Screen) -> Iterator[RenderableType]:
 def _(value: Chapter, screen: Screen) -> Iterator[RenderableType]:
     yield Text(value.title)
     for number, title, numbers, statements in sections_of(value):
-        yield Text(f"  {number:8}{title}: {numbers}, {statements} statements")
+        yield Text(f"  {number:8}{title}: {numbers}, {number_of(int(statements), 'statement')}")
 
 
 @_pages.register
