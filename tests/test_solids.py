@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from fractions import Fraction
 from random import Random
+from typing import Any
 
 import numpy as np
 import pytest
@@ -11,7 +13,7 @@ import sympy as sp
 import trimesh
 
 from chasles.exact.bodies import cut_prism, joined, point_masses, regular_hexagon, whole_prism
-from chasles.exact.fields import NumberField, SignCase
+from chasles.exact.fields import NumberField
 from chasles.exact.grammar import read_number
 from chasles.exact.moments import Moments
 from chasles.exact.numbers import NotDecided, is_zero
@@ -127,6 +129,33 @@ def test_integrals_over_a_wedge() -> None:
 
 
 HALF_HEXAGON = ((1, 0), ("1/2", "1/2"), ("-1/2", "1/2"), (-1, 0), ("-1/2", "-1/2"), ("1/2", "-1/2"))
+
+
+class SignCase:
+    """The signs that numbers with symbols in them take at a rational sample; `conditions` are those asked for."""
+
+    def __init__(self, field: NumberField, sample: Mapping[sp.Symbol, sp.Rational]) -> None:
+        if missing := [str(atom) for atom in field.free if atom not in sample]:
+            raise ValueError(f"the sample gives no value to {', '.join(missing)}")
+        self.field, self.sample = field, sample
+        self._ground = NumberField(*field.roots)
+        self.conditions: dict[sp.Expr, int] = {}
+
+    def __call__(self, element: Any) -> int:
+        """The sign of an element of the field; zero only where it is identically zero.
+
+        ValueError if it vanishes at the sample without being zero: the sample then lies between two cases.
+        """
+        if not element:
+            return 0
+        parts = (self.field.at(self.sample, part) for part in (element.numer, element.denom))
+        above, below = map(self._ground.sign, parts)
+        value = self.field.expression(element)
+        if above * below == 0:
+            raise ValueError(f"the sample lies on the boundary of the case: {value} vanishes or is infinite there")
+        if value.free_symbols:
+            self.conditions[value] = above * below
+        return above * below
 
 
 def symbolic(height_over_side: sp.Rational) -> tuple[Moments, Moments, Moments, SignCase, NumberField]:

@@ -173,5 +173,5 @@ def _refuted(question: Question) -> Verdict:
     context = build(question.problem)
     goals = question.problem.goals
     places = [(g, (i + 1, j + 1)) for g in goals for i in range(g.left.shape[0]) for j in range(g.left.shape[1])]
-    found = question.search.refute(context, [_Entry(goal, place) for goal, place in places])
+    found = question.search.refute(context, (), [_Entry(goal, place) for goal, place in places])
     return Fails(found) if found else Undecided("it is too large for the work that was allowed")

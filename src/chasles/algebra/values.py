@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-__all__ = ["InPi", "Value", "divided", "is_zero", "shown", "times", "value_of"]
+__all__ = ["InPi", "Value", "divided", "is_zero", "shown", "times"]
 
 Value = dict[int, Fraction]
 """Coefficients by power of the transcendental number; a rational number has the power 0 only."""
@@ -22,11 +22,6 @@ class InPi(Fraction):
 
     def __str__(self) -> str:
         return shown({1: Fraction(self)}, "pi")
-
-
-def value_of(number: Fraction) -> Value:
-    """A rational number."""
-    return {0: number} if number else {}
 
 
 def is_zero(value: Value) -> bool:

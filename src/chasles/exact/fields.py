@@ -38,7 +38,7 @@ from chasles.exact.moments import Number
 from chasles.exact.numbers import NotDecided
 from chasles.exact.separation import degree_of
 
-__all__ = ["NumberField", "SignCase", "sign_of"]
+__all__ = ["NumberField", "sign_of"]
 
 MOST_TURNS = 24
 """Sines of larger denominators than pi / MOST_TURNS are independent elements: their degree as roots is too large."""
@@ -106,33 +106,6 @@ class NumberField:
         return polynomial.evaluate(
             [(self.domain.from_sympy(self._symbols[atom]).numer, QQ(value.p, value.q)) for atom, value in values]
         )
-
-
-class SignCase:
-    """The signs that numbers with symbols in them take at a rational sample; `conditions` are those asked for."""
-
-    def __init__(self, field: NumberField, sample: Mapping[Symbol, Rational]) -> None:
-        if missing := [str(atom) for atom in field.free if atom not in sample]:
-            raise ValueError(f"the sample gives no value to {', '.join(missing)}")
-        self.field, self.sample = field, sample
-        self._ground = NumberField(*field.roots)
-        self.conditions: dict[Expr, int] = {}
-
-    def __call__(self, element: Number) -> int:
-        """The sign of an element of the field; zero only where it is identically zero.
-
-        ValueError if it vanishes at the sample without being zero: the sample then lies between two cases.
-        """
-        if not element:
-            return 0
-        parts = (self.field.at(self.sample, part) for part in (element.numer, element.denom))
-        above, below = map(self._ground.sign, parts)
-        value = self.field.expression(element)
-        if above * below == 0:
-            raise ValueError(f"the sample lies on the boundary of the case: {value} vanishes or is infinite there")
-        if value.free_symbols:
-            self.conditions[value] = above * below
-        return above * below
 
 
 def sign_of(value: Expr) -> int:

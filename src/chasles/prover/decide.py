@@ -7,33 +7,31 @@ from itertools import islice
 from math import inf
 
 from chasles.algebra.groebner import Basis, completed
-from chasles.algebra.values import is_zero
 from chasles.algebra.work_limit import OutOfTime, remaining, within
 from chasles.points import sampling as points
 from chasles.points.evaluation import measured
-from chasles.points.search import Search
 from chasles.problems.context import Context, build, difference, entries
 from chasles.problems.unfold import UndeclaredDivisor
 from chasles.problems.variables import Untreatable
 from chasles.prover.certifying import ProvedEntry, certified
 from chasles.prover.conditions import Solved, satisfying_point, solve_conditions
-from chasles.prover.consistency import contradiction, holds_somewhere
-from chasles.prover.counterexample import refute, solved_ratios
+from chasles.prover.consistency import contradiction
+from chasles.prover.sources import SAMPLES, DeclaredPoints, PointSource
 from chasles.statements import Hypothesis, Problem
 from chasles.statements.spins import with_spins
-from chasles.verdict import Fails, Holds, HoldsUnder, IllFormed, Posed, Undecided, Verdict
+from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, IllFormed, Posed, Undecided, Verdict
 from chasles.vocabulary import Symbol
 
 __all__ = ["BUDGET", "decide_problem", "determining", "pose"]
 
 BUDGET = 2e7
 """The work that a single decision may take before it gives up as undecided, in products of terms."""
-SAMPLES = 40
-"""So many sample points are looked at for one that satisfies all hypotheses."""
+DECLARED = DeclaredPoints()
+NO_POINT = "it follows from its hypotheses, but no point was found that satisfies them all"
 
 
 def decide_problem(
-    problem: Problem, own: tuple[Hypothesis, ...] = (), budget: float = BUDGET, search: Search | None = None
+    problem: Problem, own: tuple[Hypothesis, ...] = (), budget: float = BUDGET, search: PointSource | None = None
 ) -> Verdict:
     """The verdict on a problem; `own` are the hypotheses whose use is reported, `search` finds points for free ones.
 
@@ -41,53 +39,52 @@ def decide_problem(
     """
     try:
         with within(budget):
-            return _decide(problem, own, search)
+            return _decide(problem, own, search or DECLARED)
     except OutOfTime as error:
         if remaining() < inf:
             raise
         return Undecided(str(error))
 
 
-def _decide(problem: Problem, own: tuple[Hypothesis, ...], search: Search | None) -> Verdict:
+def _decide(problem: Problem, own: tuple[Hypothesis, ...], source: PointSource) -> Verdict:
     try:
         context = build(problem)
         conditions, solved = solve_conditions(context)
         unproved = _entries(context)
-        turned = None if search else _by_spins(context, solved, unproved, own)
+        turned = _by_spins(context, solved, unproved, own) if source is DECLARED else None
         if turned is not None:
             return turned
         proved = _prove(context, context.basis, unproved)
     except UndeclaredDivisor as error:
         return IllFormed(str(error))
     except Untreatable as error:
-        return _nothing(problem, search, str(error))
-    if not proved:
-        suspects = [e for e in unproved if e.cofactors is None]
-        if search or not _vanish_here_and_there(context, solved, suspects):
-            found = search.refute(context, suspects) if search else refute(context, solved, suspects)
-            if found:
-                return Fails(found)
-        whole = completed(context.basis)
-        if not _prove(context, whole, unproved):
-            suspects = [e for e in unproved if e.cofactors is None]
-            found = search.refute(context, suspects) if search else refute(context, solved, suspects)
-            if found:
-                return Fails(found)
-            return _nothing(problem, search, "a remainder is left, and no counterexample was found")
-    witness = search.witness(context) if search else _witness(context, solved)
-    if witness is None or not (search or holds_somewhere(context)):
-        return _nothing(
-            problem, search, "it follows from its hypotheses, but no point was found that satisfies them all"
-        )
+        return source.contradiction(problem) or Undecided(str(error))
+    found = None if proved else _refuted(context, solved, unproved, source)
+    if found is not None:
+        return Fails(found)
+    if _suspects(unproved):
+        return source.contradiction(problem) or Undecided("a remainder is left, and no counterexample was found")
+    witness = source.witness(context, solved)
+    if witness is None:
+        return source.contradiction(problem) or Undecided(NO_POINT)
     for case in problem.cases:
         if empty := contradiction(problem, (case,)):
             return empty
-    return certified(context, conditions, solved, unproved, own, witness, search.write if search else None)
+    return certified(context, conditions, solved, unproved, own, witness, source.write)
 
 
-def _nothing(problem: Problem, search: Search | None, reason: str) -> Verdict:
-    """Nothing is decided: since nothing satisfies what is assumed, if that is found, or else for the given reason."""
-    return (None if search else contradiction(problem)) or Undecided(reason)
+def _refuted(
+    context: Context, solved: tuple[Solved, ...], unproved: list[ProvedEntry], source: PointSource
+) -> Counterexample | None:
+    """A counterexample to one of the entries; None too if the completed hypotheses prove them all."""
+    found = source.refute_soon(context, solved, _suspects(unproved))
+    if found is not None or _prove(context, completed(context.basis), unproved):
+        return found
+    return source.refute(context, solved, _suspects(unproved))
+
+
+def _suspects(unproved: list[ProvedEntry]) -> list[ProvedEntry]:
+    return [entry for entry in unproved if entry.cofactors is None]
 
 
 def _by_spins(
@@ -97,10 +94,10 @@ def _by_spins(
     spun = with_spins(context.problem)
     if spun is context.problem or all(entry.ratio.is_zero for entry in unproved):
         return None
-    if not _vanish_here_and_there(context, solved, unproved):
-        found = refute(context, solved, unproved)
+    if not DECLARED.likely_vanish(context, solved, unproved):
+        found = DECLARED.refute(context, solved, unproved)
         return Fails(found) if found else None
-    verdict = _decide(spun, own, None)
+    verdict = _decide(spun, own, DECLARED)
     if isinstance(verdict, Holds | HoldsUnder):
         return replace(verdict, certificate={**verdict.certificate, "spins": True})
     return None
@@ -120,7 +117,7 @@ def pose(problem: Problem) -> Verdict:
     except Untreatable as error:
         return Undecided(str(error))
     if witness is None:
-        return _nothing(problem, None, "no point was found that satisfies the condition")
+        return contradiction(problem) or Undecided("no point was found that satisfies the condition")
     return Posed(measured(context, witness))
 
 
@@ -140,13 +137,3 @@ def _prove(context: Context, basis: Basis, todo: list[ProvedEntry]) -> bool:
             if remainder == 0:
                 entry.cofactors, entry.by_division = cofactors, basis is context.basis and not basis.explicit
     return all(entry.cofactors is not None for entry in todo)
-
-
-def _vanish_here_and_there(context: Context, solved: tuple[Solved, ...], suspects: list[ProvedEntry]) -> bool:
-    """Whether the entries vanish at a few rich points: then they likely vanish everywhere, and a proof is worth it."""
-    few = islice(points.sample(context, solved_ratios(context, solved), simple=False), 3)
-    return all(is_zero(points.ratio_at(context, e.ratio, point) or {}) for point in few for e in suspects)
-
-
-def _witness(context: Context, solved: tuple[Solved, ...]) -> points.Point | None:
-    return next(islice(points.sample(context, solved_ratios(context, solved)), SAMPLES), None)

@@ -18,7 +18,7 @@ from chasles.points.search.evaluation import Evaluation, entry_of
 from chasles.points.search.motion import DifferentiatedRow, EquationBlock, Motion
 from chasles.points.search.values import Values, sparse
 from chasles.problems.context import Context
-from chasles.statements import Goal
+from chasles.statements import Goal, Problem
 from chasles.verdict import Counterexample
 from chasles.vocabulary import Node, Symbol
 
@@ -64,7 +64,7 @@ class Search:
     calls: int = 0
     theta: Symbol | None = None
 
-    def refute(self, context: Context, suspects: Sequence[UnreducedEntry]) -> Counterexample | None:
+    def refute(self, context: Context, solved: object, suspects: Sequence[UnreducedEntry]) -> Counterexample | None:
         """The counterexample that is easiest to evaluate by hand among a number of them; None if none is found."""
         attempts = ATTEMPTS[min(self.calls, len(ATTEMPTS) - 1)]
         self.calls += 1
@@ -85,7 +85,12 @@ class Search:
                 break
         return best[1] if best else None
 
-    def witness(self, context: Context) -> Mapping[str, Any] | None:
+    refute_soon = refute
+
+    def contradiction(self, problem: Problem) -> None:
+        """Whether conditions contradict each other is asked where they are read."""
+
+    def witness(self, context: Context, solved: object) -> Mapping[str, Any] | None:
         """A point that satisfies every hypothesis, with rational coordinates if such a one is found."""
         if self.unseen:
             return {v.name: Fraction(v.kind == "cos") for v in context.variables if v.kind in ("cos", "sin")}

@@ -1,0 +1,74 @@
+"""Where points come from: drawn for what is declared, searched for where a question is on SymPy expressions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from itertools import islice
+from typing import Any, Protocol
+
+from chasles.algebra.values import is_zero
+from chasles.points import sampling as points
+from chasles.problems.context import Context
+from chasles.prover.conditions import Solved
+from chasles.prover.consistency import contradiction, holds_somewhere
+from chasles.prover.counterexample import UnprovedPart, refute, solved_ratios
+from chasles.statements import Problem
+from chasles.verdict import Contradictory, Counterexample
+
+__all__ = ["DeclaredPoints", "PointSource"]
+
+SAMPLES = 40
+"""So many sample points are looked at for one that satisfies all hypotheses."""
+Suspects = Sequence[UnprovedPart]
+
+
+class PointSource(Protocol):
+    """Finds exact points of a problem; `write` writes its certificates, if not as for what is declared."""
+
+    @property
+    def write(self) -> Callable[..., dict[str, Any]] | None: ...
+
+    def refute(self, context: Context, solved: tuple[Solved, ...], suspects: Suspects) -> Counterexample | None:
+        """A counterexample to one of the entries, if one is found."""
+        ...
+
+    def refute_soon(self, context: Context, solved: tuple[Solved, ...], suspects: Suspects) -> Counterexample | None:
+        """The same before the hypotheses are completed, where it is worth while to look."""
+        ...
+
+    def witness(self, context: Context, solved: tuple[Solved, ...]) -> Mapping[str, Any] | None:
+        """A point that satisfies all that is assumed, if one is found."""
+        ...
+
+    def contradiction(self, problem: Problem) -> Contradictory | None:
+        """That nothing satisfies what is assumed, if that is found."""
+        ...
+
+
+class DeclaredPoints:
+    """Points of what is declared, drawn so that they satisfy its hypotheses."""
+
+    write = None
+
+    def refute(self, context: Context, solved: tuple[Solved, ...], suspects: Suspects) -> Counterexample | None:
+        """The counterexample that is easiest to evaluate by hand."""
+        return refute(context, solved, suspects)
+
+    def refute_soon(self, context: Context, solved: tuple[Solved, ...], suspects: Suspects) -> Counterexample | None:
+        """None where the entries likely vanish: then a proof is worth while first."""
+        return None if self.likely_vanish(context, solved, suspects) else refute(context, solved, suspects)
+
+    def likely_vanish(self, context: Context, solved: tuple[Solved, ...], suspects: Suspects) -> bool:
+        """Whether the entries vanish at a few rich points: then they likely vanish everywhere."""
+        few = islice(points.sample(context, solved_ratios(context, solved), simple=False), 3)
+        return all(is_zero(points.ratio_at(context, e.ratio, point) or {}) for point in few for e in suspects)
+
+    def witness(self, context: Context, solved: tuple[Solved, ...]) -> points.Point | None:
+        """The first point drawn, if the hypotheses on what does not occur hold somewhere too."""
+        drawn = islice(points.sample(context, solved_ratios(context, solved)), SAMPLES)
+        found = next(drawn, None)
+        return found if found is not None and holds_somewhere(context) else None
+
+    def contradiction(self, problem: Problem) -> Contradictory | None:
+        """That nothing satisfies what is assumed, by a completion of the hypotheses."""
+        return contradiction(problem)
