@@ -146,7 +146,7 @@ def test_undecided_is_refused(book):
 
 def test_a_false_claim_is_refused(book):
     claim = Claim("9.2", sin(2 * phi), 2 * sin(phi), kernel=Kernel(of=(phi,), name="f"))
-    assert refusal(book, claim) == "f: (9.2) fails as printed; nothing that stands in is declared or found"
+    assert refusal(book, claim) == "f: (9.2) fails as printed; no correction is declared or found"
 
 
 def test_what_stands_in_for_a_slip_is_lowered(book):
@@ -174,8 +174,8 @@ def test_a_reading_stands_in_for_what_does_not_fit(book):
 def test_a_false_statement_may_not_be_used(book):
     false = Claim("9.6", y, 2 * x, given=(Definition("9.5", y, x + 0),))
     claim = Definition("9.7", phi, y + 1, given=(false,), kernel=Kernel(of=(x,), name="f"))
-    why = "(9.6) fails as printed; nothing that stands in is declared or found"
-    assert refusal(book, claim) == f"f rests on a statement that does not stand: {why}"
+    why = "(9.6) fails as printed; no correction is declared or found"
+    assert refusal(book, claim) == f"f rests on a statement that is not accepted: {why}"
 
 
 def test_a_false_statement_that_is_not_needed_does_no_harm(book):

@@ -19,21 +19,21 @@ from chasles.bounds.intervals import Array, Interval, exactly
 from chasles.bounds.outline import Outline
 from chasles.lowering.program import Op
 
-__all__ = ["QuadraticForm", "enclosed_forms", "forms"]
+__all__ = ["QuaternionFraction", "enclosed_forms", "forms"]
 
 RING, *PARTS = ring("w,x,y,z", QQ)
 SQUARE: Any = sum((part**2 for part in PARTS), RING.zero)
 
 
 @dataclass(frozen=True, slots=True)
-class QuadraticForm:
+class QuaternionFraction:
     """A polynomial in the quaternion's components, over a power of its square."""
 
     above: Any
     power: int
 
     @property
-    def reduced(self) -> QuadraticForm:
+    def reduced(self) -> QuaternionFraction:
         """The same with what the polynomial and the power have in common left out."""
         above, power = self.above, self.power
         while power:
@@ -41,20 +41,20 @@ class QuadraticForm:
             if rest:
                 break
             above, power = quotient, power - 1
-        return QuadraticForm(above, power)
+        return QuaternionFraction(above, power)
 
 
-def forms(outline: Outline, argument: int) -> dict[int, QuadraticForm]:
+def forms(outline: Outline, argument: int) -> dict[int, QuaternionFraction]:
     """The steps that are polynomials in a rotation's entries, by their numbers."""
     entries = _entries()
-    found: dict[int, QuadraticForm] = {}
+    found: dict[int, QuaternionFraction] = {}
     for number in outline.needed:
         step = outline.program.steps[number]
         of = [found.get(k) for k in outline.operands(number)]
         if step.op is Op.INPUT and step.argument == argument:
-            found[number] = QuadraticForm(entries[step.entry], 1)
+            found[number] = QuaternionFraction(entries[step.entry], 1)
         elif step.op is Op.CONSTANT:
-            found[number] = QuadraticForm(RING(QQ(step.value.numerator, step.value.denominator)), 0)
+            found[number] = QuaternionFraction(RING(QQ(step.value.numerator, step.value.denominator)), 0)
         elif of and all(form is not None for form in of):
             made = _made(step.op, [form for form in of if form is not None])
             if made is not None:
@@ -62,16 +62,16 @@ def forms(outline: Outline, argument: int) -> dict[int, QuadraticForm]:
     return found
 
 
-def _made(op: Op, of: list[QuadraticForm]) -> QuadraticForm | None:
+def _made(op: Op, of: list[QuaternionFraction]) -> QuaternionFraction | None:
     match op:
         case Op.NEGATE:
-            return QuadraticForm(-of[0].above, of[0].power)
+            return QuaternionFraction(-of[0].above, of[0].power)
         case Op.MULTIPLY:
-            return QuadraticForm(of[0].above * of[1].above, of[0].power + of[1].power)
+            return QuaternionFraction(of[0].above * of[1].above, of[0].power + of[1].power)
         case Op.ADD | Op.SUBTRACT:
             power = max(form.power for form in of)
             a, b = (form.above * SQUARE ** (power - form.power) for form in of)
-            return QuadraticForm(a + b if op is Op.ADD else a - b, power)
+            return QuaternionFraction(a + b if op is Op.ADD else a - b, power)
         case _:
             return None
 
@@ -90,13 +90,13 @@ def _entries() -> list[Any]:
     return found
 
 
-def enclosed_forms(found: Mapping[int, QuadraticForm], parts: list[Interval], like: Array) -> dict[int, Interval]:
+def enclosed_forms(found: Mapping[int, QuaternionFraction], parts: list[Interval], like: Array) -> dict[int, Interval]:
     """What the forms run over where the quaternion's components run over intervals."""
     square = parts[0].squared + parts[1].squared + parts[2].squared + parts[3].squared
     return {number: _enclosed(form, parts, square, like) for number, form in found.items()}
 
 
-def _enclosed(form: QuadraticForm, parts: list[Interval], square: Interval, like: Array) -> Interval:
+def _enclosed(form: QuaternionFraction, parts: list[Interval], square: Interval, like: Array) -> Interval:
     total = Interval(like * 0, like * 0)
     for exponents, coefficient in form.above.terms():
         term = exactly(Fraction(int(coefficient.numerator), int(coefficient.denominator)), like)

@@ -1,4 +1,4 @@
-"""From a declaration and its verdict to a request: the form that stands, with the definitions that it is given."""
+"""From a declaration and its verdict to a request: the accepted form, with the definitions that it is given."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ Decide = Callable[[Sentence], Decision]
 
 @dataclass(slots=True)
 class _Definitions:
-    """What the given sentences say of symbols; a rule of a sentence that does not stand may not be used."""
+    """What the given sentences say of symbols; a rule of a sentence that is not accepted may not be used."""
 
     rules: dict[Node, Node] = field(default_factory=dict)
     false: dict[Node, str] = field(default_factory=dict)
@@ -38,7 +38,7 @@ def requested(sentence: Entry | Sentence, decide: Decide, kernel: Kernel | None 
     """The request that a sentence's kernel makes, or that `kernel` makes of it.
 
     `decide` gives verdicts, as `Session.decide` does. Raises `LoweringError` where the sentence asks for no kernel,
-    where neither it nor a correction stands, and where the kernel cannot be made of it.
+    where neither it nor a correction is accepted, and where the kernel cannot be made of it.
     """
     name = ""
     if isinstance(sentence, Entry):
@@ -50,7 +50,7 @@ def requested(sentence: Entry | Sentence, decide: Decide, kernel: Kernel | None 
     if not name:
         raise LoweringError(f"the kernel of ({sentence.number}) has no name: give it one, or lower a chapter's entry")
     if not decide(sentence).stands:
-        raise LoweringError(f"{name}: {_no_standing(sentence, decide(sentence))}")
+        raise LoweringError(f"{name}: {_not_accepted(sentence, decide(sentence))}")
     definitions = _Definitions()
     for given in sentence.given:
         _define(definitions, given, decide)
@@ -71,15 +71,15 @@ def requested(sentence: Entry | Sentence, decide: Decide, kernel: Kernel | None 
     )
     used = next((left for left, _ in request.rules if left in definitions.false), None)
     if used is not None:
-        raise LoweringError(f"{name} rests on a statement that does not stand: {definitions.false[used]}")
+        raise LoweringError(f"{name} rests on a statement that is not accepted: {definitions.false[used]}")
     return request
 
 
-def _no_standing(sentence: Sentence, decision: Decision) -> str:
+def _not_accepted(sentence: Sentence, decision: Decision) -> str:
     """Why no form of the sentence may be used, in one line."""
     said = f"({sentence.number}) {_words(decision.verdict, 'as printed')}"
     if decision.correction is None:
-        return f"{said}; nothing that stands in is declared or found"
+        return f"{said}; no correction is declared or found"
     return f"{said}; its {decision.correction.form} form {_words(decision.correction.verdict)}"
 
 
@@ -94,7 +94,7 @@ def _define(definitions: _Definitions, given: Sentence, decide: Decide) -> None:
     decision = decide(given)
     if isinstance(given, Inverse):
         if not decision.stands:
-            raise LoweringError(_no_standing(given, decision))
+            raise LoweringError(_not_accepted(given, decision))
         choices, rules, angles = choices_of(given, largest=given.largest, sign=given.sign)
         definitions.choices += choices
         definitions.rules |= rules
@@ -108,7 +108,7 @@ def _define(definitions: _Definitions, given: Sentence, decide: Decide) -> None:
         if definitions.rules.setdefault(one, other) != other:
             raise LoweringError(f"two given statements say what {one} is, one is ({given.number}): name one of them")
         if not decision.stands:
-            definitions.false[one] = _no_standing(given, decision)
+            definitions.false[one] = _not_accepted(given, decision)
 
 
 def _hypotheses(sentence: Sentence) -> Iterator[Hypothesis]:

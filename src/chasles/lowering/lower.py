@@ -1,4 +1,4 @@
-"""From a statement that stands to a straight-line program, without any target language."""
+"""From an accepted statement to a straight-line program, without any target language."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ LAST: tuple[Callable[[Program], Program], ...] = (guarded,)
 
 
 def lower(sentence: Entry | Sentence, decide: Decide, kernel: Kernel | None = None) -> Program:
-    """The program of a sentence's kernel, in the form of the sentence that stands; `decide` is `Session.decide`.
+    """The program of a sentence's kernel, in the accepted form of the sentence; `decide` is `Session.decide`.
 
     Raises `LoweringError` where the sentence asks for no kernel, is undecided or false without a correction that holds,
     or has a symbol that is neither an argument nor defined by what is given.

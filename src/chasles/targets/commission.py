@@ -30,8 +30,8 @@ Prove = Callable[[Program, Request], Bound]
 def kernel_of(entry: Entry, decide: Decide, asked: Asked | None = None, prove: Prove | None = None) -> TargetKernel:
     """The kernel `asked` of a statement, or the first that it asks for; `decide` gives verdicts, `prove` error bounds.
 
-    Raises EmissionError where the statement does not stand, where no program can be made of it, and where the program
-    is not proved to equal what stands.
+    Raises EmissionError where the statement is not accepted, where no program can be made of it, and where the program
+    is not proved to equal the accepted form.
     """
     asked = asked or next(iter(entry.kernels), None)
     try:
@@ -52,7 +52,7 @@ def kernel_of(entry: Entry, decide: Decide, asked: Asked | None = None, prove: P
 
 
 def _unequal(entry: Entry, request: Request, wrong: tuple[str, ...]) -> str:
-    """In what a program, or the form of which it is made, is not what stands."""
+    """How a program, or the form of which it is made, differs from the accepted form."""
     found = counterexample(request) if request.form else None
     if found is not None:
         return f"the offered form is not equal to ({entry.number}), as one sees {in_words(found)}"
@@ -62,11 +62,11 @@ def _unequal(entry: Entry, request: Request, wrong: tuple[str, ...]) -> str:
 
 def _heading(entry: Entry, decision: Decision, request: Request, asked: Asked) -> Heading:
     """What the generated function says of itself."""
-    standing, said = decision.verdict, _word(decision.verdict)
-    if not standing.true and decision.correction is not None:
-        standing = decision.correction.verdict
-        said = f"{said} as printed, {_word(standing)} {HOW[decision.correction.form]}"
-    needs = standing.needs if isinstance(standing, HoldsUnder) else _assumed(standing, request)
+    verdict, said = decision.verdict, _word(decision.verdict)
+    if not verdict.true and decision.correction is not None:
+        verdict = decision.correction.verdict
+        said = f"{said} as printed, {_word(verdict)} {HOW[decision.correction.form]}"
+    needs = verdict.needs if isinstance(verdict, HoldsUnder) else _assumed(verdict, request)
     section = f"section_{entry.section.number.replace('.', '_')}"
     derivation, form = fingerprint(entry.statement), "offered" if request.form else "stated"
     expected = tuple(hypothesis.text for hypothesis in asked.expected if hypothesis.text not in needs)

@@ -41,7 +41,7 @@ _HASH = re.compile(r"[0-9a-f]{64}")
 
 
 class EmissionError(Exception):
-    """Something stands in the way of emitting; the message tells a person what, where and what to do."""
+    """Nothing can be emitted; the message says why, where, and what to do."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -60,7 +60,7 @@ def single(kernel: TargetKernel, precision: Precision) -> Function:
 
 
 def in_short(kernel: TargetKernel) -> str:
-    """One line: the equation, the shapes of what goes in and comes out, and where the whole contract stands."""
+    """One line: the equation, the shapes of what goes in and comes out, and the file with the whole contract."""
     names, program = Names(RESERVED), kernel.program
     words = [_shown(names.take(item.name), item) for item in program.parameters]
     given, returned = (", ".join(part) for part in (words[: len(program.arguments)], words[len(program.arguments) :]))

@@ -1,4 +1,4 @@
-"""How does a text stand in C source as a string literal?"""
+"""How is a text written in C source as a string literal?"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Array-API Python: readable functions that run on any array library, and stand in where nothing was compiled."""
+"""Array-API Python: readable functions that run on any array library, and are used where nothing was compiled."""
 
 from __future__ import annotations
 
