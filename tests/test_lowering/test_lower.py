@@ -140,7 +140,7 @@ def test_undecided_is_refused(book):
     def decide(sentence):
         return Decision(sentence, Undecided("a remainder is left"))
 
-    with pytest.raises(LoweringError, match=r"f: \(9\.1\) is undecided as printed \(a remainder is left\); nothing"):
+    with pytest.raises(LoweringError, match=r"f: \(9\.1\) is undecided as printed \(a remainder is left\); no"):
         lower(claim, decide)
 
 
