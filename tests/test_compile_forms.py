@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import itertools
 import random
+from dataclasses import replace
+from fractions import Fraction
 from sys import modules
 
 import mpmath
@@ -18,6 +21,7 @@ from chasles.compiling.program_of import program_of
 from chasles.lowering.builder import Builder
 from chasles.lowering.cost import cost, latency, price
 from chasles.lowering.equivalence import equivalent
+from chasles.lowering.evaluate import decimals, run
 from chasles.lowering.passes.angles import respelled
 from chasles.lowering.program import Argument, Op, Program, Result
 from chasles.lowering.rounding import losses, points_of, steady
@@ -48,6 +52,14 @@ def one_minus_cosine(build, x, y, z):
     return build.subtract(build.one, build.cosine(x))
 
 
+SLIPS = {
+    Op.ADD: Op.SUBTRACT,
+    Op.SUBTRACT: Op.ADD,
+    Op.MULTIPLY: Op.ADD,
+    Op.DIVIDE: Op.MULTIPLY,
+    Op.SINE: Op.COSINE,
+    Op.COSINE: Op.SINE,
+}
 CLOSE = [
     (1 - sp.cos(x), "multiply"),
     ((1 - sp.cos(x)) / x**2, "multiply"),
@@ -146,6 +158,56 @@ def test_roots_and_other_functions_of_the_same_are_the_same():
     ]
     assert equivalent(chosen[0], chosen[0])
     assert not equivalent(*chosen)
+
+
+def cosine_of(times):
+    return lambda b, x: b.cosine(b.multiply(b.constant(times), x))
+
+
+PARTS = [sp.Rational(*pair) for pair in ((1, 1), (1, 2), (1, 3), (2, 3), (3, 4), (5, 2), (-1, 5))]
+ORDERS = list(itertools.permutations(range(3)))
+
+
+@pytest.mark.parametrize("part", PARTS, ids=str)
+@pytest.mark.parametrize("order", ORDERS, ids=str)
+def test_multiples_of_an_angle_are_met_in_any_order(part, order):
+    """4 cos^3 - 3 cos is the cosine of three times the angle, and 2 cos^2 - 1 that of twice, whichever comes first."""
+    part = Fraction(int(part.p), int(part.q))
+
+    def total(b, x, slip):
+        single, double, triple = (cosine_of(k * part)(b, x) for k in (1, 2, 3))
+        square = b.multiply(single, single)
+        terms = [
+            b.subtract(triple, b.multiply(single, b.subtract(b.multiply(b.constant(4), square), b.constant(3)))),
+            b.subtract(double, b.subtract(b.multiply(b.constant(2), square), b.constant(slip))),
+            b.subtract(cosine_of(part / 2)(b, x), b.cosine(b.multiply(b.constant(-part / 2), x))),
+        ]
+        result = b.zero
+        for k in order:
+            result = b.add(result, terms[k])
+        return result
+
+    nothing = as_stated(lambda b, x, y, z: b.multiply(b.subtract(x, x), y))
+    assert equivalent(as_stated(lambda b, x, y, z: total(b, x, 1)), nothing)
+    assert not equivalent(as_stated(lambda b, x, y, z: total(b, x, 2)), nothing)
+
+
+@pytest.mark.parametrize("seed", range(24))
+def test_what_is_said_to_be_equivalent_is_equal_in_numbers(seed):
+    """Of a random expression with one step changed: where it still is said to be the same, its digits are the same."""
+    draw = random.Random(seed)
+    stated = program(drawn(draw, 3))
+    places = [k for k, step in enumerate(stated.steps) if step.op in SLIPS]
+    for k in draw.sample(places, min(6, len(places))):
+        steps = list(stated.steps)
+        steps[k] = replace(steps[k], op=SLIPS[steps[k].op])
+        changed = replace(stated, steps=tuple(steps))
+        if equivalent(stated, changed):
+            numbers = decimals(60)
+            for point in POINTS:
+                at = [numbers.constant(Fraction(x)) for x in point]
+                ((one,),), ((other,),) = run(stated, at, numbers), run(changed, at, numbers)
+                assert not abs(one - other) > abs(one) * numbers.constant(Fraction(1, 10**40)), (k, point)
 
 
 def test_what_is_too_large_is_not_said_to_be_the_same():

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from chasles.lowering.arithmetic import Arithmetic
 from chasles.lowering.builder import Builder
 from chasles.lowering.cost import WEIGHTS, cost
 from chasles.lowering.evaluate import decimals
@@ -16,6 +17,7 @@ from chasles.lowering.passes.guard import guarded
 from chasles.lowering.passes.prune import pruned
 from chasles.lowering.program import ARITY, FREE_OF_CHARGE, Argument, Op, Program, Result, Step
 from chasles.lowering.refusal import LoweringError
+from chasles.lowering.rounding import RunningErrors
 
 from ..programs import FLOATS, fractions, run, shared
 
@@ -215,3 +217,10 @@ def test_run_takes_nested_and_flat_arrays():
     arguments = (Argument("M", (2, 2), ""),)
     program = made(*steps, arguments=arguments)
     assert run(program, [((1, 2), (3, 4))]) == run(program, [(1, 2, 3, 4)]) == ((3,),)
+
+
+def test_an_arithmetic_has_every_operation_under_its_name():
+    asked = {name for name in vars(Arithmetic) if not name.startswith("_")}
+    assert asked == {op.value for op in Op} - {"input"}
+    for arithmetic in (Builder(), decimals(20), RunningErrors(decimals(20)), FLOATS, fractions()):
+        assert [name for name in asked if not callable(getattr(arithmetic, name, None))] == []
