@@ -193,8 +193,9 @@ def called(work: Callable[[], object]) -> dict[str, int]:
 
 
 DECIDING = re.compile(
-    r"sympy/(simplify|solvers|polys|matrices|core|integrals|series)/|chasles/prove|chasles/lowering|"
-    r"chasles/(prover|problems|points|algebra|checker|repairs|from_sympy|decisions/session)"
+    r"sympy/(simplify|solvers|polys|matrices|core|integrals|series)/|chasles/prove\.py|chasles/lowering|"
+    r"chasles/(prover/(decide|certifying)|points/search|algebra/normal_form|checker|from_sympy|"
+    r"repairs/(modular_test|one_term|ranking|repair|several_terms|single_edits)|decisions/session)"
 )
 CALLS = 400_000
 """A tenth of a second or less."""

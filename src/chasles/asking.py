@@ -1,6 +1,6 @@
-"""The book asked by number: is it right, what is right instead, how does it come about?
+"""`chasles.decide`, `chasles.repair` and `chasles.derive`: the book asked by number.
 
-What the chapter brings along, and what was found before, is checked; what is new is searched for, and remembered.
+Answers that come with the chapter, or were found before, are checked; new ones are searched for, and remembered.
 """
 
 from __future__ import annotations

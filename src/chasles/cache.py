@@ -1,6 +1,6 @@
-"""Where is kept what need not be done twice? In one folder for all, which CHASLES_CACHE names; empty, nothing is kept.
+"""The cache: one folder, which CHASLES_CACHE names; if that is empty, nothing is cached.
 
-What is kept there is never needed: it can be removed at any time, by anyone, and is made anew.
+Nothing in it is needed: it can be removed at any time and is made again.
 """
 
 from __future__ import annotations

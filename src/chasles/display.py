@@ -1,6 +1,6 @@
-"""How is a thing displayed in a notebook? As the room of pages says, which comes last and is fetched when it is asked.
+"""Displayed things: their HTML, LaTeX and text come from `chasles.report.notebook`, imported when first asked for.
 
-What is displayed is what is known: nothing is decided, simplified or derived for the eye.
+Only what is known is displayed: nothing is decided, simplified or derived for it.
 """
 
 from __future__ import annotations

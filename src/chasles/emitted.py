@@ -1,4 +1,4 @@
-"""What is known of an emitted kernel: what the manifest says of it, and the kernel itself."""
+"""An emitted kernel: its entry in the manifest, and the function itself."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which known words is an unknown one near?"""
+"""The known words that an unknown one is near, for messages."""
 
 from __future__ import annotations
 

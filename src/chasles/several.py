@@ -1,4 +1,4 @@
-"""How are several things displayed at once? One below the other."""
+"""Several things displayed at once, one below the other."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What can come out of a decision."""
+"""The verdicts that a decision can have, and counterexamples."""
 
 from __future__ import annotations
 

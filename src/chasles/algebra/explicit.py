@@ -1,4 +1,4 @@
-"""Equations that give a variable as a polynomial in others are used first, whatever the term order."""
+"""Equations that give a variable as a polynomial in others: they are substituted before any division."""
 
 from __future__ import annotations
 

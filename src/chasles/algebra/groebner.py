@@ -1,7 +1,7 @@
-"""Completing hypotheses to a Groebner basis, each new generator remembered as a combination of the stated ones.
+"""Groebner bases of hypotheses, each new generator with its cofactors on the stated ones.
 
-Buchberger's algorithm with the coprimality criterion and a budget. The book's hypotheses need it almost never: they are
-chosen to be a basis as they stand.
+Buchberger's algorithm (1965; J. Symb. Comput. 41, 2006) with his first criterion, coprime leading terms, and a budget.
+The hypotheses of the book hardly ever need it: they are declared so that they are a basis already.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ class Basis:
 
 
 def folded(cofactors: Combination, origins: tuple[Combination, ...]) -> Combination:
-    """Cofactors on generators, as cofactors on the stated hypotheses."""
+    """Cofactors on generators, rewritten as cofactors on the stated hypotheses."""
     total: Combination = {}
     for place, cofactor in cofactors.items():
         for origin, factor in origins[place].items():
@@ -93,7 +93,7 @@ def completed(basis: Basis, products: float = inf) -> Basis:
 
 
 def _complete(ring: Ring, generators: list[Polynomial], origins: list[Combination]) -> None:
-    """Add to the generators what is missing, until nothing is."""
+    """Add remainders of S-polynomials to the generators until all of these reduce to zero."""
     leads = [ring.leading(g) for g in generators]
     pairs = [(_degree(leads, (i, j)), i, j) for j in range(len(generators)) for i in range(j)]
     heapify(pairs)
@@ -126,7 +126,7 @@ def _degree(leads: list[tuple[tuple[int, ...], Fraction]], pair: tuple[int, int]
 def _cofactors(
     ring: Ring, one: tuple[tuple[int, ...], Fraction], other: tuple[tuple[int, ...], Fraction]
 ) -> tuple[Polynomial, Polynomial]:
-    """What brings the two leading terms to their least common multiple."""
+    """The factors of an S-polynomial: they bring two leading terms to their least common multiple."""
     least = tuple(map(max, one[0], other[0]))
     left = tuple(a - b for a, b in zip(least, one[0], strict=True))
     right = tuple(a - b for a, b in zip(least, other[0], strict=True))

@@ -17,7 +17,7 @@ __all__ = ["Localization", "Ratio"]
 
 @dataclass(slots=True)
 class Localization:
-    """A ring together with the nonzero factors that may be divided by, in the order in which they were declared."""
+    """A localization of a ring: fractions whose denominators are products of factors that are declared nonzero."""
 
     ring: Ring
     nonzero: list[Polynomial]

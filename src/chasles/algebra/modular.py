@@ -1,7 +1,7 @@
-"""Linear systems in residues modulo a large prime, and the rational numbers that residues stand for.
+"""Linear systems modulo a large prime, and the rational numbers that their solutions are images of.
 
-A residue system is the image of one over the rational numbers. What is found in it is a conjecture until it is proved;
-that it has no solution, or several, is true of the rational system unless the prime divides one of its minors.
+A system of residues is the image of one over the rational numbers. What is found in it is a conjecture until it is
+proved; that it has no solution, or several, is true of the rational system unless the prime divides one of its minors.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ Column = list[int]
 
 
 class Span:
-    """What a growing set of columns spans: an echelon form, each row with a one at its pivot."""
+    """The span of a growing set of columns, in echelon form: each row has a one at its pivot."""
 
     def __init__(self, columns: Iterable[Column] = ()) -> None:
         self.rows: list[tuple[int, Column]] = []
@@ -34,7 +34,7 @@ class Span:
         return [pivot for pivot, _ in self.rows]
 
     def reduced(self, column: Column) -> Column:
-        """The column less what the span has of it; zero exactly if it is in the span."""
+        """The column less multiples of the rows, zero at all pivots; all zero exactly if it is in the span."""
         for pivot, row in self.rows:
             if factor := column[pivot]:
                 column = [(a - factor * b) % MODULUS for a, b in zip(column, row, strict=True)]
@@ -109,7 +109,10 @@ def combination(columns: Sequence[Column], target: Column) -> list[Fraction] | N
 
 
 def rational(residue: int) -> Fraction | None:
-    """The one fraction of small numerator and denominator that leaves this residue, if there is one."""
+    """Rational reconstruction: the one fraction with small numerator and denominator that has this residue, or None.
+
+    P. S. Wang, A p-adic algorithm for univariate partial fractions, SYMSAC 1981.
+    """
     bound = min(LARGEST, isqrt(MODULUS // 2))
     above, below = (MODULUS, residue % MODULUS), (0, 1)
     while above[1] > bound:

@@ -1,8 +1,8 @@
-"""Is a polynomial in the ideal of the hypotheses, and with which cofactors?
+"""Division of a polynomial by several others, with cofactors: membership in the ideal of the hypotheses.
 
-Reduction by the generators one at a time, until nothing changes: goal = sum of cofactor times generator + remainder.
-If the generators are a Groebner basis a nonzero remainder means that the goal is not in the ideal; a certificate does
-not depend on that.
+The multivariate division algorithm (Cox, Little and O'Shea, Ideals, Varieties, and Algorithms, Section 2.3): goal = sum
+of cofactor times generator + remainder. If the generators are a Groebner basis a nonzero remainder means that the goal
+is not in the ideal; a certificate does not depend on that.
 """
 
 from __future__ import annotations

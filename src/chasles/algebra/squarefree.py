@@ -1,4 +1,4 @@
-"""Integers as squares times what is not divisible by any."""
+"""Integers as a square times a squarefree number."""
 
 from __future__ import annotations
 

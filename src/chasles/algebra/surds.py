@@ -1,6 +1,7 @@
 """Exact real numbers: rational multiples of square roots, and of the powers of one transcendental number.
 
-Square roots of different squarefree integers are linearly independent over the rationals; so are, over these, products
+Square roots of different squarefree integers are linearly independent over the rationals (Besicovitch, J. London Math.
+Soc. 15, 1940); so are, over these, products
 of roots of numbers none of whose products is a square there; and the rational powers of a transcendental number are so
 over all of them. Such a sum vanishes only if every coefficient does: the test for zero is exact.
 """
@@ -182,7 +183,7 @@ def square_root(value: Fraction) -> SurdSum | None:
 
 
 def root_of(value: SurdSum, in_use: Iterable[SurdSum] = ()) -> SurdSum | None:
-    """The square root of a number, beside which roots of others are in use; None if none is known to be exact.
+    """The nonnegative square root of a number, in terms of roots already `in_use`; None if none is known to be exact.
 
     The transcendental number counts as positive.
     """
@@ -212,7 +213,7 @@ def root_of(value: SurdSum, in_use: Iterable[SurdSum] = ()) -> SurdSum | None:
 
 
 def _denested(value: SurdSum) -> SurdSum | None:
-    """sqrt(a + b sqrt(n)) as a sum of roots of rational numbers, if a^2 - b^2 n is a square."""
+    """sqrt(a + b sqrt(n)) as a sum of roots of rational numbers, if a^2 - b^2 n is a square (Borodin et al., 1985)."""
     a = value.terms.get(ONE, Fraction(0))
     others = [(n, b) for (_, n, _), b in value.terms.items() if n != 1]
     if len(others) != 1 or a <= 0:

@@ -1,8 +1,8 @@
 """Exact values at a point: rational numbers, or polynomials in one transcendental number.
 
-An angle may occur bare, beside its own cosine and sine. Where these are rational the angle is transcendental
-(Lindemann), so a polynomial in it with rational coefficients vanishes only if all its coefficients do. With pi in play,
-angles are rational multiples of pi instead, and pi is the transcendental number.
+An angle may occur outside of functions as well as in its own cosine and sine. Where these are rational the angle is
+transcendental (Lindemann), so a polynomial in it with rational coefficients vanishes only if all its coefficients do.
+With pi in play, angles are rational multiples of pi instead, and pi is the transcendental number.
 """
 
 from __future__ import annotations

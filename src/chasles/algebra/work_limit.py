@@ -1,7 +1,7 @@
-"""How much may a decision take? Work is counted, so that no verdict depends on the machine, or on what else it does.
+"""A limit on the work of a decision, counted so that no verdict depends on the machine or on its load.
 
 The unit is one product of two terms of polynomials; what is no polynomial arithmetic counts as so many products as
-take that long. A person may limit the seconds too. Without a limit nothing is ever too much.
+take that long. The user may limit the seconds too. Without a limit any amount of work is allowed.
 """
 
 from __future__ import annotations

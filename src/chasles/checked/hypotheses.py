@@ -1,7 +1,7 @@
-"""Does a hypothesis hold of these numbers? One test a kind, over all batch axes at once.
+"""Tests whether numbers satisfy a hypothesis: one for each kind, over all batch axes at once.
 
 A test gets the arrays that the hypothesis is about, their entries on the last axis, and the tolerance; it says where
-the hypothesis is broken and by how much, in a sentence with a gap for the number.
+the hypothesis is broken and by how much, in a sentence with a placeholder for the number.
 """
 
 from __future__ import annotations

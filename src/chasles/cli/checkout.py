@@ -1,4 +1,4 @@
-"""Where do generated files go, unless told otherwise?
+"""Where generated files are written by default.
 
 The book's go into `generated/` of the checkout around the current folder, those of another chapter into `generated/` in
 its own package.

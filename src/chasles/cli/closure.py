@@ -1,4 +1,4 @@
-"""How much has to be trusted: the modules of chasles that the checker imports, directly or not, and their lines."""
+"""The modules of chasles that the checker imports, directly or not, and how many lines they have."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Each kernel as it is installed here beside what its statement says, ready to be compared."""
+"""Kernels as installed here, each with the specification from its statement that it is compared with."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is installed here, what runs, and is it fresh? As plain data, and what is wrong with it."""
+"""What is installed, which kernels run and whether they are up to date: as plain data, with what is wrong."""
 
 from __future__ import annotations
 

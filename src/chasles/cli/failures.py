@@ -1,4 +1,4 @@
-"""What is said when something goes wrong: one line on standard error, with a hint, and the exit status."""
+"""Error messages: one line on standard error, with a hint, and the exit status."""
 
 from __future__ import annotations
 

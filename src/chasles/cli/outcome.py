@@ -1,4 +1,4 @@
-"""Did it all pass? What was decided and re-checked, how long it took, and what failed its own check."""
+"""The outcome of `decide`: what was decided and checked again, how long it took, and what failed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Quiet commands: `-q` leaves nothing to read but errors, and the JSON that was asked for."""
+"""Quiet commands: `-q` prints errors only, and the JSON that was asked for."""
 
 from __future__ import annotations
 

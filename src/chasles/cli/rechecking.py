@@ -1,4 +1,4 @@
-"""Do certificates prove and counterexamples refute? Asked of the checker, which shares no code with the prover."""
+"""Certificates and counterexamples checked again, by the checker, which shares no code with the prover."""
 
 from __future__ import annotations
 

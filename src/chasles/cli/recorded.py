@@ -1,4 +1,4 @@
-"""What was emitted of a chapter, as the manifest that is installed here has it."""
+"""The manifest of the emitted kernels of a chapter, as installed here."""
 
 from __future__ import annotations
 

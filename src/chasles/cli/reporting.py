@@ -1,4 +1,4 @@
-"""The report: the chapter decided, checked again and walked, as the files that are to be written."""
+"""The report: the chapter decided and checked again, with its derivations, as files to be written."""
 
 from __future__ import annotations
 

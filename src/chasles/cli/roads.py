@@ -1,4 +1,4 @@
-"""The roads of the book, as `derive` uses them: loaded, and chosen by the numbers that they come to."""
+"""The derivations of the book, as `derive` uses them: loaded, and chosen by number."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ __all__ = ["all_roads", "chosen_roads"]
 
 
 def all_roads(book: Chapter) -> dict[str, Derivation]:
-    """The roads by name, in the book's order. Raises Failure for declarations that contradict each other."""
+    """The derivations by name, in the book's order. Raises Failure for declarations that contradict each other."""
     try:
         return roads(book.package)
     except DeclarationError as error:
@@ -25,9 +25,9 @@ def all_roads(book: Chapter) -> dict[str, Derivation]:
 
 
 def chosen_roads(book: Chapter, words: Sequence[str]) -> dict[str, Derivation]:
-    """The roads that end at these numbers, or come past them where none ends there; all without a number.
+    """The derivations that end at these numbers, or compare with them where none ends there; all without a number.
 
-    Raises Failure naming a number to which no road leads, and those near it, and where the book has no roads.
+    Raises Failure naming a number that no derivation leads to, and those near it, and where the book has none.
     """
     known = all_roads(book)
     if not known:

@@ -1,4 +1,4 @@
-"""What came of comparing the kernels with 50 digits, and what of it is a failure."""
+"""The outcome of `verify`: the errors of the kernels against 50 digits, and which of them are failures."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The walk: step after step, each with what it makes, why, and whether that is true."""
+"""Derivations carried out: each step with its result, the reason, and the verdict on it."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ STUCK = (Misfit, TypeError, ValueError, LookupError, Untreatable, UndeclaredDivi
 
 @dataclass(frozen=True, slots=True)
 class CheckedStep:
-    """A step that was made: what kind, why, the equations after it, the verdict on it; what came of a comparison."""
+    """A step that was carried out: its kind and reason, the equations after it, the verdict, the comparison."""
 
     kind: str
     reason: str
@@ -47,7 +47,7 @@ class CheckedStep:
 
 @dataclass(frozen=True, slots=True, repr=False)
 class CheckedDerivation(Displayed):
-    """A derivation that was walked, as far as it went: it ends at the first step that is not true."""
+    """A derivation that was carried out, up to the first step that is not true."""
 
     derivation: Derivation
     steps: tuple[CheckedStep, ...]
@@ -76,9 +76,9 @@ class CheckedDerivation(Displayed):
 
 
 def walk(derivation: Derivation, session: Session) -> CheckedDerivation:
-    """The road of a derivation; the first step that is not true, or cannot be made, is its last."""
+    """The derivation carried out; the first step that is not true, or cannot be made, is its last."""
     road = CheckedDerivation(derivation, tuple(_checked_steps(derivation, State(derivation, session))))
-    # What another time took for a combination is decided step by step; where it was none, the road is walked without.
+    # A combination remembered from an earlier run is a conjecture: where it leads astray, all is done again without it.
     return walk(derivation, session) if not road.arrives and session.memory.forget_conjectures() else road
 
 
@@ -91,7 +91,7 @@ def _checked_steps(derivation: Derivation, state: State) -> Iterator[CheckedStep
 
 
 def _goes_on(checked: CheckedStep) -> bool:
-    """A comparison lets the road go on if it was decided, whatever came of it."""
+    """Whether the derivation goes on: after a true step, and after a comparison that was decided either way."""
     if checked.comparison is not None:
         return not isinstance(checked.comparison.printed, Undecided)
     return checked.verdict.true
@@ -136,6 +136,6 @@ def _compared(step: Compare, state: State) -> CheckedStep:
 
 
 def _as_found(statement: Statement, comparison: PrintComparison) -> Statement:
-    """The statement that the road goes on with: what was found, in the statement's place."""
+    """The statement as it was found, with which the derivation goes on."""
     left, right = comparison.found
     return with_fields(statement, left=left, right=right, reading=None, corrected=None, kernel=None)

@@ -1,4 +1,4 @@
-"""A point that violates what is linear in free symbols is moved to where it does not, as a rule for a rate may demand.
+"""Points moved so that they satisfy equations that are linear in free symbols, such as rules for rates.
 
 First what is linear in all that may move is made to vanish; then the rest, by moving only what occurs nowhere but
 linearly; at last the rates of hypotheses, one order after the other, by moving what no lower order speaks of.

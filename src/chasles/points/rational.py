@@ -1,7 +1,8 @@
 """Simple rational numbers, vectors and matrices: unit vectors, points of the circle, rotations, definite matrices.
 
-Unit vectors are stereographic, points of the circle Pythagorean, rotations come from quaternions of integers. What is
-not `rich` is of axes, quarter turns, zeros and ones as far as may be.
+Unit vectors come from stereographic projection, points of the circle from its rational parametrisation (Pythagorean
+triples), rotations from quaternions of integers (the Euler-Rodrigues formula). Values that are not `rich` are made of
+axes, quarter turns, zeros and ones as far as possible.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Exact rational points that satisfy a problem's hypotheses, simple ones first.
 
-Unit vectors are stereographic, cosine and sine Pythagorean, rotations come from quaternions, rates from spins;
-conditions are satisfied by what they determine, norms by moving a free vector until its norm is rational.
+Hypotheses are satisfied by parametrisation (see `rational`), rates of rotations by an angular velocity, conditions by
+the values that they determine, norms by moving a free vector until its norm is rational.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The variables of a field as fractions, found by what they stand for."""
+"""The fraction for each quantity of a problem: an entry of a symbol or rate, a cosine, a sine, a norm."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Rates of fractions: the derivation knows the rate of each variable; product and quotient rules do the rest."""
+"""Time derivatives of fractions of polynomials, from the rates of the variables by product and quotient rule."""
 
 from __future__ import annotations
 

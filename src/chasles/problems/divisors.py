@@ -1,4 +1,4 @@
-"""Divisors: only constants and the factors that a hypothesis declares nonzero may stand below a fraction."""
+"""Divisors: only products of constants and of factors that a hypothesis declares nonzero may be divided by."""
 
 from __future__ import annotations
 

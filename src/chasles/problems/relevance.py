@@ -1,4 +1,4 @@
-"""Which hypotheses bear on a problem, and up to which rate do they say something of use?"""
+"""The hypotheses that are relevant to a problem, and how often each is differentiated."""
 
 from __future__ import annotations
 

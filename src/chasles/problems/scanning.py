@@ -1,4 +1,4 @@
-"""What variables do the expressions of a problem need, once the rules are applied?"""
+"""Expressions searched for the variables that they need once definitions are put in."""
 
 from __future__ import annotations
 

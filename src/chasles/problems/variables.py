@@ -1,4 +1,4 @@
-"""Which variables does a problem have? One for each entry of a free symbol or rate, two for an angle, one for a norm.
+"""The variables of a problem: one for each entry of a free symbol or rate, two for an angle, one for a norm.
 
 An angle phi that occurs with the multiples q of itself is measured by the cosine and sine of u phi, where u is the
 largest rational of which all these q are whole multiples: phi/2 if the half-angle occurs.

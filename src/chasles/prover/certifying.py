@@ -1,4 +1,4 @@
-"""What was found true gets its certificate: all that a checker needs, as text, and which hypotheses it takes."""
+"""Certificates: the cofactors that prove an equation, as text for the checker, and the hypotheses that they use."""
 
 from __future__ import annotations
 

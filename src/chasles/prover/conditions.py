@@ -1,4 +1,4 @@
-"""Conditions determine symbols: a linear system, solved once and for all by its normal equations.
+"""Symbols that conditions determine: a linear system over the ring, solved by its normal equations.
 
 For conditions M u = v, a left inverse of M is adj(M^T M) M^T / det(M^T M). It exists where the determinant is, modulo
 the hypotheses, a product of nonzero factors; the multipliers of the conditions are the certificate that u has the value

@@ -1,4 +1,4 @@
-"""Can all that is assumed hold together? A point at which it does, or a proof that there is none.
+"""Whether hypotheses can hold together: a point that satisfies them, or a proof that there is none.
 
 What is assumed contradicts itself if something that does not vanish is a combination of what does (Nullstellensatz),
 or if something positive is, up to such a combination, minus a sum of squares (Positivstellensatz): Bochnak, Coste and

@@ -1,4 +1,4 @@
-"""The counterexample that a person evaluates most easily: one entry, and only what it depends on, in small numbers."""
+"""Counterexamples that are easy to evaluate by hand: one entry, only the values it depends on, small numbers."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Is it true? Reduce what should vanish by what is known; if a remainder is left, look for an exact counterexample."""
+"""The decision of a problem: goals divided by the hypotheses; for a remainder, the search for a counterexample."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Objects that a claim leaves some freedom: another such object for which the printed equation is right.
+"""Objects that claims determine only up to some freedom: another such object for which the printed equation is right.
 
 A claim y = X rate(z) leaves X free up to c w^T for any w with w^T rate(z) = 0, and a constraint on z gives such a w. A
 left inverse is such an X. What is printed of one of them need not be true of another.

@@ -1,4 +1,4 @@
-"""Changes inside what a letter of the right side stands for, where the letter itself leaves nothing to change.
+"""Edits inside the definitions of symbols on the right side, block by block.
 
 Arrays are opened to their blocks. A block may be wrong or missing; one that is missing in an array that occurs several
 times, as P does in P P^T, is put in wherever the array occurs.

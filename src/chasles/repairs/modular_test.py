@@ -1,4 +1,8 @@
-"""An equation on trial: by how much do its sides differ at generic points, and what does a change contribute?"""
+"""A modular test of an equation: the residual of its sides at random points, and what a change contributes to it.
+
+Both are evaluated modulo a large prime. A residual that is zero at all points is zero with high probability (Schwartz,
+J. ACM 27, 1980; Zippel, EUROSAM 1979): what passes is a conjecture, which the prover then decides.
+"""
 
 from __future__ import annotations
 
@@ -41,7 +45,7 @@ from chasles.vocabulary import (
 __all__ = ["REFUSED", "ModularTest", "modular_test"]
 
 REFUSED = (Misfit, TypeError, Untreatable, UndeclaredDivisor, SingularResidue, Unsampled)
-"""Why an equation cannot be tried: it does not fit, cannot be posed, is not treated, or divides by zero."""
+"""Why an equation cannot be tested: it does not fit, cannot be posed, is not treated, or divides by zero."""
 Direction = tuple[int, ...]
 
 POINTS, NUMBERS = 8, 30
@@ -68,7 +72,7 @@ class ModularTest:
         object.__setattr__(self, "probe", Sampled(self.fixed.context, self.fixed.points[:PROBED]))
 
     def residual_of(self, at: Sampled, left: Node, right: Node) -> Column:
-        """By how much other sides differ, less what the statement lets them differ by."""
+        """The residual of an equation with other sides, less the difference that the statement allows."""
         if isinstance(left, Inverse):
             return at.flat(Sum((Identity(left.shape[0]), Negative(Contract((left.of, right))))))
         residual = minus(at.flat(left), at.flat(right))
@@ -77,16 +81,16 @@ class ModularTest:
         return residual
 
     def residual(self, at: Sampled) -> Column:
-        """By how much the sides differ."""
+        """The residual of the equation: left less right side, entry by entry, point by point."""
         key = id(at), (), None
         if key not in self._contributions:
             self._contributions[key] = self.residual_of(at, self.left, self.right)
         return self._contributions[key]
 
     def contribution(self, at: Sampled, place: Place, term: Node | None = None) -> Column:
-        """What a term in a place of the right side contributes: the one that stands there, or one added to it.
+        """How the residual changes by a term at a place of the right side: the one that is there, or one added to it.
 
-        Nothing if it does not fit there, or cannot be told.
+        Zero if the term does not fit there or has no value.
         """
         term = place.node if term is None else term
         key = id(at), place.path, term
@@ -104,7 +108,7 @@ class ModularTest:
         return minus(self.residual(at), self.residual_of(at, self.left, more))
 
     def of(self, right: Node) -> ModularTest:
-        """The same trial of another right side."""
+        """The same test with another right side."""
         return ModularTest(self.statement, self.left, right, self.problem, self.varied, self.fixed)
 
     def holds(self, left: Node, right: Node) -> bool:
@@ -231,7 +235,7 @@ def _scalars(node: Node) -> Iterator[Node]:
 def modular_test(
     statement: Statement, left: Node, right: Node, accepted: AcceptedSides, extra: Iterable[Node] = ()
 ) -> ModularTest | None:
-    """The equation with these sides, at points where what is `extra` it has values too; None without such points.
+    """The equation with these sides, at points where `extra` expressions have values too; None without such points.
 
     Raises `Misfit` or TypeError for an equation that cannot be posed, `Untreatable` for what the prover does not treat.
     """

@@ -1,7 +1,7 @@
 """One change to the right side: another coefficient, a term left out, a term that was missing.
 
-What a change must contribute is known: the gap between the sides. So each is tried by comparing two columns of numbers,
-and a coefficient that depends on angles is found from a small linear system.
+A change must contribute the residual of the equation, which is known. So each is tested by comparing two columns of
+residues, and a coefficient that depends on angles is the solution of a small linear system.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """The equations nearest to one that fits together and fails: candidates for the prover, the fewest changes first.
 
 One change is another coefficient, a missing term or a slip of form; then comes another object that the claims about it
-allow, then several changes at once. A candidate agrees with the hypotheses at generic points; it is not proved.
+allow, then several changes at once. A candidate passes the modular test; it is not proved.
 """
 
 from __future__ import annotations

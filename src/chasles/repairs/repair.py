@@ -1,7 +1,7 @@
-"""What is right instead? For an equation that fails, the nearest true ones, each proved before it counts.
+"""The nearest true equations to one that fails, each proved before it counts.
 
-Marks and factors without which a print does not fit together are restored first; what then fails is changed as little
-as possible. A definition that does not fit is what makes the claims that rest on it true.
+Marks and factors without which an equation does not fit together are restored first; what then fails is changed as
+little as possible. A definition that does not fit is what makes the claims that rest on it true.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Several changes at once: the fewest terms that must be changed, left out or added, block by block.
 
-Where all angles are fixed, coefficients are mere numbers. There it is seen quickly which sets of terms can close the
-gap between the sides; for these few, the coefficients are then found as functions of the angles.
+Where all angles are fixed, coefficients are numbers, and linear algebra tells which sets of terms can make the residual
+zero; for these few sets, the coefficients are then found as functions of the angles.
 """
 
 from __future__ import annotations
@@ -88,7 +88,7 @@ def _sum(test: ModularTest, place: Place, terms: tuple[Place, ...], basis: TermB
 
 
 def _fewest(test: ModularTest, each: _Sum) -> list[_Edits] | None:
-    """The edits that close the gap where the sum contributes, all of the least number; None if there are none."""
+    """The edits that make the residual zero where the sum contributes, as few as possible; None if there are none."""
     contributions, cores, new = each.columns(test, test.fixed)
     inside = [any(entries) for entries in zip(*contributions, *cores, *new, strict=True)]
     residual = _within(test.residual(test.fixed), inside)
@@ -118,7 +118,7 @@ _Set = tuple[tuple[int, ...], tuple[int, ...]]
 def _sets(
     residual: Column, contributions: list[Column], cores: list[Column], new: list[Column]
 ) -> Iterator[list[_Set]]:
-    """For each number of changes in turn: which terms to change and which to add so that the gap can be closed."""
+    """For each number of changes in turn: which terms to change and which to add so that the residual can be zero."""
     looked_at = 0
     for total in range(1, MOST_CHANGES + 1):
         sets: list[_Set] = []
@@ -141,7 +141,7 @@ def _sets(
 
 
 def _covers(residual: Column, columns: list[Column], size: int) -> Iterator[tuple[int, ...]]:
-    """The sets of so many columns of which every one is needed to make up the gap."""
+    """The sets of so many columns of which every one is needed to make up the residual."""
     if size == 0:
         if not any(residual):
             yield ()
@@ -166,7 +166,7 @@ _Term = tuple[Node | None, str | None, int]
 
 
 def _edited(test: ModularTest, each: _Sum, chosen: tuple[int, ...], extra: tuple[int, ...]) -> _Edits | None:
-    """The sum with the coefficients that close the gap; None if these are no functions that occur.
+    """The sum with the coefficients that make the residual zero; None if these are no functions that occur.
 
     None too if nothing that is printed stays: then nothing was repaired.
     """

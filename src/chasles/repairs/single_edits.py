@@ -1,6 +1,6 @@
-"""Slips of pen and print, undone one at a time: a lost transpose, a wrong letter, factors in the wrong order or place.
+"""Single edits that undo a slip: a lost transpose, a wrong letter, factors in the wrong order or place.
 
-None of them is a wrong coefficient or a missing term; these are found from the gap between the sides.
+Wrong coefficients and missing terms are not among them; these are found from the residual of the equation.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""An equation that does not fit together as printed: what can it say if a mark was lost, or a factor?
+"""Equations that do not fit together as printed, with a lost mark or factor restored so that they do.
 
 A lost mark is a separator between blocks, a transpose, a tilde or another letter; a lost factor is a vector, where a
 scalar is set equal to one, or an invariant of the dimension that is missing.

@@ -1,1 +1,1 @@
-"""PAGES: what a person reads in the terminal, and the records that a machine reads."""
+"""Pages that a person reads, in the terminal, as HTML, as LaTeX and in notebooks, and records that a program reads."""

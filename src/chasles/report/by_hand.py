@@ -1,4 +1,4 @@
-"""What does a counterexample come to? What goes into its entry by the given statements, worked out or referred to."""
+"""A counterexample worked out by hand: the values that go into its entry, by the given statements."""
 
 from __future__ import annotations
 

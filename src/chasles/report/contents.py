@@ -1,4 +1,4 @@
-"""What is in the book? A line for each number, section by section."""
+"""The contents of the book: a line for each number, section by section."""
 
 from __future__ import annotations
 

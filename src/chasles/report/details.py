@@ -1,4 +1,4 @@
-"""What is there to say beside a verdict? Labels and lines of text, the same on every page."""
+"""The details of a verdict: labels and lines of text, the same on every page."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What was recorded of a kernel when it was emitted? Of what it is made, and what is proved of its errors."""
+"""Records of emitted kernels: the expression each is made from, and its proved error bound."""
 
 from __future__ import annotations
 

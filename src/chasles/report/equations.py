@@ -1,4 +1,4 @@
-"""How does a sentence read? Its equations in one line of plain text, or in LaTeX, as printed."""
+"""The equations of a statement as printed, in one line of plain text or in LaTeX."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How good are the numbers? A row for each kernel, its largest errors, and where it loses digits.
+"""Measured errors: a row for each kernel, with its largest errors and where it loses digits.
 
 Each piece of evidence is on one kernel, in one precision, at one kind of point.
 """

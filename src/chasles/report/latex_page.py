@@ -1,4 +1,4 @@
-"""The chapter as a LaTeX document: every equation as printed, with its verdict and what stands instead."""
+"""The chapter as a LaTeX document: every equation as printed, with its verdict and what is right instead."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Words in a LaTeX document: nothing in them is a command."""
+"""Text for a LaTeX document, escaped."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which marks must be put back into a print so that it reads as it should? Told from the LaTeX of both."""
+"""The marks that a scan has lost, told from the LaTeX of the printed equation and of its reading."""
 
 from __future__ import annotations
 

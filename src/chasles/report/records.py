@@ -1,4 +1,4 @@
-"""What does a machine get to read? One record for each statement, its keys and their order fixed."""
+"""Records for programs: one for each statement, its keys and their order fixed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A road on a page: step by step what is done, the equation that comes of it, and its verdict; and as data."""
+"""A derivation on a page: each step with what is done, the equation that results, and its verdict; also as data."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where is the page shown? In a terminal with its width and colours, or plainly and unwrapped in a pipe or a file."""
+"""The screen that pages are shown on: a terminal with its width and colours, or a pipe or file, plain and unwrapped."""
 
 from __future__ import annotations
 

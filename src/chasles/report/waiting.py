@@ -1,4 +1,4 @@
-"""How far is it? A progress bar on standard error, drawn only in a terminal and only once the wait is felt."""
+"""A progress bar on standard error, drawn only in a terminal and only where it takes long."""
 
 from __future__ import annotations
 

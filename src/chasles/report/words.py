@@ -1,4 +1,4 @@
-"""How is a verdict shown? A sign and a word that do without colour, and a colour."""
+"""Words of the pages: verdicts with sign and colour, points, counts, durations."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A term is a coefficient times a core: the coefficient is a number or depends on angles alone, the core on the rest.
+"""A term as a coefficient times a core: the coefficient is a number or a function of angles, the core is the rest.
 
 So 2 (3 - cos(phi)) (e . omega) e e^T has the coefficient 2 (3 - cos(phi)) and the core (e . omega) e e^T.
 """

@@ -1,4 +1,4 @@
-"""An equation solved for one of its terms, and a product taken apart at its last factor: moves on paper."""
+"""An equation solved for one of its terms, and a product taken apart at its last factor."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where does one expression occur in another? Also as a run of factors in a product, or of terms in a sum."""
+"""Where one expression occurs in another, also as consecutive factors of a product or as terms of a sum."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""Where in an expression can something be changed, and what is the expression then?
+"""The places of an expression at which a part can be replaced, and the expression after it.
 
-A place is linear if the whole depends on what stands there linearly: terms, factors, blocks, arguments of linear
+A place is linear if the whole depends linearly on the part there: terms, factors, blocks, arguments of linear
 operations; not exponents, divisors or arguments of norms.
 """
 

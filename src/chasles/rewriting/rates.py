@@ -1,4 +1,4 @@
-"""Rates carried out in words: the rules of differentiation as a reader applies them, what is zero left out."""
+"""Time derivatives of expressions, carried out by the usual rules; terms that are zero are left out."""
 
 from __future__ import annotations
 

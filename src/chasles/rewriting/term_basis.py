@@ -1,4 +1,4 @@
-"""Which terms could be missing? All of a given shape and physical dimension that the symbols at hand make up.
+"""The terms that could be missing in an equation: all of its shape and dimension that its symbols can form.
 
 Vectors, their products and dyads, cross-product matrices, matrices and products of two, scaled by invariants where the
 dimension asks for it. The symbols are those of the statement, the rates among them those that occur; nothing is listed

@@ -1,4 +1,4 @@
-"""Small tidying of what was put together by computation: factors of one, terms of zero, signs in front."""
+"""Computed expressions tidied: factors of one and terms of zero left out, signs moved to the front."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""SENTENCES: what the book says, as data. A declaration holds no verdict and no code; `load` reads the whole book."""
+"""Statements: what the book says, as data. A declaration holds no verdict and no code; `load` reads the whole book."""
 
 from chasles.statements.chapter import Chapter, DeclarationError, Entry, Section, load
 from chasles.statements.forms import Always, Definite, Exists, Iff, Minimum, OnlyWhere, Unique

@@ -1,4 +1,4 @@
-"""What a kernel holds as an array: its name in every language, its shape, and what it means."""
+"""Arrays that go into a kernel or come out: name, shape and meaning, the same in every language."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which statements, and which derivations, do words name? By number as the book cites them, by name, by part."""
+"""Statements and derivations found by what names them: the number as the book cites it, the name, the part."""
 
 from __future__ import annotations
 

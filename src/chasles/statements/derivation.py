@@ -1,7 +1,7 @@
-"""Derivations: the road to a result, as data. A step says what is done; what comes of it is computed, and decided.
+"""Derivations as data: a step says what is done; its result is computed, and decided.
 
-A road stands at one or several equations. A step takes the equations reached and makes others of them; a comparison
-ends a stretch: from there on, the statement compared with is used as it was found, not as it is printed.
+Each step takes the equations reached so far and makes others of them. A comparison ends a part of a derivation: from
+there on, the statement compared with is used as it was found, not as it is printed.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ class Step(Declared):
 
 @dataclass(frozen=True, slots=True)
 class Take(Step):
-    """The road goes on from these statements; a claim among them must itself be decided."""
+    """The derivation goes on from these statements; a claim among them must itself be proved."""
 
     kind: ClassVar[str] = "take"
     statements: tuple[Statement, ...]
@@ -63,7 +63,7 @@ class Take(Step):
 
 @dataclass(frozen=True, slots=True)
 class Consider(Step):
-    """The road goes on from an expression, which is equal to itself."""
+    """The derivation goes on from an expression, which is equal to itself."""
 
     kind: ClassVar[str] = "consider"
     expression: Node
@@ -242,6 +242,6 @@ class Derivation(Declared, Displayed):
 
     @property
     def stops(self) -> tuple[Statement, ...]:
-        """The statements that the road comes to, each once, where it is compared last."""
+        """The statements that the derivation is compared with, each once, where it is compared last."""
         compared = [step.statement for step in self.steps if isinstance(step, Compare)]
         return tuple(dict.fromkeys(reversed(compared)))[::-1]

@@ -1,4 +1,4 @@
-"""Is this still the declaration from which a file was made? A hash of what a sentence declares and rests on."""
+"""Fingerprints: a hash of what a statement declares and rests on, which tells whether a file was made from it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a function that is emitted takes and gives: symbols, several scalars in one array, a symmetric matrix by six."""
+"""Inputs and outputs of an emitted function: symbols, scalars in one array, a symmetric matrix as six numbers."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where is a chapter? A package of declarations by its name, or by the folder that it is."""
+"""Chapters as packages of declarations, found by the name of the package or by its folder."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sums of squares in plain sight: which expressions are never negative, and what vanishes when one of them does.
+"""Expressions that are visibly sums of squares: never negative, and zero only where each square is.
 
 Only the spelling counts: even powers, norms, scalar products of an expression with itself, positive factors, integrals
 of such over a body. Nothing is computed.

@@ -1,4 +1,4 @@
-"""What a theorem varies must vary in plain sight: the symbol over which a minimum is taken, or that a witness replaces.
+"""What a theorem varies must occur explicitly: the symbol over which a minimum is taken, or that a witness replaces.
 
 A rule may hide the symbol, as the displacement of P hides p. Before a form puts a value in the symbol's place, such
 rules are applied; and whatever is to be the same for all values of the symbol is refused if it depends on it.

@@ -1,4 +1,4 @@
-"""What has to hold at a point, read off a context once."""
+"""The equations, roots and inequations that a point must satisfy, taken from the context of a problem."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""One attempt at a point: frames and fixed angles first, then equations, then the rest; roots as soon as possible."""
+"""One attempt to find a point: orthonormal frames and fixed angles first, then equations, then all other variables."""
 
 from __future__ import annotations
 

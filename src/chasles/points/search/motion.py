@@ -1,4 +1,4 @@
-"""Is there a motion through the point?
+"""Whether a motion passes through a point.
 
 Values of functions and their rates that satisfy equations at one instant only count if functions exist that satisfy
 them at all times. Equations that can be solved at the point for a rate each, others being chosen freely, have such

@@ -1,4 +1,4 @@
-"""How does the page refer to a number or a statement? Names of places on the page, links, hypotheses as formulas."""
+"""References on the page: anchors and links of numbers and statements, hypotheses as formulas."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What differs between two formulas? Both are marked where they do, part by part, in the trees of their MathML."""
+"""Differences between two formulas, marked in both, part by part, in the trees of their MathML."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What rests on what, as a drawing: a band for each section, a box for each number, a line from each of its bases."""
+"""Dependencies as a drawing: a band for each section, a box for each number, a line from each number it rests on."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What was measured of the kernels: times beside their peers, and errors; read from the evidence of a checkout."""
+"""Measurements of the kernels: times next to those of other generators, and errors; read from the checkout."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How does the chapter stand, in numbers? Totals, a row for each section, what is assumed."""
+"""The chapter in numbers: totals, a row for each section, what is assumed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The colours of the page, in the light and in the dark; each text stands out from each ground on which it is put.
+"""The colours of the page, light and dark; each colour of text has enough contrast to each ground that it is used on.
 
 The four colours of curves are near those of Okabe and Ito, which colour-blind readers tell apart.
 """

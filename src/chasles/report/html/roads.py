@@ -1,4 +1,4 @@
-"""Derivations as the page shows them: steps with what comes of each; walked by several processes where that helps."""
+"""Derivations as the page shows them, each step with its result; carried out by several processes where that helps."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the page says of one statement: the print, the verdict and why, what stands instead, what it rests on."""
+"""What the page says of one statement: the printed equation, the verdict and why, what is right, what it rests on."""
 
 from __future__ import annotations
 

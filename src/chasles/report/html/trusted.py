@@ -1,4 +1,4 @@
-"""On what do the verdicts rest? How long the checker is, counted in its source, and what else has to be believed."""
+"""What the verdicts rest on: the length of the checker, counted in its source, and what else has to be trusted."""
 
 from __future__ import annotations
 

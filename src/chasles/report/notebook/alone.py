@@ -1,4 +1,4 @@
-"""A statement on its own, without the page on which the report shows it; and what is said in each form of display."""
+"""A statement displayed on its own, without the rest of the report."""
 
 from __future__ import annotations
 
