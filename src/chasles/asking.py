@@ -51,7 +51,7 @@ def repair(number: str, chapter: Named = BOOK) -> Several[Repair]:
 
 
 def derive(number: str, chapter: Named = BOOK) -> CheckedDerivation:
-    """The road to an equation, walked: each step's result is found and decided, the end is compared with the print.
+    """A derivation of an equation: each step's result is computed and decided, the last compared with the printed one.
 
     Takes what `decide` takes, and the name of a road. Raises LookupError if no road leads there, or several do, which
     are named.

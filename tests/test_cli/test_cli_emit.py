@@ -16,7 +16,7 @@ from click.testing import CliRunner, Result
 
 from chasles import derivations
 from chasles.cli import answers, book, main
-from chasles.cli.roads import all_roads
+from chasles.cli.derivations import all_derivations
 from chasles.decisions import processes as spreading
 from chasles.statements import Chapter, load
 from chasles.targets import commission
@@ -38,8 +38,8 @@ def _short_book(monkeypatch: pytest.MonkeyPatch) -> None:
     end = next(k for k, entry in enumerate(whole.entries) if entry.name == KERNELS[-1]) + 1
     beginning = Chapter(whole.title, whole.entries[:end])
     monkeypatch.setattr(book, "load", lambda package: beginning)
-    first = dict(islice(all_roads(beginning).items(), 2))
-    monkeypatch.setattr(answers, "all_roads", lambda chapter: first)
+    first = dict(islice(all_derivations(beginning).items(), 2))
+    monkeypatch.setattr(answers, "all_derivations", lambda chapter: first)
     monkeypatch.setattr(answers, "sentences_of_exercises", dict)
 
 

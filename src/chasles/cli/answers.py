@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from typing import Any
 
-from chasles.cli.roads import all_roads
+from chasles.cli.derivations import all_derivations
 from chasles.decisions.memory import Memory
 from chasles.decisions.session import Session
 from chasles.decisions.shipped import ANSWERS, as_text
@@ -45,7 +45,7 @@ def _asking(book: Chapter, session: Session) -> Iterator[tuple[str, Callable[[],
     """What asks questions: by name, and how it does."""
     for entry in book:
         yield f"({entry.number}) {entry.name}", partial(session.decide, entry.statement)
-    for name, road in all_roads(book).items():
+    for name, road in all_derivations(book).items():
         yield f"road {name}", partial(walk, road, session)
     if book.package == BOOK:
         for name, sentence in sentences_of_exercises().items():

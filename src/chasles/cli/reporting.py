@@ -9,15 +9,15 @@ from pathlib import Path
 from time import perf_counter
 
 from chasles.cli.book import BOOK
+from chasles.cli.derivations import all_derivations
 from chasles.cli.failures import Failure
 from chasles.cli.outcome import Outcome, decide
 from chasles.cli.recorded import manifest
-from chasles.cli.roads import all_roads
+from chasles.report.html.derivations import walked
 from chasles.report.html.exercises import worked_exercises
 from chasles.report.html.measured import ERRORS, TIMES, DamagedEvidence
 from chasles.report.html.page import PageContents, page
-from chasles.report.html.roads import walked
-from chasles.report.html.shown import RoadView
+from chasles.report.html.shown import DerivationView
 from chasles.report.html.site import site
 from chasles.report.html.trusted import checked_again
 from chasles.report.latex_page import latex_page
@@ -37,7 +37,7 @@ class Reported:
 
     files: dict[str, str | bytes]
     outcome: Outcome
-    roads: tuple[RoadView, ...]
+    roads: tuple[DerivationView, ...]
     unsolved: tuple[str, ...]
     seconds: float
 
@@ -85,11 +85,11 @@ def reported(book: Chapter, as_site: bool = False, address: str = "") -> Reporte
 
 
 def _roads_of(book: Chapter) -> dict[str, Derivation]:
-    """The roads that come past statements of this book."""
+    """The derivations that are compared with statements of this book."""
     known = {id(entry.statement) for entry in book}
     return {
         name: road
-        for name, road in all_roads(book).items()
+        for name, road in all_derivations(book).items()
         if any(id(statement) in known for step in road.steps for statement in step.cited)
     }
 

@@ -1,4 +1,4 @@
-"""Where a road has come to, and what may be used there: equations reached, statements found, problems to decide."""
+"""The state of a derivation: the equations reached, the statements found so far, and what may be used to decide."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ Rules = tuple[tuple[Node, Node], ...]
 
 @dataclass
 class State:
-    """The equations reached, those solved for last, the ansatz made, and each statement as it was found on the road."""
+    """The equations reached, those solved for last, the ansatz made, and each statement as it was found."""
 
     derivation: Derivation
     session: Session
@@ -38,7 +38,7 @@ class State:
     found: dict[int, Statement] = field(default_factory=dict)
 
     def sides(self, statement: Statement) -> Equation:
-        """The sides of a statement: as found on the road, or in the form that stands for it."""
+        """The sides of a statement: as found in this derivation, or in the form that is accepted."""
         found = self.found.get(id(statement))
         left, right = self._relied_on(statement) if found is None else found.printed
         return without_brackets(left), without_brackets(right)

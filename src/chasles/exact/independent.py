@@ -1,7 +1,8 @@
 """Numbers with angles in them: polynomials in angles, cosines and sines that are independent of each other.
 
-Relations between angles, sums of integer multiples that are zero, are found by PSLQ and then proved: the sine of such a
-sum is an algebraic number, and zero. By Baker's theorem no others are linear, whatever algebraic numbers multiply them.
+Relations between angles, sums of integer multiples that are zero, are found by PSLQ (Ferguson and Bailey, 1992) and
+then proved: the sine of such a sum is an algebraic number, and zero. By Baker's theorem (Linear forms in the logarithms
+of algebraic numbers, 1966) no others are linear, whatever algebraic numbers multiply them.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Is an algebraic number zero? It is if it is smaller than any such number but zero: by a separation bound.
+"""Whether an algebraic number is zero: it is if it is smaller than its separation bound.
 
 Burnikel, Funke, Mehlhorn, Schirra and Schmitt, "A separation bound for real algebraic expressions", Algorithmica 55
 (2009): a number is a quotient U / L of algebraic integers; with u and l above all conjugates of these, and D not less

@@ -1,4 +1,4 @@
-"""How is an exact value written? As text that the grammar of data reads back, as LaTeX, and in decimals beside it."""
+"""Exact values written as text that the grammar of data reads back, as LaTeX, and in decimals."""
 
 from __future__ import annotations
 

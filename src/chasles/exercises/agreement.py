@@ -1,4 +1,4 @@
-"""Does an answer agree with what is expected? Number by number, exactly or within a tolerance, or undecided."""
+"""Whether an answer agrees with the expected one: number by number, exactly or within a tolerance, or undecided."""
 
 from __future__ import annotations
 

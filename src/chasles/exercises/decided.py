@@ -44,7 +44,7 @@ def _decided(sentence: Sentence) -> Decision:
 
 
 class Decided:
-    """Steps without numbers: statements, roads and refutations, for all values."""
+    """Steps without numbers: statements, derivations and refutations, for all values."""
 
     def __init__(self) -> None:
         self.steps: list[SolutionStep] = []
@@ -59,9 +59,9 @@ class Decided:
         self.steps.append(SolutionStep(says or sentence.says, (self.cite(sentence),), lines))
 
     def walk(self, road: Derivation, says: str) -> dict[str, Node]:
-        """Walk a derivation of the book: each step is decided. What stands last for each left side, by its name.
+        """Carry out a derivation of the book, each step decided: the last right side of each left side, by its name.
 
-        Raises Refuted if the road does not arrive, DoesNotStand if that is not known.
+        Raises Refuted if a step is not true, DoesNotStand if that is not known.
         """
         walked = walk(road, _session())
         if not walked.arrives:

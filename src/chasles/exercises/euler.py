@@ -1,4 +1,4 @@
-"""Euler angles as the road of Exercise 3.10 has them: its symbols by name, and where its determinant vanishes."""
+"""Euler angles of Exercise 3.10: the symbols of its derivation by name, and where the determinant vanishes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Formulas on a sheet, each as text and in LaTeX: expressions of the book with their values."""
+"""Formulas of a solution, each as text and in LaTeX: expressions of the book with their values."""
 
 from __future__ import annotations
 

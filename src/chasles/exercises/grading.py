@@ -1,4 +1,4 @@
-"""Is a student's answer right? Part by part, by exact equality, in any form and up to what the exercise leaves open.
+"""Grading of a student's answers: part by part, by exact equality, in any form and up to what the exercise leaves open.
 
 Equality is decided, or the part is undecided: no decimals make an answer right, unless a tolerance is asked for.
 """

@@ -1,8 +1,8 @@
-"""The sheet on which an exercise is solved: each step evaluates, tests or solves an equation of the book, exactly.
+"""The worksheet of an exercise: each step evaluates, tests or solves an equation of the book, exactly.
 
 Values are bound to the book's symbols. A step names a declaration; its right side, at the values known so far, gives
-the value of its left side. A claim is decided before it is used, and used as repaired where its print fails; what it
-assumes is tested at the values. Nothing is computed by a formula that the book does not declare.
+the value of its left side. A claim is decided before it is used, and used as repaired where it is wrong as printed;
+what it assumes is tested at the values. Nothing is computed by a formula that the book does not declare.
 """
 
 from __future__ import annotations

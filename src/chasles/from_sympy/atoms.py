@@ -1,4 +1,4 @@
-"""Names: which real quantities occur in a SymPy expression, and what are they called in words?
+"""The real quantities that occur in a SymPy expression, and their names in the problem.
 
 An atom is a symbol, an entry of a matrix symbol, a function of symbols such as theta(t), or a derivative of one. Each
 becomes a scalar word with a plain name; the SymPy spelling is kept for the reader.

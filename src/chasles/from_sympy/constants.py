@@ -1,4 +1,4 @@
-"""Is an algebraic number zero? It is, if it is closer to zero than any other number that is made so can be.
+"""Whether an algebraic number is zero: it is if it is smaller than its separation bound.
 
 C. Burnikel, S. Funke, K. Mehlhorn, S. Schirra, S. Schmitt, A separation bound for real algebraic expressions (2009): a
 number is U/L with algebraic integers U and L all of whose conjugates are at most u and l in size; where D is the degree

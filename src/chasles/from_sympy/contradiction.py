@@ -1,7 +1,8 @@
-"""Do the side conditions contradict each other? Then a combination of them vanishes that cannot.
+"""Side conditions that contradict each other: a combination of them vanishes that cannot.
 
-That what does not vanish has an inverse is an equation too (Rabinowitsch's trick). What cannot vanish is a number, what
-the signs of symbols and squares make positive, and what would leave to a symbol no value that it may have.
+That what does not vanish has an inverse is an equation too (J. L. Rabinowitsch, Math. Ann. 102, 1930). What cannot
+vanish is a number, what the signs of symbols and squares make positive, and what would leave to a symbol no value that
+it may have.
 """
 
 from __future__ import annotations

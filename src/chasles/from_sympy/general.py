@@ -1,4 +1,4 @@
-"""More general questions: what is an angle of its own becomes a symbol, what is a number one with what it satisfies.
+"""More general questions: arguments of cosines become symbols, and numbers become symbols with an equation.
 
 cos(x**2), cos(1) and cos(sqrt(k/m)*t) are cosines of some angle, and cos(k*pi/n) is the Chebyshev polynomial T_k of
 cos(pi/n). Whatever holds for all values of the symbols holds for these.

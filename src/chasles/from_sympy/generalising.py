@@ -1,4 +1,4 @@
-"""A question is proved as it stands, or a more general one is: then the certificate says which, and proves that."""
+"""A question proved as asked, or by a more general one, which the certificate then states and proves."""
 
 from __future__ import annotations
 

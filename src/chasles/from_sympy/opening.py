@@ -1,4 +1,4 @@
-"""What did the user hand in? Scalars and matrices, opened entry by entry, with nothing left to evaluate."""
+"""The expressions that the user asked about, as scalars and matrices of entries with nothing left to evaluate."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How often must each of several equations be differentiated until together they determine their highest rates?
+"""How often each of several equations is to be differentiated until together they determine their highest rates.
 
 Pantelides' algorithm (SIAM J. Sci. Stat. Comput. 9, 1988) in the terms of Pryce's signature method (BIT 41, 2001):
 equation i is differentiated c_i times, function j then occurs with its d_j-th rate, and every equation can be assigned

@@ -1,4 +1,4 @@
-"""Which polynomials are positive wherever they are real numbers? Those that are seen to be, for a reason that is shown.
+"""Polynomials that are positive for all real values of their variables, with the reason.
 
 Either every term is a product of squares and of variables whose sign is known, or the polynomial is quadratic and a sum
 of squares and a positive number, by completing squares (Lagrange's reduction).

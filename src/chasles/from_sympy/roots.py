@@ -1,4 +1,4 @@
-"""Square roots, each the nonnegative one: which of them are independent, and what are the others made of?
+"""Square roots, each the principal (nonnegative) one: independent ones as variables, the others in terms of these.
 
 sqrt(4 x^2 y) is 2 |x| sqrt(y), and sqrt(a b) is sqrt(a) sqrt(b) where these occur too. A radicand is factored; squares
 leave the root, factors that are not negative get roots of their own. What is left over is independent as far as is

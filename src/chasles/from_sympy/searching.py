@@ -1,4 +1,4 @@
-"""What a search for points has to know: what SymPy assumes of symbols, which angles are products, what moves."""
+"""What a search for points needs: the assumptions of the symbols, angles that are products, functions of time."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A verdict by cases: each is decided by itself, and together they are all that can be."""
+"""Verdicts by cases: each case is decided by itself, and together they are all that is possible."""
 
 from __future__ import annotations
 

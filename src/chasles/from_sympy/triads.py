@@ -1,4 +1,4 @@
-"""Orthonormal columns among the given equations: recognised, so that they are stated as a rotation is.
+"""Orthonormal columns among the given equations, recognised so that they are treated as a rotation.
 
 Three orthonormal columns of determinant one satisfy 21 quadrics that are already a Groebner basis; starting from the
 six equations and the determinant, completion takes many seconds.

@@ -63,5 +63,5 @@ def _ends(road: Derivation) -> tuple[str, ...]:
 
 
 def _numbers(road: Derivation) -> tuple[str, ...]:
-    """Every number that the road comes to."""
+    """Every number that the derivation is compared with."""
     return (*_ends(road), *(statement.number.casefold() for statement in road.stops))

@@ -199,11 +199,11 @@ class Compare(Step):
 
 @dataclass(frozen=True, eq=False)
 class Derivation(Declared, Displayed):
-    """The road to the statement `to`, which is its end; None where the book asks for what is found, and prints nothing.
+    """The derivation of the statement `to`, with which it ends; None where the book does not print the result.
 
-    `given` may be used at every step; what is `assuming` holds all along. Raises `DeclarationError` for a road that
-    begins with a step that has nothing to work on, is not compared with `to` last, uses `to` before it comes there,
-    makes an ansatz and does not solve for it, or uses a condition as if it were a definition.
+    `given` may be used at every step; what is `assuming` holds all along. Raises `DeclarationError` for a derivation
+    that begins with a step that has nothing to work on, is not compared with `to` last, uses `to` before it comes
+    there, makes an ansatz and does not solve for it, or uses a condition as if it were a definition.
     """
 
     number: str

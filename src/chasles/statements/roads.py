@@ -1,4 +1,4 @@
-"""The roads that a book declares, by name."""
+"""The derivations that a chapter declares, by name."""
 
 from __future__ import annotations
 

@@ -26,24 +26,24 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> int:
     Without a number, all derivations are checked, and listed on a line each. The exit status is 1 if a step does not
     hold.
     """
-    from chasles.cli.roads import chosen_roads
+    from chasles.cli.derivations import chosen_derivations
     from chasles.decisions.recalled import retained, session_of
     from chasles.deriving import walk
+    from chasles.report.derivation_page import derivation_line, derivation_page, derivation_record
     from chasles.report.records import as_json
-    from chasles.report.road_page import road_line, road_page, road_record
     from chasles.report.screen import Screen
     from chasles.report.waiting import progress
 
     book = chapter()
-    chosen, session = chosen_roads(book, numbers), session_of(book)
+    chosen, session = chosen_derivations(book, numbers), session_of(book)
     walked = {name: walk(road, session) for name, road in progress(iter(chosen.items()), len(chosen), "Deriving")}
     retained(session.memory)
     if json:
-        click.echo(as_json({"roads": [road_record(name, road) for name, road in walked.items()]}))
+        click.echo(as_json({"roads": [derivation_record(name, road) for name, road in walked.items()]}))
     else:
         screen = Screen()
         for place, (name, road) in enumerate(walked.items()):
-            page = road_page(screen, name, road, latex) if numbers else road_line(screen, name, road)
+            page = derivation_page(screen, name, road, latex) if numbers else derivation_line(screen, name, road)
             screen.show(*([""] if place and numbers else []), *page)
     return complain(_failures(list(walked.items())))
 

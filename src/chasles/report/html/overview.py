@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from chasles.report.findings import NumberCounts, Pairs, numbers_of, replacements, slips_in_words
 from chasles.report.html.citing import Book, Link
-from chasles.report.html.shown import Badge, RoadView, badge_of
+from chasles.report.html.shown import Badge, DerivationView, badge_of
 from chasles.report.html.trusted import Trusted
 from chasles.report.summary import Tally, tallies
 from chasles.report.words import VERDICTS, counted
@@ -58,7 +58,7 @@ class Overview:
     trusted: Trusted
 
 
-def overview(book: Book, decided: Pairs, roads: tuple[RoadView, ...], trusted: Trusted) -> Overview:
+def overview(book: Book, decided: Pairs, roads: tuple[DerivationView, ...], trusted: Trusted) -> Overview:
     """The totals of all that was decided and walked."""
     wrong = [(entry, decision) for entry, decision in decided if not decision.verdict.true]
     how = [found[0].found if (found := replacements(*each)) else "nothing" for each in wrong]

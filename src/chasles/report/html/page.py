@@ -21,7 +21,7 @@ from chasles.report.html.measured import measured
 from chasles.report.html.notation import notation_of
 from chasles.report.html.overview import overview
 from chasles.report.html.palette import DARK, LIGHT
-from chasles.report.html.shown import Badge, KernelRow, NumberShown, RoadView, badge_of
+from chasles.report.html.shown import Badge, DerivationView, KernelRow, NumberShown, badge_of
 from chasles.report.html.statements import part_of
 from chasles.report.html.trusted import Trusted
 from chasles.report.verdict_page import WORST_FIRST
@@ -63,7 +63,7 @@ class PageContents:
     trusted: Trusted
     manifest: str = ""
     evidence: Mapping[str, str] = field(default_factory=dict)
-    roads: tuple[RoadView, ...] = ()
+    roads: tuple[DerivationView, ...] = ()
     exercises: tuple[WorkedView, ...] = ()
 
 
@@ -102,10 +102,10 @@ def contents(chapter: Chapter, decisions: DecisionsByName, sources: PageContents
 
 
 def _sections(
-    book: Book, decided: Sequence[Pair], kernels: Mapping[str, KernelRow], roads: Sequence[RoadView]
+    book: Book, decided: Sequence[Pair], kernels: Mapping[str, KernelRow], roads: Sequence[DerivationView]
 ) -> Iterator[SectionView]:
-    """The sections in the book's order; a road stands where its number does first."""
-    leading: dict[str, list[RoadView]] = {}
+    """The sections in the book's order; a derivation is where its number is first."""
+    leading: dict[str, list[DerivationView]] = {}
     for road in roads:
         leading.setdefault(road.number, []).append(road)
     seen: dict[str, int] = {}
@@ -124,7 +124,7 @@ def _number(
     number: str,
     group: Sequence[Pair],
     kernels: Mapping[str, KernelRow],
-    roads: Sequence[RoadView],
+    roads: Sequence[DerivationView],
     times: int,
 ) -> NumberShown:
     """A number with the parts of it that stand in one section; its verdict is the worst of theirs."""

@@ -14,6 +14,7 @@ from chasles.report.words import VERDICTS
 
 __all__ = [
     "Badge",
+    "DerivationView",
     "Equation",
     "Fact",
     "KernelRow",
@@ -21,7 +22,6 @@ __all__ = [
     "Part",
     "Related",
     "Repaired",
-    "RoadView",
     "StepShown",
     "badge_of",
 ]
@@ -80,7 +80,7 @@ class Repaired:
 
 @dataclass(frozen=True, slots=True)
 class StepShown:
-    """A step of a road: what is done, by what, the verdict, what comes of it, what stands against it."""
+    """A step of a derivation: what is done, by what, the verdict, its result, the objections to it."""
 
     kind: str
     reason: str
@@ -90,7 +90,7 @@ class StepShown:
 
 
 @dataclass(frozen=True, slots=True)
-class RoadView:
+class DerivationView:
     """A derivation that was walked; `number` is that to which it belongs."""
 
     number: str
@@ -141,11 +141,11 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class NumberShown:
-    """A number of the book with its parts and the roads that lead there; `classes` are what filters look for."""
+    """A number of the book with its parts and its derivations; `classes` are what filters look for."""
 
     place: str
     cited: str
     badge: Badge
     classes: str
     parts: tuple[Part, ...]
-    roads: tuple[RoadView, ...]
+    roads: tuple[DerivationView, ...]

@@ -16,8 +16,8 @@ from chasles.emitted import EmittedKernel
 from chasles.repairs.repair import Repair
 from chasles.report.details import number_in_words
 from chasles.report.equations import signature_in_words
+from chasles.report.html.derivations import derivation_view
 from chasles.report.html.formulas import latex_for_mathml, markup, tree_of
-from chasles.report.html.roads import road_view
 from chasles.report.html.shown import Equation, Fact, badge_of
 from chasles.report.html.statements import CODE, as_printed, equation, part_of
 from chasles.report.notebook.alone import Alone, cited, entry_of, needs_of, rests_on, sections_of
@@ -138,7 +138,7 @@ def _(value: Repair) -> Card:
 
 @card_of.register
 def _(value: CheckedDerivation) -> Card:
-    view = road_view("", value)
+    view = derivation_view("", value)
     assumed = {"assuming": escape(", ".join(view.assuming))}
     return Card(
         title=number_in_words(view.number), says=view.says, quiet=view.outcome, facts=_told(assumed), steps=view.steps

@@ -10,13 +10,13 @@ from chasles.deriving import CheckedDerivation
 from chasles.exercises.solution import Solution
 from chasles.exercises.worksheet_latex import as_latex
 from chasles.repairs.repair import Repair
+from chasles.report.derivation_page import equations_of
 from chasles.report.details import number_in_words, refuted
 from chasles.report.equations import in_latex
 from chasles.report.latex_page import Item, item_of
 from chasles.report.latex_text import escaped
 from chasles.report.notebook.alone import Alone, entry_of, needs_of
 from chasles.report.notebook.text import text
-from chasles.report.road_page import equations_of
 from chasles.report.words import VERDICTS, reason
 from chasles.statements import Entry, Inverse, Statement, Theorem
 from chasles.verdict import Counterexample, Verdict

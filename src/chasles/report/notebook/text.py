@@ -17,10 +17,10 @@ from chasles.deriving import CheckedDerivation
 from chasles.emitted import EmittedKernel
 from chasles.exercises.solution import Solution
 from chasles.repairs.repair import Repair
+from chasles.report.derivation_page import derivation_page
 from chasles.report.details import Lines, evidence, indented, number_in_words, objections, printed, refuted
 from chasles.report.notebook.alone import cited, entry_of, needs_of, sections_of
 from chasles.report.records import certificate_hash
-from chasles.report.road_page import road_page
 from chasles.report.screen import Screen
 from chasles.report.words import labelled, number_of, point_in_words, reason
 from chasles.report.worked_page import worked_page
@@ -105,7 +105,7 @@ def _(value: Repair, screen: Screen) -> Iterator[RenderableType]:
 
 @_pages.register
 def _(value: CheckedDerivation, screen: Screen) -> Iterator[RenderableType]:
-    yield from road_page(screen, "derivation", value)
+    yield from derivation_page(screen, "derivation", value)
 
 
 @_pages.register

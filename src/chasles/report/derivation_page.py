@@ -18,10 +18,12 @@ from chasles.verdict import Fails
 from chasles.vocabulary import Node, plain
 from chasles.vocabulary import latex as in_latex
 
-__all__ = ["equations_of", "objections_of", "road_line", "road_page", "road_record"]
+__all__ = ["derivation_line", "derivation_page", "derivation_record", "equations_of", "objections_of"]
 
 
-def road_page(screen: Screen, name: str, road: CheckedDerivation, latex: bool = False) -> Iterator[RenderableType]:
+def derivation_page(
+    screen: Screen, name: str, road: CheckedDerivation, latex: bool = False
+) -> Iterator[RenderableType]:
     """A derivation with all its steps."""
     derivation = road.derivation
     what = derivation.says if derivation.to is None else derivation.to.says
@@ -34,13 +36,13 @@ def road_page(screen: Screen, name: str, road: CheckedDerivation, latex: bool = 
     yield Text.assemble("  ", *_outcome(road))
 
 
-def road_line(screen: Screen, name: str, road: CheckedDerivation) -> Iterator[RenderableType]:
+def derivation_line(screen: Screen, name: str, road: CheckedDerivation) -> Iterator[RenderableType]:
     """A derivation in one line: its number, how many steps it has, what came of it."""
     words = f"{road.derivation.number}  {name}: {number_of(len(road.steps), 'step')}; "
     yield Text.assemble(words, *_outcome(road))
 
 
-def road_record(name: str, road: CheckedDerivation) -> dict[str, Any]:
+def derivation_record(name: str, road: CheckedDerivation) -> dict[str, Any]:
     """The derivation as `chasles derive --json` prints it; its keys and their order are fixed."""
     derivation = road.derivation
     return {

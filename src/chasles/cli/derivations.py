@@ -11,10 +11,10 @@ from chasles.statements.derivation import Derivation
 from chasles.statements.roads import roads
 from chasles.vocabulary.arguments import WrongArgument
 
-__all__ = ["all_roads", "chosen_roads"]
+__all__ = ["all_derivations", "chosen_derivations"]
 
 
-def all_roads(book: Chapter) -> dict[str, Derivation]:
+def all_derivations(book: Chapter) -> dict[str, Derivation]:
     """The derivations by name, in the book's order. Raises Failure for declarations that contradict each other."""
     try:
         return roads(book.package)
@@ -24,12 +24,12 @@ def all_roads(book: Chapter) -> dict[str, Derivation]:
         raise Failure(str(error), BAD_INPUT) from error
 
 
-def chosen_roads(book: Chapter, words: Sequence[str]) -> dict[str, Derivation]:
+def chosen_derivations(book: Chapter, words: Sequence[str]) -> dict[str, Derivation]:
     """The derivations that end at these numbers, or compare with them where none ends there; all without a number.
 
     Raises Failure naming a number that no derivation leads to, and those near it, and where the book has none.
     """
-    known = all_roads(book)
+    known = all_derivations(book)
     if not known:
         raise Failure(f"{book.package} declares no derivations: those in its package `roads` would be taken", BAD_INPUT)
     if not words:

@@ -7,30 +7,30 @@ from collections.abc import Mapping
 from chasles.decisions.processes import spread
 from chasles.decisions.session import Session
 from chasles.deriving import CheckedDerivation, CheckedStep, walk
+from chasles.report.derivation_page import equations_of, objections_of
 from chasles.report.details import number_in_words
 from chasles.report.html.formulas import latex_for_mathml, markup, tree_of
-from chasles.report.html.shown import Equation, RoadView, StepShown, badge_of
+from chasles.report.html.shown import DerivationView, Equation, StepShown, badge_of
 from chasles.report.html.statements import equation
-from chasles.report.road_page import equations_of, objections_of
 from chasles.statements.derivation import Consider, Derivation
 from chasles.vocabulary import Node, plain
 
-__all__ = ["road_view", "walked"]
+__all__ = ["derivation_view", "walked"]
 
-A_ROAD = 0.3
+A_DERIVATION = 0.3
 """About how many seconds one takes."""
 
 
-def walked(roads: Mapping[str, Derivation], session: Session) -> tuple[RoadView, ...]:
+def walked(roads: Mapping[str, Derivation], session: Session) -> tuple[DerivationView, ...]:
     """All derivations, checked; what the session has decided already is not decided again."""
-    return tuple(spread(lambda name: road_view(name, walk(roads[name], session)), tuple(roads), A_ROAD))
+    return tuple(spread(lambda name: derivation_view(name, walk(roads[name], session)), tuple(roads), A_DERIVATION))
 
 
-def road_view(name: str, road: CheckedDerivation) -> RoadView:
-    """A road as the page shows it; it belongs to the number at its end."""
+def derivation_view(name: str, road: CheckedDerivation) -> DerivationView:
+    """A derivation as the page shows it; it belongs to the number at its end."""
     derivation = road.derivation
     made = zip(derivation.steps, road.steps, strict=False)
-    return RoadView(
+    return DerivationView(
         number=derivation.number if derivation.to is None else derivation.to.number,
         name=name,
         says=derivation.says,
