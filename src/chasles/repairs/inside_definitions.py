@@ -6,7 +6,7 @@ times, as P does in P P^T, is put in wherever the array occurs.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace as with_fields
 
 from chasles.repairs.modular_test import ModularTest
@@ -27,12 +27,13 @@ def block_edits(test: ModularTest, basis: TermBasis) -> Iterator[Change]:
     names = {_opened(letter, rules): f"{plain(letter)} = " for letter in reversed(rules)}
     one_block = list(new_coefficients(test.of(right)))
     yield from one_block
-    for array, other in () if one_block else _completed(right, basis):
+    for array, other in () if one_block else _completed(right, [*basis.nodes, *_blocks(test.left)]):
         new = _replaced(right, array, other)
         words = names.get(array, "") + instead(other, array)
         if fit(test.left, new):
             for change in new_coefficients(test.of(new)):
-                yield with_fields(change, words=(words, *change.words))
+                more = () if change.right == new else change.words
+                yield with_fields(change, words=(words, *more))
 
 
 def _replaced(node: Node, old: Node, new: Node) -> Node:
@@ -49,20 +50,26 @@ def _opened(node: Node, rules: Mapping[Node, Node]) -> Node:
     return node if changed == parts else rebuilt(node, changed)
 
 
-def _completed(node: Node, basis: TermBasis) -> Iterator[tuple[Block, Block]]:
+def _completed(node: Node, fillings: Sequence[Node]) -> Iterator[tuple[Block, Block]]:
     """Arrays that occur several times, and the same with something in the place of a zero block."""
     arrays = [part for _, part in everywhere(node) if isinstance(part, Block)]
     for array in dict.fromkeys(array for array in arrays if arrays.count(array) > 1):
         for i, row in enumerate(array.rows):
             for j, block in enumerate(row):
                 if isinstance(block, Zero):
-                    for new in _fillings(block, basis):
+                    for new in _fillings(block, fillings):
                         line = (*row[:j], new, *row[j + 1 :])
                         yield array, Block((*array.rows[:i], line, *array.rows[i + 1 :]))
 
 
-def _fillings(block: Zero, basis: TermBasis) -> Iterator[Node]:
+def _fillings(block: Zero, nodes: Sequence[Node]) -> Iterator[Node]:
     square = (Identity(block.rows),) if block.rows == block.columns else ()
-    for node in (*square, *basis.nodes):
-        if node.shape == block.shape:
+    for node in dict.fromkeys((*square, *nodes)):
+        if node.shape == block.shape and not isinstance(node, Zero):
             yield from (node, Negative(node))
+
+
+def _blocks(node: Node) -> Iterator[Node]:
+    """The blocks of an array, without their signs."""
+    for row in node.rows if isinstance(node, Block) else ():
+        yield from (block.term if isinstance(block, Negative) else block for block in row)

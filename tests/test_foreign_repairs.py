@@ -1,0 +1,53 @@
+"""Repairs inside what a letter stands for, and of what a claim leaves free, on equations that are not the chapter's."""
+
+from __future__ import annotations
+
+import pytest
+
+from chasles.repairs.repair import repair
+from chasles.statements import Claim, Definition, unit_column
+from chasles.vocabulary import CPM, Identity, Node, Zero, array, column, matrix, plain, rate, square, vector
+
+one, O = Identity(3), Zero(3, 3)
+a, b = (vector(name, name, "a vector") for name in "ab")
+A, B = (square(name, name, "a matrix") for name in "AB")
+FACTOR = matrix((A, O), (B, O))
+
+INSIDE: list[tuple[Node, Node, bool, str]] = [
+    (matrix((-(CPM(a) @ CPM(a)), CPM(a)), (-CPM(a), one)), matrix((O, O), (one, O)), True, "[CPM(a), 0; 1, 0]"),
+    (matrix((A @ A.T, A), (A.T, one)), matrix((O, O), (one, O)), True, "[A, 0; 1, 0]"),
+    (matrix((A @ A.T, A), (A.T, one)), matrix((A, O), (O, O)), True, "[A, 0; 1, 0]"),
+    (matrix((A @ A.T, A @ B.T), (B @ A.T, 2 * B @ B.T)), matrix((A, O), (B, O)), True, "[A, 0; B, B]"),
+    (matrix((A @ A, O), (B @ A + A @ B, A @ A)), matrix((A, O), (B, O)), False, "[A, 0; B, A]"),
+    (matrix((one, O), (2 * A, one)), matrix((one, O), (O, one)), False, "[1, 0; A, 1]"),
+    (matrix((one, A.T), (A, one + A @ A.T)), matrix((one, O), (O, one)), True, "[1, 0; A, 1]"),
+]
+
+
+@pytest.mark.parametrize(("left", "wrong", "transposed", "right"), INSIDE, ids=range(len(INSIDE)))
+def test_a_block_that_is_missing_in_a_factor_is_found(left: Node, wrong: Node, transposed: bool, right: str) -> None:
+    factor = array("P", "P", "a factor", wrong)
+    product = factor @ factor.T if transposed else factor @ factor
+    found = repair(Claim("2", left, product, given=(Definition("1", factor, wrong),)))[0]
+    assert plain(found.right) == f"{right} {right}" + ("^T" if transposed else "")
+    assert found.changes == (f"P = {right} instead of {plain(wrong)}",)
+
+
+pair, X = array("p", "p", "a pair", column(a, b)), array("X", "X", "a matrix", matrix((CPM(a), CPM(b))))
+given = (Definition("1", pair, column(a, b)), Definition("2", X, matrix((CPM(a), CPM(b)))))
+is_unit = (unit_column(a, b),)
+claim = Claim("3", CPM(a) @ rate(a) + CPM(b) @ rate(b), X @ rate(pair), given=given, assuming=is_unit)
+
+
+@pytest.mark.parametrize(("vector", "sign", "words"), [(a, 1, "X + a [a; b]^T"), (b, -1, "X - b [a; b]^T")])
+def test_what_is_right_for_another_object_that_a_claim_allows_is_told(vector: Node, sign: int, words: str) -> None:
+    """X rate(p) does not change with X + c p^T, for p has length one."""
+
+    def dyad_rate(block: Node) -> Node:
+        return sign * (rate(vector) @ block.T + vector @ rate(block).T)
+
+    printed = matrix((CPM(rate(a)) + dyad_rate(a), CPM(rate(b)) + dyad_rate(b)))
+    (found,) = repair(Claim("4", rate(X), printed, given=given, assuming=is_unit), context=(claim,))
+    assert found.changes == (f"d/dt ({words}) instead of X_dot",)
+    assert found.modulo == "(3) says the same of X + c [a; b]^T for every vector c"
+    assert found.right == printed
