@@ -25,7 +25,7 @@ Named = str | Chapter
 
 
 def decide(number: str, chapter: Named = BOOK) -> Decisions:
-    """The decisions on what has this number, part by part: the verdict, and what is right instead of a wrong print.
+    """The decisions on what has this number, part by part: the verdict, and what is right instead where it is wrong.
 
     Args:
         number: as the book cites it, "3.18", "(3.18)" or "Thm 3.2.2"; "3.4/2" is one part; or the name of a statement.
@@ -42,7 +42,7 @@ def decide(number: str, chapter: Named = BOOK) -> Decisions:
 
 
 def repair(number: str, chapter: Named = BOOK) -> Several[Repair]:
-    """The nearest true equations to a print that is wrong, the nearest first; none where it stands as printed.
+    """The nearest true equations to one that is wrong, the nearest first; none where it is right as printed.
 
     Takes what `decide` takes, and raises what it raises.
     """
@@ -59,7 +59,7 @@ def derive(number: str, chapter: Named = BOOK) -> CheckedDerivation:
     book, session = _asked(number, chapter)
     found = derivations_cited(roads(book.package), [number])
     if len(found) > 1:
-        raise UnknownNumber(f"{len(found)} roads lead to {number}: name one of {', '.join(found)}")
+        raise UnknownNumber(f"{len(found)} derivations lead to {number}: name one of {', '.join(found)}")
     [road] = found.values()
     walked = walk(road, session)
     retained(session.memory)

@@ -97,7 +97,7 @@ def _decided(entries: Sequence[Entry], session: Session) -> tuple[Decided, ...]:
 
 
 def _stands_in_wrongly(decision: Decision) -> bool:
-    """Whether what is declared to be right is not; a likely reading that fails is a finding about the print."""
+    """Whether what is declared to be right is not; a likely reading that fails is a finding about the book."""
     correction = decision.correction
     tried = () if correction is None else (correction, *correction.others)
     return any(each.form == "corrected" and not each.verdict.true for each in tried)

@@ -82,7 +82,7 @@ def _prove(decision: Decision) -> None:
 
 
 def _refute(decision: Decision) -> None:
-    """Raises `Rejected` unless the counterexample refutes the print."""
+    """Raises `Rejected` unless the counterexample refutes the printed equation."""
     assert isinstance(decision.verdict, Fails)
     assert not isinstance(decision.statement, Inverse)
     problem = problem_of(decision.statement, "printed", decision.accepted)

@@ -1,4 +1,4 @@
-"""What was decided of a sentence: the verdict on the print, and what stands in where the print does not."""
+"""The decision on a statement: the verdict on it as printed and, where that is wrong, on its correction."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class Certificate(dict[str, Any], Displayed):
 
 @dataclass(frozen=True, slots=True)
 class Correction:
-    """What stands in for a print that does not: its form, its sides and the verdict on it.
+    """What replaces an equation that is wrong as printed: its form, its sides and the verdict on it.
 
     The form is "reading", "repair" or "corrected". `repairs` are all that the search found, the nearest first;
     `others` are the other forms that are declared.
@@ -71,7 +71,7 @@ class Used:
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Decision(Displayed):
-    """The verdict on a sentence as printed, what stands in for it, and how long it took.
+    """The verdict on a statement as printed, its correction if it is wrong, and how long it took.
 
     `given` says how each statement was used on whose sides it rests, by number and part: "3.96a/1".
     """
@@ -93,7 +93,7 @@ class Decision(Displayed):
 
     @property
     def stands(self) -> bool:
-        """Whether the sentence is true as printed, or something stands in for it."""
+        """Whether the statement is true as printed, or has a correction that is true."""
         return self.verdict.true or (self.correction is not None and self.correction.verdict.true)
 
     @property
@@ -141,7 +141,7 @@ class Decisions(Several[Decision]):
 
     @property
     def stands(self) -> bool:
-        """Whether every part is true as printed, or something stands in for it."""
+        """Whether every part is true as printed, or has a correction that is true."""
         return all(decision.stands for decision in self)
 
 

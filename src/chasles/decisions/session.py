@@ -37,7 +37,7 @@ __all__ = ["Correction", "Decision", "Session", "Used"]
 
 
 class Session:
-    """Decides sentences, each once; a given claim that fails is used in the form that stands in for it.
+    """Decides statements, each once; a given claim that fails is used in its corrected form.
 
     With `book`, or what loads it, what is wrong as printed is repaired: what the book says about a symbol tells
     which freedom it has, and claims that rest on a definition tell what it is. What is in `memory` is not decided

@@ -1,4 +1,4 @@
-"""Walking a derivation: each step's result is computed and decided; the end is compared with the print."""
+"""Derivations carried out: each step's result is computed and decided; the last is compared with the printed one."""
 
 from chasles.deriving.walk import CheckedDerivation, CheckedStep, walk
 

@@ -127,7 +127,7 @@ def _written(terms: list[Node], functions: list[AngleFunction], values: list[Fra
 def _over_one(
     own: list[tuple[Fraction, AngleFunction]], functions: list[AngleFunction], sampled: Sampled
 ) -> list[tuple[Fraction, AngleFunction]]:
-    """The coefficient as one fraction, where it is a fraction and something else beside it."""
+    """The coefficient as one fraction, where it is the sum of a fraction and terms without a divisor."""
     divisors = {function.denominator for _, function in own}
     if len(divisors) != 2 or None not in divisors:
         return own

@@ -1,4 +1,4 @@
-"""What was found, compared with the print: equal, or different and where."""
+"""The result of a derivation compared with the printed equation: equal, or different and where."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ def _why(verdict: Verdict) -> str:
 
 
 def compare(step: Compare, state: State) -> PrintComparison:
-    """The comparison with the form that agrees, the print first."""
+    """The comparison with the form that agrees, the printed one tried first."""
     statement = step.statement
     using = tuple(dict.fromkeys((*step.using, *(s for s in rules_behind_all(statement) if s is not statement))))
     printed: Verdict | None = None
@@ -90,7 +90,7 @@ def compare(step: Compare, state: State) -> PrintComparison:
 
 
 def _forms(statement: Statement, state: State) -> Iterator[tuple[str, Equation]]:
-    """The print, and what may stand in for it."""
+    """The printed equation, and the forms that may replace it."""
     for form in FORMS:
         if form != "repair" and statement.form_exists(form):
             yield form, statement.form(form)

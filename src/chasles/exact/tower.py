@@ -129,8 +129,8 @@ class QuadraticTower:
             inside = self._root_within(a, level - 1)
             if inside is not None:
                 return inside
-            beside = self._root_within(self.multiply(a, self.inverse(self.radicands[level - 1])), level - 1)
-            return None if beside is None else _made(level, ZERO, beside)
+            quotient = self._root_within(self.multiply(a, self.inverse(self.radicands[level - 1])), level - 1)
+            return None if quotient is None else _made(level, ZERO, quotient)
         norm = self._root_within(self._norm(a, b, level), level - 1)
         if norm is None:
             return None

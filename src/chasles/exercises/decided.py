@@ -36,7 +36,7 @@ def _session() -> Session:
 
 
 def _decided(sentence: Sentence) -> Decision:
-    """The decision on a sentence; raises DoesNotStand for one that is undecided, with nothing that stands in for it."""
+    """The decision on a sentence; raises DoesNotStand for one that is undecided, without a correction that is true."""
     decision = _session().decide(sentence)
     if isinstance(decision.verdict, Undecided) and not decision.stands:
         raise DoesNotStand(f"it rests on ({sentence.number}), which is undecided: {decision.verdict.reason}")
@@ -96,6 +96,6 @@ class Decided:
         return Citation(sentence.number, sentence.part, verdict.name, tuple(getattr(verdict, "needs", ())), form)
 
     def sides(self, statement: Statement, moved: Mapping[Any, Node] | None = None) -> tuple[Node, Node]:
-        """Both sides of a statement as it stands, repaired where its print fails; `moved` says it of other symbols."""
+        """Both sides of a statement, repaired where it is wrong as printed; `moved` says it of other symbols."""
         left, right = _session().accepted(statement)
         return (replace(left, moved), replace(right, moved)) if moved else (left, right)

@@ -42,7 +42,7 @@ class Citation:
 
 
 def cited(citations: Sequence[Citation]) -> str:
-    """The numbers that are cited, in one line; where a corrected form stands in for the print, it is said."""
+    """The numbers that are cited, in one line; where a corrected form is used, that is said."""
     groups: dict[tuple[str, str], list[int]] = {}
     for citation in citations:
         groups.setdefault((citation.shown, citation.form), []).append(citation.part)

@@ -62,9 +62,9 @@ def scan(found: Variables, node: Node, order: int, rules: Mapping[Node, Node]) -
             found.norms[of] = None
         case Integral(of):
             if found.running and found.running != node.running:
-                raise Untreatable(f"{plain(node)} is not over the same quantities as another integral beside it")
+                raise Untreatable(f"{plain(node)} is not over the same quantities as another integral of the problem")
             if found.body not in (None, node.body):
-                raise Untreatable(f"{plain(node)} is over another body than an integral beside it")
+                raise Untreatable(f"{plain(node)} is over another body than another integral of the problem")
             found.running, found.densities = node.running, found.densities | {node.density.name}
             found.body = node.body
             _require_running(node, rules)

@@ -44,7 +44,7 @@ def refute(context: Context, solved: tuple[Solved, ...], suspects: Sequence[Unpr
     """The counterexample that is easiest to evaluate by hand among those that a number of sample points give.
 
     Points of axes, quarter turns, ones and zeros come first; others are tried if none of these refutes, and then such
-    as give a value to all that occurs, and to what is assumed beside it. Only what the checker accepts refutes.
+    as give a value to all that occurs, and to what is assumed besides. Only what the checker accepts refutes.
     """
     used = _used_by_each(context, solved, suspects)
     gone = {s.variable for s in solved} | _unmeasured(context)
@@ -118,7 +118,7 @@ def _refuted(context: Context, entry: UnprovedPart, point: points.Point, names: 
 
 
 def transcendental_name(context: Context) -> str:
-    """What the powers in a value are powers of: pi, or the only angle that occurs beside its own cosine and sine."""
+    """What the powers in a value are powers of: pi, or the only angle that occurs outside of functions."""
     if context.pi_measures or not context.transcendental:
         return "pi"
     return context.variables[min(context.transcendental)].name
@@ -171,7 +171,7 @@ def _used(context: Context, solved: tuple[Solved, ...], suspects: Sequence[Unpro
 
 
 def _unmeasured(context: Context) -> set[str]:
-    """What has no value but itself: pi, and an angle beside its own cosine and sine where pi does not measure it."""
+    """What has no value but itself: pi, and an angle outside of functions where pi does not measure it."""
     multiples = {k for k in context.transcendental if context.pi_measures and context.variables[k].symbol != PI}
     return {context.variables[k].name for k in context.transcendental - multiples}
 

@@ -123,7 +123,7 @@ def _in_letters(test: ModularTest, row: Block) -> Block:
 
 
 def _other(freedom: Freedom, multiples: list[_Multiple], values: list[Fraction]) -> Node | None:
-    """The object for which the print is right; None if it is the one that is printed."""
+    """The object for which the printed equation is right; None if it is the one that is printed."""
     terms: list[Node] = []
     for dyad in dict.fromkeys(dyad for _, dyad, _ in multiples):
         coefficient = spelled((-v, f) for (f, own, _), v in zip(multiples, values, strict=False) if own == dyad)

@@ -41,7 +41,7 @@ class Change:
     """An equation after some changes, each in plain words; `effort` ranks the same number of changes.
 
     `modulo` says why another object may stand on the left side, where one does; the first `marks` changes restore what
-    the print lost before it was an equation.
+    was lost before it fitted together.
     """
 
     left: Node

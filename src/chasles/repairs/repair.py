@@ -35,7 +35,7 @@ MORE_EFFORT, MOST = 2, 8
 class Repair(Displayed):
     """A true equation near the printed one: its sides, what was changed in words, and the verdict on it.
 
-    The first `marks` of the `edits` changes restore what the print lost before it was an equation at all. `modulo`
+    The first `marks` of the `edits` changes restore what was lost before it fitted together. `modulo`
     says why another object may stand on the left where the sides are right for that one; `by` names the claims that
     hold with a definition, and show it to be the one that was meant.
     """
@@ -61,10 +61,10 @@ def repair(
 ) -> tuple[Repair, ...]:
     """The nearest true equations, that with the fewest and simplest changes first; none if none was proved in time.
 
-    `accepted` gives the sides with which given statements are used. What was changed is told from the print; where
-    restored marks alone do not make it true, the search goes on from the statement's reading if it has one. `context`
-    are other statements of the book: claims about a symbol say which freedom it has, claims that rest on a definition
-    say what it is. What rests on a statement that is not proved is not repaired.
+    `accepted` gives the sides with which given statements are used. Changes are counted from the printed equation;
+    where restored marks alone do not make it true, the search goes on from the statement's reading if it has one.
+    `context` are other statements of the book: claims about a symbol say which freedom it has, claims that rest on a
+    definition say what it is. What rests on a statement that is not proved is not repaired.
     """
     try:
         sides = given_sides(statement, accepted)
@@ -107,7 +107,7 @@ def _of_claim(near: Nearest) -> Iterator[Repair]:
 
 
 def _candidates(near: Nearest) -> Iterator[Iterable[Change]]:
-    """Candidates, stage by stage; what comes later is further from the print."""
+    """Candidates, in order: later ones are further from the printed equation."""
     statement = near.statement
     once, twice = _fitting(near) if statement.fault else ([], [])
     for group in (once, twice):
@@ -129,7 +129,7 @@ def _fitting(near: Nearest) -> tuple[list[WellFormedRepair], list[WellFormedRepa
 
 
 def _words_of_reading(near: Nearest, left: Node, right: Node, found: Iterable[WellFormedRepair]) -> tuple[str, ...]:
-    """The marks that lead from the print to its reading."""
+    """The marks that lead from the printed equation to its reading."""
     for each in found:
         if each.left == left and each.right == right:
             return each.words

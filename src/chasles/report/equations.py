@@ -38,7 +38,7 @@ def hypotheses_in_latex(book: Chapter) -> dict[str, str]:
 
 
 def standing_in(statement: Statement, sides: Equation) -> tuple[str, str]:
-    """What stands in for a statement, in plain text and in LaTeX."""
+    """What replaces a statement, in plain text and in LaTeX."""
     left, right = sides
     return f"{plain(left)} = {plain(right)}", f"{latex(left)} {statement.sign} {latex(right)}"
 

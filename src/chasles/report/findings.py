@@ -36,7 +36,7 @@ SLIPS = {"print": "wrong in the book", "scan": "lost by the scan", "both": "lost
 
 @dataclass(frozen=True, slots=True)
 class Replacement:
-    """An equation that is true where the print is not: its sides, the verdict, how it was `found`, what was changed.
+    """What is true in place of a wrong equation: its sides, the verdict, how it was `found`, what was changed.
 
     `found` is "repair" or "declared"; `by` are the claims that show a definition to be the one that was meant.
     """

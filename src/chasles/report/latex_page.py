@@ -33,7 +33,7 @@ __all__ = ["Item", "item_of", "latex_page"]
 
 @dataclass(frozen=True, slots=True)
 class Instead:
-    """What stands instead of a print, in LaTeX, and what is said of it; `lead` comes before it."""
+    """What is right instead of an equation, in LaTeX, and what is said of it; `lead` comes before it."""
 
     lead: str
     formula: str

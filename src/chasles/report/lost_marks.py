@@ -17,14 +17,14 @@ LAYOUT = frozenset(("{", "}", "(", ")", r"\left", r"\right", r"\mathbf", r"\bold
 
 @dataclass(frozen=True, slots=True)
 class Lost:
-    """The `marks` that a print has lost, and the `letters` that it has for others, in words."""
+    """The `marks` that an equation has lost in the scan, and the `letters` that it has for others, in words."""
 
     marks: tuple[str, ...] = ()
     letters: tuple[str, ...] = ()
 
 
 def lost_marks(printed: str, read: str) -> Lost:
-    """In which marks and letters the reading differs from the print; in none if it differs in anything else too."""
+    """The marks and letters in which a reading differs from the printed one; none if it differs in more than these."""
     before, behind = TOKEN.findall(printed), TOKEN.findall(read)
     marks: dict[str, None] = {}
     letters: dict[str, None] = {}

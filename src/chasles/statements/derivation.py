@@ -186,7 +186,7 @@ class TakeVector(Step):
 
 @dataclass(frozen=True, slots=True)
 class Compare(Step):
-    """What was found is compared with the print of a statement; `free` symbols are chosen so that they agree.
+    """What was found is compared with a statement as printed; `free` symbols are chosen so that they agree.
 
     What the two sides are written with may be `using` definitions to be the same.
     """

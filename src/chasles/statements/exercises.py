@@ -38,7 +38,7 @@ def exercise(number: str, package: str = PACKAGE) -> Exercise:
 
 
 def sentences_of_exercises(package: str = PACKAGE) -> dict[str, Sentence]:
-    """What the modules of the exercises declare beside the book, by module and name, each sentence once."""
+    """What the modules of the exercises declare in addition to the book, by module and name, each sentence once."""
     found: dict[int, tuple[str, Sentence]] = {}
     for module in sorted(module.name for module in iter_modules(import_module(package).__path__)):
         for name, value in vars(import_module(f"{package}.{module}")).items():

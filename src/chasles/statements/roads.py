@@ -27,7 +27,7 @@ def roads(chapter: str = BOOK) -> dict[str, Derivation]:
     for module in book.ROADS:
         for name, road in _declared(f"{package}.{module}"):
             if found.setdefault(name, road) is not road:
-                raise DeclarationError(f"two roads are called {name}: give one another name")
+                raise DeclarationError(f"two derivations are called {name}: give one another name")
     return found
 
 

@@ -37,8 +37,8 @@ class Statement(Declared, Displayed):
 
     `number` is the book's; `part` tells apart the equations of one number. `given` names earlier statements, `assuming`
     named hypotheses. `reading` is the equation's right side (or both sides) where a mark was lost in the scan,
-    `corrected` what is right where the print is wrong and no repair is found: each is decided beside the print and
-    stands in for it. `sic` marks what does not fit together and is printed so. Raises `Misfit` if the sides do not fit
+    `corrected` what is right where it is wrong as printed and no repair is found: each is decided too, and used in its
+    place. `sic` marks what does not fit together and is printed so. Raises `Misfit` if the sides do not fit
     together and nothing says that this is no mistake of the declaration: no `sic`, no reading, no correction.
     """
 
@@ -99,7 +99,7 @@ class Statement(Declared, Displayed):
         return self.given
 
     def saying(self, left: Node, right: Node) -> Statement:
-        """The statement with other sides, whether they fit or not, nothing to stand in for them and no kernel."""
+        """The statement with other sides, whether they fit or not, without other forms and without a kernel."""
         return with_fields(self, left=left, right=right, reading=None, corrected=None, sic=True, kernel=None)
 
     def at(self, values: Mapping[Node, Node]) -> Statement:

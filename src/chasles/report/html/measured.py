@@ -49,7 +49,7 @@ class ErrorCurve:
 
 @dataclass(frozen=True, slots=True)
 class Speed:
-    """A kernel beside what one would use instead: times in ns per element, ratios and errors as text."""
+    """A kernel compared with what one would use instead: times in ns per element, ratios and errors as text."""
 
     title: str
     kernel: Link

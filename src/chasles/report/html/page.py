@@ -55,7 +55,7 @@ class Chosen:
 
 @dataclass(frozen=True, slots=True)
 class PageContents:
-    """What the page shows beside the decisions: what was checked again, emitted, measured, walked and worked.
+    """What the page shows besides the decisions: certificates, kernels, measurements, derivations, exercises.
 
     `evidence` are the texts of what was measured, by the names of their files.
     """

@@ -70,7 +70,7 @@ class Related:
 
 @dataclass(frozen=True, slots=True)
 class Repaired:
-    """What stands instead of the print: the equation, its verdict, who found it, what was changed."""
+    """What is right instead: the equation, its verdict, who found it, what was changed."""
 
     equation: Equation
     verdict: Markup

@@ -93,7 +93,7 @@ def _why(entry: Entry, decision: Decision) -> Iterator[Fact]:
 
 
 def _sides(entry: Entry, decision: Decision) -> tuple[Node, ...]:
-    """All sides that are known of an equation: as printed, as read, as what stands in."""
+    """All sides that are known of an equation: as printed, as read, as corrected."""
     statement = entry.statement
     return (*statement.printed, *_read(statement), *decision.sides) if isinstance(statement, Statement) else ()
 

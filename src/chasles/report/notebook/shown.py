@@ -13,7 +13,7 @@ __all__ = ["Card"]
 
 @dataclass(frozen=True, slots=True)
 class Card:
-    """A heading with badges, words, equations, facts, what stands instead, steps, rows of a table, code to open."""
+    """A heading with badges, words, equations, facts, what is right instead, steps, rows of a table, code to open."""
 
     title: str = ""
     badges: tuple[Badge, ...] = ()
