@@ -26,7 +26,7 @@ from chasles.bounds.intervals import Interval
 from chasles.bounds.norms import against_largest
 from chasles.bounds.outline import NoBound, Outline, outlined
 from chasles.bounds.pieces import NEAR, face_values
-from chasles.bounds.termwise import shares
+from chasles.bounds.termwise import termwise_errors
 from chasles.cli import emission
 from chasles.cli.failures import Failure
 from chasles.decisions.session import Session
@@ -529,7 +529,8 @@ def test_what_holds_for_single_precision_holds_for_double(book: Book) -> None:
     for name in ("plucker_line", "natural_rate_matrix_dot", "screw_axis_point"):
         outline = outlined(book.made[name][1])
         single, double = (
-            [share.error / model.roundoff for share in shares(outline, model).values()] for model in (SINGLE, DOUBLE)
+            [share.error / model.roundoff for share in termwise_errors(outline, model).values()]
+            for model in (SINGLE, DOUBLE)
         )
         assert all(y <= x for x, y in zip(single, double, strict=True))
 
@@ -579,7 +580,7 @@ EQUAL = Step(Op.EQUAL, (1, 2))
 
 def test_a_guard_of_a_division_is_looked_through() -> None:
     guarded = program(X, Y, ZERO, EQUAL, Step(Op.SELECT, (3, 2, 0)), Step(Op.DIVIDE, (4, 1)))
-    assert shares(outlined(guarded), SINGLE)[5].error == SINGLE.roundoff
+    assert termwise_errors(outlined(guarded), SINGLE)[5].error == SINGLE.roundoff
 
 
 @pytest.mark.parametrize(
@@ -596,7 +597,7 @@ def test_a_guard_of_a_division_is_looked_through() -> None:
 )
 def test_what_cannot_be_bounded_is_refused(steps: tuple[Step, ...], reason: str) -> None:
     with pytest.raises(NoBound, match=reason):
-        shares(outlined(program(*steps)), SINGLE)
+        termwise_errors(outlined(program(*steps)), SINGLE)
 
 
 def test_bounds_are_remembered_by_what_they_depend_on(book: Book) -> None:
@@ -706,7 +707,7 @@ def test_a_root_is_bounded_over_boxes_as_it_is_by_counting() -> None:
     cosine, one = Step(Op.COSINE, (0,)), Step(Op.CONSTANT, value=Fraction(1))
     steps = (X, cosine, Step(Op.MULTIPLY, (1, 1)), one, Step(Op.ADD, (2, 3)), Step(Op.SQUARE_ROOT, (4,)))
     outline = outlined(program(*steps))
-    counted = float(shares(outline, SINGLE)[5].error / SINGLE.roundoff)
+    counted = float(termwise_errors(outline, SINGLE)[5].error / SINGLE.roundoff)
     found = largest(
         outline,
         SINGLE,
@@ -724,7 +725,7 @@ def test_a_root_is_bounded_over_boxes_as_it_is_by_counting() -> None:
 
 @pytest.mark.parametrize("loss", [0.0, 1e-3])
 def test_an_angle_moves_no_more_than_the_ratio_of_coordinates(loss: float) -> None:
-    error = float(shares(outlined(program(X, Y, Step(Op.ARCTANGENT2, (0, 1)))), SINGLE)[2].error)
+    error = float(termwise_errors(outlined(program(X, Y, Step(Op.ARCTANGENT2, (0, 1)))), SINGLE)[2].error)
     assert error == float(SINGLE.loss(Op.ARCTANGENT2))
     for angle in np.linspace(-3.1, 3.1, 63):
         moved = math.atan2(math.sin(angle) * (1 + loss), math.cos(angle) * (1 - loss))

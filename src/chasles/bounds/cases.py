@@ -21,7 +21,7 @@ from chasles.bounds.rotations import enclosed_forms, forms
 from chasles.bounds.running import Running, no_angles
 from chasles.bounds.scaled import Scaled
 from chasles.bounds.sensitivity import entry_error
-from chasles.bounds.termwise import Share, shares
+from chasles.bounds.termwise import TermwiseError, termwise_errors
 from chasles.lowering.program import Op, Program
 from chasles.lowering.scales import is_scale
 
@@ -81,12 +81,12 @@ def _choices(program: Program) -> tuple[int, ...]:
     return tuple(sorted(found))
 
 
-def case_shares(case: CaseOutline, model: Model, rotation: int | None) -> dict[int, Share]:
-    """The shares of a case's steps, given that one of the arguments is a rotation. Raises NoBound."""
+def errors_of_case(case: CaseOutline, model: Model, rotation: int | None) -> dict[int, TermwiseError]:
+    """The errors of a case's steps, given that one of the arguments is a rotation. Raises NoBound."""
     if rotation is None:
-        return shares(case.outline, model)
+        return termwise_errors(case.outline, model)
     sums = _sums(case.outline, rotation)
-    return shares(case.outline, model, rotations(case, sums, rotation, model))
+    return termwise_errors(case.outline, model, rotations(case, sums, rotation, model))
 
 
 def _sums(outline: Outline, argument: int) -> tuple[int, ...]:

@@ -8,14 +8,14 @@ from fractions import Fraction
 from hashlib import sha256
 
 from chasles.bounds.bound import Bound, Guarantee
-from chasles.bounds.cases import case_shares, cases
+from chasles.bounds.cases import cases, errors_of_case
 from chasles.bounds.covering import covered, largest
 from chasles.bounds.intervals import Array
 from chasles.bounds.model import SINGLE, Model
 from chasles.bounds.norms import Group, against_largest
 from chasles.bounds.outline import NoBound, Outline, outlined
 from chasles.bounds.running import Running
-from chasles.bounds.termwise import Share, shares
+from chasles.bounds.termwise import TermwiseError, termwise_errors
 from chasles.lowering.program import Program
 from chasles.lowering.request import Request
 from chasles.statements.kernel import Argument, nodes_of
@@ -63,13 +63,13 @@ def _bound_of_cases(key: str, program: Program, request: Request, model: Model) 
     rotations = _subjects(request, "rotation")
     rotation = next((k for k, a in enumerate(request.arguments) if _is_among(a, rotations)), None)
     try:
-        found = [(case.outline, case_shares(case, model, rotation)) for case in cases(program)]
+        found = [(case.outline, errors_of_case(case, model, rotation)) for case in cases(program)]
     except NoBound as reason:
         return Bound(key, reason=str(reason))
     inputs = f"every rotation {program.arguments[rotation].name}" if rotation is not None else ALL
     guarantees = []
     for index, result in enumerate(program.results):
-        entries = [share[k] for outline, share in found for k in outline.entries(index)]
+        entries = [error[k] for outline, error in found for k in outline.entries(index)]
         guarantees.append(_guarantee(result.name, entries, model, f"{inputs}, beside the case that is taken"))
     return Bound(key, tuple(guarantees))
 
@@ -77,13 +77,13 @@ def _bound_of_cases(key: str, program: Program, request: Request, model: Model) 
 def _bound_with_condition(key: str, outline: Outline, model: Model, reason: str) -> Bound:
     """By counting roundings, where a divisor may cancel."""
     try:
-        found = shares(outline, model, most=CONDITION)
+        found = termwise_errors(outline, model, most=CONDITION)
     except NoBound:
         return Bound(key, reason=reason)
     guarantees = []
     for index, result in enumerate(outline.program.results):
         entries = [found[k] for k in outline.entries(index)]
-        conditioned = any(share.conditioned for share in entries)
+        conditioned = any(error.conditioned for error in entries)
         guarantees.append(_guarantee(result.name, entries, model, WELL if conditioned else ALL))
     return Bound(key, tuple(guarantees))
 
@@ -98,15 +98,15 @@ def key_of(program: Program, request: Request, model: Model = SINGLE) -> str:
 
 def _counted(outline: Outline, model: Model) -> tuple[Guarantee, ...]:
     """By counting roundings. Raises NoBound."""
-    found = shares(outline, model)
+    found = termwise_errors(outline, model)
     results = enumerate(outline.program.results)
     return tuple(_guarantee(r.name, [found[k] for k in outline.entries(i)], model, ALL) for i, r in results)
 
 
-def _guarantee(result: str, entries: list[Share], model: Model, inputs: str) -> Guarantee:
-    error = max(share.error for share in entries)
-    against = "terms" if not all(share.single for share in entries) else "itself" if error else "nothing"
-    if any(share.conditioned for share in entries):
+def _guarantee(result: str, entries: list[TermwiseError], model: Model, inputs: str) -> Guarantee:
+    error = max(error.error for error in entries)
+    against = "terms" if not all(error.single for error in entries) else "itself" if error else "nothing"
+    if any(error.conditioned for error in entries):
         against = "conditioned"
     return Guarantee(result, against, _upwards(error / model.roundoff, DIGITS), inputs)
 

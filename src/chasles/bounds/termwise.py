@@ -18,11 +18,11 @@ from chasles.bounds.model import Model
 from chasles.bounds.outline import NoBound, Outline
 from chasles.lowering.program import Op, Step, is_power_of_two
 
-__all__ = ["Share", "shares"]
+__all__ = ["TermwiseError", "termwise_errors"]
 
 
 @dataclass(frozen=True, slots=True)
-class Share:
+class TermwiseError:
     """The error in parts of the sum of the terms' sizes; `single` where that sum is the size of the value itself.
 
     It is `conditioned` where those parts are to be multiplied by the condition of a divisor.
@@ -34,49 +34,49 @@ class Share:
     conditioned: bool = False
 
 
-def shares(
+def termwise_errors(
     outline: Outline, model: Model, known: Mapping[int, Fraction] | None = None, most: int = 1
-) -> dict[int, Share]:
+) -> dict[int, TermwiseError]:
     """The error of every step that results need; `known` are relative errors of sums that do not cancel.
 
-    With `most` above 1 a divisor may cancel: shares are in parts of the sum of terms times the divisor's condition,
+    With `most` above 1 a divisor may cancel: errors are in parts of the sum of terms times the divisor's condition,
     which is the sum of its terms' sizes over its own size, as long as that is not above `most`. Errors are convex
     functions of the condition that vanish with it: what holds for the largest holds, in proportion, for all.
 
     Raises NoBound where a divisor may cancel that must not, a radicand, or what a sign is chosen by.
     """
-    found: dict[int, Share] = {}
+    found: dict[int, TermwiseError] = {}
     steps = outline.program.steps
     if most > 1:
         model = replace(model, roundoff=model.roundoff * most)
     for number in outline.needed:
         step = steps[number]
         if number in outline.angles:
-            found[number] = Share(model.loss(step.op))
+            found[number] = TermwiseError(model.loss(step.op))
             continue
         if number in outline.scales:
-            found[number] = Share(nonnegative=True)
+            found[number] = TermwiseError(nonnegative=True)
             continue
         operands = outline.operands(number)
         found[number] = _share(step, [found[k] for k in operands], operands, outline, model, most > 1)
         if known and number in known:
-            found[number] = Share(known[number] * most)
+            found[number] = TermwiseError(known[number] * most)
     if not all(found[k].single for k in outline.signs):
         raise NoBound("it chooses a sign by a sum whose terms may cancel")
-    return {k: replace(share, error=share.error / most) for k, share in found.items()}
+    return {k: replace(error, error=error.error / most) for k, error in found.items()}
 
 
 def _share(
-    step: Step, of: list[Share], numbers: tuple[int, ...], outline: Outline, model: Model, conditioned: bool
-) -> Share:
+    step: Step, of: list[TermwiseError], numbers: tuple[int, ...], outline: Outline, model: Model, conditioned: bool
+) -> TermwiseError:
     match step.op:
         case Op.INPUT:
-            return Share()
+            return TermwiseError()
         case Op.CONSTANT:
             exact = model.is_exact(step.value)
-            return Share(Fraction(0) if exact else model.roundoff, nonnegative=step.value >= 0)
+            return TermwiseError(Fraction(0) if exact else model.roundoff, nonnegative=step.value >= 0)
         case Op.NEGATE:
-            return Share(of[0].error, of[0].single, conditioned=of[0].conditioned)
+            return TermwiseError(of[0].error, of[0].single, conditioned=of[0].conditioned)
         case Op.ADD | Op.SUBTRACT:
             return _sum(step.op, of, model)
         case Op.MULTIPLY:
@@ -91,52 +91,52 @@ def _share(
             raise NoBound(f"nothing is known of the operation {op}")
 
 
-def _sum(op: Op, of: list[Share], model: Model) -> Share:
+def _sum(op: Op, of: list[TermwiseError], model: Model) -> TermwiseError:
     x, y = of
     if not x.error and not y.error:
-        return Share(model.roundoff, nonnegative=op is Op.ADD and x.nonnegative and y.nonnegative)
+        return TermwiseError(model.roundoff, nonnegative=op is Op.ADD and x.nonnegative and y.nonnegative)
     positive = op is Op.ADD and x.nonnegative and y.nonnegative
     error = _after(1 + max(x.error, y.error), model.loss(op))
-    return Share(error, positive and x.single and y.single, positive, x.conditioned or y.conditioned)
+    return TermwiseError(error, positive and x.single and y.single, positive, x.conditioned or y.conditioned)
 
 
-def _product(of: list[Share], numbers: tuple[int, ...], outline: Outline, model: Model) -> Share:
+def _product(of: list[TermwiseError], numbers: tuple[int, ...], outline: Outline, model: Model) -> TermwiseError:
     x, y = of
     single = x.single and y.single
     square = numbers[0] == numbers[1]
     nonnegative = (square or (x.nonnegative and y.nonnegative)) and single
-    for share, number in ((y, numbers[0]), (x, numbers[1])):
+    for other, number in ((y, numbers[0]), (x, numbers[1])):
         step = outline.program.steps[number]
         if step.op is Op.CONSTANT and is_power_of_two(step.value):
-            return Share(share.error, single, nonnegative, share.conditioned)
-    conditioned = x.conditioned or y.conditioned
-    return Share(_after((1 + x.error) * (1 + y.error), model.loss(Op.MULTIPLY)), single, nonnegative, conditioned)
+            return TermwiseError(other.error, single, nonnegative, other.conditioned)
+    error = _after((1 + x.error) * (1 + y.error), model.loss(Op.MULTIPLY))
+    return TermwiseError(error, single, nonnegative, x.conditioned or y.conditioned)
 
 
-def _quotient(of: list[Share], model: Model, conditioned: bool) -> Share:
+def _quotient(of: list[TermwiseError], model: Model, conditioned: bool) -> TermwiseError:
     x, y = of
     if not (y.single or (conditioned and not y.conditioned)):
         raise NoBound("it divides by a sum whose terms may cancel")
     error = _after((1 + x.error) / (1 - y.error), model.loss(Op.DIVIDE))
     single, nonnegative = x.single and y.single, x.nonnegative and y.nonnegative
-    return Share(error, single, nonnegative and y.single, x.conditioned or y.conditioned or not y.single)
+    return TermwiseError(error, single, nonnegative and y.single, x.conditioned or y.conditioned or not y.single)
 
 
-def _root(of: Share, model: Model) -> Share:
+def _root(of: TermwiseError, model: Model) -> TermwiseError:
     if not of.single or not of.nonnegative:
         raise NoBound("it takes the root of a sum whose terms may cancel")
     # |sqrt(1 + d) - 1| <= |d| / 2 + d^2 / 2 for |d| <= 1.
     error = _after(1 + of.error / 2 + of.error**2 / 2, model.loss(Op.SQUARE_ROOT))
-    return Share(error, True, True, of.conditioned)
+    return TermwiseError(error, True, True, of.conditioned)
 
 
-def _direction(of: list[Share], model: Model) -> Share:
+def _direction(of: list[TermwiseError], model: Model) -> TermwiseError:
     """The angle of a point: it moves, relatively, by no more than the ratio of the point's coordinates does."""
     y, x = of
     if not (x.single and y.single):
         raise NoBound("it takes the angle of a point whose coordinates may cancel")
     error = max((1 + y.error) / (1 - x.error), (1 + x.error) / (1 - y.error))
-    return Share(_after(error, model.loss(Op.ARCTANGENT2)), conditioned=y.conditioned or x.conditioned)
+    return TermwiseError(_after(error, model.loss(Op.ARCTANGENT2)), conditioned=y.conditioned or x.conditioned)
 
 
 def _after(growth: Fraction, loss: Fraction) -> Fraction:
