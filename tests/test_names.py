@@ -19,6 +19,7 @@ import pytest
 import chasles
 
 SRC = Path(chasles.__file__).parent
+ROOT = Path(__file__).resolve().parents[1]
 pytestmark = pytest.mark.skipif(not (SRC / "cli").is_dir(), reason="needs the sources")
 
 SHARED_CLASS_NAMES = {
@@ -42,6 +43,18 @@ PRIVATE_WORDS = {
     "door": "context",
 }
 """Words that only their author understood, each with what is said instead."""
+
+PRIVATE_PHRASES = {
+    r"\b(the|a|each|no) prints?\b(?! \(|,? (in|on) )": "the printed equation",
+    r"\b(does|do) not stand\b|\bthat stands?\b(?! alone)": "is wrong as printed",
+    r"\bstands? in for\b": "replaces",
+    r"\broads? (to|leads?|stops?|arrives?|of|that)\b": "derivation",
+    r"\bjudges?\b": "session",
+    r"\btakes? your word\b": "is not checked",
+    r"\bbelieved?\b": "trusted",
+    r"\b1 (statements|kernels|steps|certificates|counterexamples|points|numbers)\b": "singular",
+}
+"""What nobody says of an equation, in what a user reads, each with what is said instead."""
 
 
 parse = cache(ast.parse)
@@ -152,6 +165,59 @@ def test_every_module_says_what_it_holds() -> None:
 
 def test_names_are_words_of_the_field() -> None:
     assert words_in(sources(), PRIVATE_WORDS) == []
+
+
+def strings_in(text: str) -> str:
+    """The strings of a module that are no docstrings, a line for each; of its commands also the help, a docstring."""
+    tree = ast.parse(text)
+    parents = [node for node in ast.walk(tree) if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef)]
+    said = {
+        id(child.value)
+        for parent in parents
+        if not (isinstance(parent, ast.FunctionDef) and parent.name == "command")
+        for child in parent.body
+        if isinstance(child, ast.Expr)
+    }
+    strings = (node for node in ast.walk(tree) if isinstance(node, ast.Constant) and id(node) not in said)
+    return "\n".join(node.value for node in strings if isinstance(node.value, str))
+
+
+def what_a_user_reads() -> Iterator[tuple[str, str]]:
+    """Messages, help, templates of pages and the manual, each with its place."""
+    yield from ((str(path), strings_in(text)) for path, text in sources().items())
+    pages = [*(SRC / "report").rglob("*.jinja"), *(ROOT / "docs").glob("*.md")]
+    for path in (*pages, ROOT / "README.md", ROOT / "CONTRIBUTING.md"):
+        yield path.name, path.read_text("utf-8")
+
+
+def phrases_in(text: str) -> list[str]:
+    """The phrases of the list that occur, each once."""
+    return [found[0] for phrase in PRIVATE_PHRASES if (found := re.search(phrase, text))]
+
+
+def test_what_a_user_reads_is_plain_english() -> None:
+    assert {place: found for place, text in what_a_user_reads() if (found := phrases_in(text))} == {}
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ("equal to the print", ["the print"]),
+        ("a print that is wrong", ["a print"]),
+        ("(3.1) does not stand", ["does not stand"]),
+        ("the roads lead to (3.1)", ["roads lead"]),
+        ("1 statements", ["1 statements"]),
+        ("11 statements", []),
+        ("the printed equation is right", []),
+    ],
+)
+def test_a_private_phrase_is_found(text: str, found: list[str]) -> None:
+    assert phrases_in(text) == found
+
+
+def test_messages_and_help_are_read_and_docstrings_are_not() -> None:
+    text = '"""A."""\n\ndef f():\n    """B."""\n    raise E(f"C {d}")\n\n\ndef command():\n    """D."""\n'
+    assert set(strings_in(text).split("\n")) == {"C ", "D."}
 
 
 BARE = 'class A:\n    """A."""\n\n    def f(self): ...\n'

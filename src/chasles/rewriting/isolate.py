@@ -33,7 +33,7 @@ def alone(unknown: Node, left: Node, right: Node) -> tuple[Node, Node]:
         scalars = list(own.scalars)
         scalars.remove(unknown)
     else:
-        raise CannotIsolate(f"{unknown} does not stand alone in {left} = {right}: say by what to multiply it")
+        raise CannotIsolate(f"{unknown} is not alone in {left} = {right}: say by what to multiply it")
     rest = [with_fields(p, number=-p.number / own.number) for p in terms if p != own]
     value = spelled_out(rest, unknown.shape)
     for divisor in own.divisors:
