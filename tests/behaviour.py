@@ -53,8 +53,7 @@ def seen() -> Iterator[tuple[str, str]]:
         out = Path(folder) / "report"
         _printed(*CHASLES, "report", "--out", str(out), cache=folder)
         yield from _files("report", out)
-        for number in _wrong_prints():
-            yield f"repair {number}", _printed(*CHASLES, "repair", number, cache=folder)
+        yield "repair", _printed(*CHASLES, "repair", cache=folder)
         for number in _exercises():
             for command in ("solve", "practice"):
                 for form in ([], ["--json"]):
@@ -84,12 +83,6 @@ def _exercises() -> list[str]:
     from chasles.statements.exercises import exercise_numbers
 
     return list(exercise_numbers())
-
-
-def _wrong_prints() -> list[str]:
-    from chasles.statements import load
-
-    return sorted({each.statement.number for each in load().entries if getattr(each.statement, "corrected", None)})
 
 
 def _signatures() -> Iterator[tuple[str, str]]:
