@@ -10,7 +10,7 @@ import pytest
 from chasles.algebra import rings
 from chasles.prover.decide import decide_problem
 from chasles.repairs import repair as searching
-from chasles.repairs.modular_test import ModularTest
+from chasles.repairs.modular_testing import ModularTest
 from chasles.repairs.repair import repair
 from chasles.statements import (
     Claim,

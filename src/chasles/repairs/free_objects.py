@@ -14,7 +14,7 @@ from itertools import combinations
 
 from chasles.algebra.modular import MODULUS, combination
 from chasles.prover.decide import decide_problem
-from chasles.repairs.modular_test import REFUSED, ModularTest, modular_test
+from chasles.repairs.modular_testing import REFUSED, ModularTest, modular_test
 from chasles.repairs.one_term import Change, distinct_terms, instead, rescaled
 from chasles.rewriting.coefficients import AngleFunction, added, spelled, times
 from chasles.rewriting.places import Place, put, separate_sums

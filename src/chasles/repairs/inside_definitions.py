@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace as with_fields
 
-from chasles.repairs.modular_test import ModularTest
+from chasles.repairs.modular_testing import ModularTest
 from chasles.repairs.one_term import Change, instead, new_coefficients
 from chasles.rewriting.places import everywhere
 from chasles.rewriting.term_basis import TermBasis, fit

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from chasles.algebra.modular import MODULUS, Column, combination, multiple, plus, rational
-from chasles.repairs.modular_test import ModularTest
+from chasles.repairs.modular_testing import ModularTest
 from chasles.rewriting.coefficients import ONE, AngleFunction, scaled, spelled, times
 from chasles.rewriting.places import Place, linear_places, put, with_term
 from chasles.rewriting.term_basis import TermBasis

@@ -13,7 +13,7 @@ from itertools import islice
 
 from chasles.repairs.free_objects import freedom_of, other_objects
 from chasles.repairs.inside_definitions import block_edits
-from chasles.repairs.modular_test import REFUSED, ModularTest, modular_test
+from chasles.repairs.modular_testing import REFUSED, ModularTest, modular_test
 from chasles.repairs.one_term import Change, new_coefficients, other_terms
 from chasles.repairs.residues import Unsampled
 from chasles.repairs.several_terms import combined_changes

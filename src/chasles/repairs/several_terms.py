@@ -12,7 +12,7 @@ from itertools import combinations, product
 
 from chasles.algebra.modular import Column, Span, multiple, plus, rational
 from chasles.algebra.work_limit import check
-from chasles.repairs.modular_test import ModularTest
+from chasles.repairs.modular_testing import ModularTest
 from chasles.repairs.one_term import (
     LEFT_OUT,
     Change,
