@@ -274,3 +274,9 @@ def test_a_rule_of_decision_is_two_files(copy: Copy) -> None:
     )
     assert copy.touched == ["checker/expressions/readings.py", "from_sympy/readings.py"]
     assert copy.run(USE_OF_RULE).split() == ["holds", "fails"]
+
+
+def test_what_is_appended_to_the_wrong_section_is_refused(copy: Copy) -> None:
+    copy.add("derivations/s02_screw.py", EQUATION.replace("text 3.2.3 z", "3.18z"))
+    said = copy.chasles("decide", "3.18z", status=2)
+    assert "square_of_axis has the number (3.18z), as in Section 3.2.1, and is declared in Section 3.2.3" in said

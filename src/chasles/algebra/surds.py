@@ -1,9 +1,9 @@
 """Exact real numbers: rational multiples of square roots, and of the powers of one transcendental number.
 
 Square roots of different squarefree integers are linearly independent over the rationals (Besicovitch, J. London Math.
-Soc. 15, 1940); so are, over these, products
-of roots of numbers none of whose products is a square there; and the rational powers of a transcendental number are so
-over all of them. Such a sum vanishes only if every coefficient does: the test for zero is exact.
+Soc. 15, 1940); so are, over these, products of roots of numbers none of whose products is a square there; and the
+rational powers of a transcendental number are so over all of them. Such a sum vanishes only if every coefficient does:
+the test for zero is exact. A search for points needs no more, and no SymPy: it looks at thousands of them.
 """
 
 from __future__ import annotations

@@ -106,7 +106,7 @@ class Chapter(Displayed):
     @cached_property
     def numbers(self) -> tuple[str, ...]:
         """Every number once, in the book's order."""
-        return tuple(sorted({entry.number for entry in self.entries}, key=_place))
+        return tuple(sorted({entry.number for entry in self.entries}, key=place_of))
 
     def __iter__(self) -> Iterator[Entry]:
         return iter(self.entries)
@@ -141,7 +141,7 @@ def _within(number: str, section: str) -> bool:
     return number == section or number.startswith(section + ".")
 
 
-def _place(number: str) -> tuple[int, list[tuple[int, str]], str]:
+def place_of(number: str) -> tuple[int, list[tuple[int, str]], str]:
     """Where a number stands in the book: 3.9a before 3.9b before 3.10, equations before theorems before text."""
     kinds = ("Thm", "Cor", "text", "Ex")
     kind = next((i + 1 for i, word in enumerate(kinds) if number.startswith(word)), 0)
@@ -156,13 +156,14 @@ def load(package: str | PathLike[str] = BOOK) -> Chapter:
     Raises `DeclarationError` for contradictory declarations, for none at all and for a folder that is no package, and
     ModuleNotFoundError if there is no package of the name.
     """
+    from chasles.statements.sections import in_own_sections  # of no use to the checker, which loads no chapter
+
     book = imported(package)
     entries: list[Entry] = []
     seen: set[int] = set()
     for module in _modules(book):
-        for entry in _entries(module, seen):
-            seen.add(id(entry.statement))
-            entries.append(entry)
+        entries += in_own_sections(module.__name__, list(_entries(module, seen)))
+        seen.update(id(entry.statement) for entry in entries)
     if not entries:
         raise DeclarationError(f"{book.__name__} has no statements: none of its SECTIONS declares one")
     title, source = getattr(book, "TITLE", book.__name__), getattr(book, "SOURCE", "")
