@@ -8,7 +8,7 @@ __all__ = ["eliminated"]
 
 
 def eliminated(rows: list[list[Fraction]]) -> list[Fraction] | None:
-    """A solution of the linear system whose last column is the right side; None if there is none."""
+    """A solution of the system whose last column is the right side, by Gauss-Jordan elimination; None if none."""
     size = len(rows[0]) - 1
     pivots: list[int] = []
     for column in range(size):

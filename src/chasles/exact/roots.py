@@ -1,8 +1,9 @@
 """Real roots of polynomials all of whose roots are real: by square roots where these express them, else as places.
 
-A polynomial is factored over the field of its coefficients. A factor of degree one or two has its roots by square
-roots, one of degree four where a square root splits it. No other has: the degree of what square roots make is a power
-of two, and where all roots are real, a factor of degree four that no square root splits is not such either.
+A polynomial is factored over the field of its coefficients; real roots are counted by Sturm sequences, as SymPy does. A
+factor of degree one or two has its roots by square roots, one of degree four where a square root splits it. No other
+has: the degree of what square roots make is a power of two, and where all roots are real, a factor of degree four that
+no square root splits is not such either.
 """
 
 from __future__ import annotations

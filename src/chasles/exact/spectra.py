@@ -86,7 +86,7 @@ def _changes(signs: list[int]) -> int:
 
 
 def leading_minors(matrix: Any) -> list[Any]:
-    """The determinants of the leading square blocks, by size."""
+    """The determinants of the leading square blocks, by size: Berkowitz (Inf. Process. Lett. 18, 1984)."""
     return [normal(matrix[:k, :k].det(method="berkowitz")) for k in range(1, matrix.rows + 1)]
 
 
