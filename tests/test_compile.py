@@ -47,8 +47,9 @@ def empty_cache(tmp_path, monkeypatch):
 
 @pytest.fixture(autouse=True)
 def hastily(request, monkeypatch):
-    """Values are of optimised loops for this machine's instructions; all else is compiled for one set, as it stands."""
-    if not (WHOLE or "draw" in request.fixturenames):
+    """Values of two tests are of loops for this machine, optimised; all else is compiled for one set, as it stands."""
+    optimised = (test_values_are_those_of_lambdify, test_pieces_that_share_conditions_and_terms)
+    if not WHOLE and request.function not in optimised:
         monkeypatch.setenv("CHASLES_INSTRUCTIONS", "baseline")
         monkeypatch.setattr(kernels, "instructions", "baseline")
         monkeypatch.setattr(compiler, "_ONCE", ("-O0",))
