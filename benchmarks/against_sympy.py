@@ -74,11 +74,11 @@ def questions(every: int) -> Iterator[tuple[Problem, Claim, bool]]:
         assert isinstance(claim, Claim)
         if claim.restates is not None or claim.solves is not None:
             continue
-        yield problem_of(claim, standing=judge.standing), claim, True
+        yield problem_of(claim, standing=judge.accepted), claim, True
         for mutant in mutants_of(claim, "printed", []):
             assert isinstance(mutant.statement, Claim)
             try:
-                problem = problem_of(mutant.statement, standing=judge.standing)
+                problem = problem_of(mutant.statement, standing=judge.accepted)
             except (Misfit, TypeError):
                 continue
             if decide_problem(problem).name == "fails":

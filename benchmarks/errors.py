@@ -30,7 +30,7 @@ from benchmarks.kernels import machine
 from flint import arb
 
 from chasles import kernels as shipped
-from chasles.bounds.cases import Case, cases
+from chasles.bounds.cases import CaseOutline, cases
 from chasles.lowering.program import Op, Step
 
 HERE = Path(__file__).resolve().parent
@@ -124,7 +124,7 @@ def _in_range(steps: Iterable[Any], limits: Any) -> bool:
     return all(x == 0 or (abs(x) >= least and size <= most) for x, size in numbers)
 
 
-def _cases(tried: Tried) -> list[tuple[Exact, Case]]:
+def _cases(tried: Tried) -> list[tuple[Exact, CaseOutline]]:
     """The program with each outcome of what cases are chosen by; none where there is but one, or nothing is proved."""
     program, bound = tried.kernel.program, tried.kernel.bound
     if bound is None or not bound.guarantees:
@@ -145,7 +145,7 @@ def _decided(number: int, step: Step, truths: Mapping[int, bool], zero: int) -> 
 
 
 def _beside_nearest(
-    tried: Tried, different: list[tuple[Exact, Case]], at: Entries, got: Entries, limits: Any
+    tried: Tried, different: list[tuple[Exact, CaseOutline]], at: Entries, got: Entries, limits: Any
 ) -> Errors:
     """The errors against what is proved, beside the case to which the results are nearest.
 

@@ -54,7 +54,7 @@ for entry, decision in judge.decide_all(load().select(sections={sections!r})[::{
         for count, mutant in enumerate(mutants_of(entry.statement, "printed", []), count + 1):
             if count % {every} == 0:
                 try:
-                    problem = problem_of(mutant.statement, "printed", judge.standing)
+                    problem = problem_of(mutant.statement, "printed", judge.accepted)
                 except (Misfit, TypeError):
                     continue
                 said[str(mutant)] = plain(decide_problem(problem))

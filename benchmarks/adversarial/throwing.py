@@ -13,7 +13,7 @@ from benchmarks.adversarial.builds import Build, modules
 from benchmarks.adversarial.exact import Undecided
 from benchmarks.adversarial.inputs import KINDS, drawn
 from benchmarks.adversarial.layouts import unlike
-from benchmarks.adversarial.verdicts import Session
+from benchmarks.adversarial.verdicts import Judge
 
 from chasles import generated
 from chasles.cli.emission import commissioned
@@ -21,7 +21,7 @@ from chasles.decisions.session import Session as Prover
 from chasles.lowering.declaration import requested
 from chasles.lowering.request import Request
 from chasles.statements import load
-from chasles.targets import Kernel
+from chasles.targets import TargetKernel
 from chasles.vocabulary.nodes import measured
 
 __all__ = ["Outcome", "Tried", "kernels_of", "thrown"]
@@ -34,7 +34,7 @@ Groups = list[list[list[int]]]
 class Tried:
     """A kernel as emitted, with its entries of one physical dimension, result by result."""
 
-    kernel: Kernel
+    kernel: TargetKernel
     groups: Groups
 
 
@@ -85,14 +85,14 @@ def thrown(tried: Tried, builds: dict[str, Build], dtype: type[np.floating[Any]]
     inputs = drawn(program.name, program.arguments, dtype, count)
     outcome.storage += unlike(program, modules(builds), inputs)
     results = {name: [_flat(x) for x in build(program, inputs)] for name, build in builds.items()}
-    judge = Session(tried.kernel, tried.groups, dtype)
+    judge = Judge(tried.kernel, tried.groups, dtype)
     for i, given in enumerate(zip(*map(_flat, inputs), strict=True)):
         _decide(judge, given, {name: [x[i] for x in found] for name, found in results.items()}, i, outcome)
     return outcome
 
 
 def _decide(
-    judge: Session, given: Sequence[list[float]], results: dict[str, list[list[float]]], i: int, outcome: Outcome
+    judge: Judge, given: Sequence[list[float]], results: dict[str, list[list[float]]], i: int, outcome: Outcome
 ) -> None:
     """One input; results of the same bits are decided once."""
     outcome.inputs += 1

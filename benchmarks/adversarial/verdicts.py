@@ -26,7 +26,7 @@ from flint import arb
 
 from chasles.bounds.outline import NoBound, outlined
 from chasles.lowering.program import Op, Program
-from chasles.targets import Kernel
+from chasles.targets import TargetKernel
 
 __all__ = ["Fault", "Judge", "Judged"]
 
@@ -64,7 +64,7 @@ class Judge:
     """Decides on the results of one kernel in one precision; `groups` are its entries of one physical dimension."""
 
     def __init__(
-        self, kernel: Kernel, groups: Sequence[Sequence[Sequence[int]]], dtype: type[np.floating[Any]]
+        self, kernel: TargetKernel, groups: Sequence[Sequence[Sequence[int]]], dtype: type[np.floating[Any]]
     ) -> None:
         program, bound = kernel.program, kernel.bound
         assert bound is not None
@@ -227,7 +227,7 @@ class Judge:
         return max(changes)
 
 
-def _rotations(kernel: Kernel) -> list[int]:
+def _rotations(kernel: TargetKernel) -> list[int]:
     """The places of the arguments that are to be rotations."""
     _, demands = KERNELS[kernel.name]
     names = {name for kind, _, about, _ in demands if kind == "rotation" for name in about}
