@@ -30,9 +30,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from chasles.targets.c.blocks import MOST_OPERANDS, block, block_name, loop_name
+from chasles.targets.c.core_shapes import loop
 from chasles.targets.c.functions import PRECISIONS, Function, batch, in_short, single
-from chasles.targets.c.loops import loop
-from chasles.targets.c.vectors import vectors
+from chasles.targets.c.self_test import vectors
 from chasles.targets.constants import Precision
 from chasles.targets.kernel import EmissionError, TargetKernel
 from chasles.targets.target import COMMAND, Page, Target

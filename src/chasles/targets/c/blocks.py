@@ -10,8 +10,8 @@ from dataclasses import replace as with_fields
 from chasles.lowering.passes.prune import pruned
 from chasles.lowering.program import Op, Program
 from chasles.targets.c.functions import public_name
-from chasles.targets.c.registers import ON_REGISTERS, register, spread
 from chasles.targets.c.sincos import parted
+from chasles.targets.c.vectorised import ON_REGISTERS, register, spread
 from chasles.targets.constants import Precision
 from chasles.targets.kernel import EmissionError, TargetKernel
 from chasles.targets.layout import listed

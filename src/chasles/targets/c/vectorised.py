@@ -1,4 +1,7 @@
-"""How is a program spelled on registers, each of which holds a number of several items? Nearly as in C."""
+"""Loops over items, vectorised: a program spelled on registers, each of which holds a number of several items.
+
+Nearly as in C.
+"""
 
 from __future__ import annotations
 
