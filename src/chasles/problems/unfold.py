@@ -42,10 +42,6 @@ class Unfolder(Interpreter):
         self.divisors = Divisors(field, rules, self)
         self.rate = Differentiation(field, variables, self.coordinates, rules, self.moments, self.divisors, self)
 
-    def __call__(self, node: Node) -> list[list[Ratio]]:
-        """The entries of the expression."""
-        return super().__call__(node)
-
     def begin(self) -> None:
         check()
 

@@ -15,10 +15,10 @@ from chasles.checker.refutation import check_counterexample
 from chasles.checker.sparse import Rejected
 from chasles.points import sampling as points
 from chasles.points.evaluation import measured
+from chasles.points.search import UnreducedEntry
 from chasles.problems.context import Context, entries
 from chasles.prover.conditions import Solved
 from chasles.prover.consistency import point_of_the_rest
-from chasles.statements import Goal
 from chasles.verdict import Counterexample
 from chasles.vocabulary import PI, Symbol, symbols_of
 
@@ -29,13 +29,9 @@ FRUITLESS = 15
 """So many points are tried in vain before the best counterexample so far is taken."""
 
 
-class UnprovedPart(Protocol):
-    """An entry of a goal that did not reduce to zero."""
+class UnprovedPart(UnreducedEntry, Protocol):
+    """An entry of a goal that did not reduce to zero, with the difference of its sides as a fraction."""
 
-    @property
-    def goal(self) -> Goal: ...
-    @property
-    def place(self) -> tuple[int, int]: ...
     @property
     def ratio(self) -> Ratio: ...
 

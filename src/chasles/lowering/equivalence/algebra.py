@@ -61,7 +61,8 @@ class Algebra:
 
     def entry(self, node: Node, row: int = 0, column: int = 0) -> Ratio:
         """An entry of an expression."""
-        return self.context.unfold(node)[row][column]
+        ratio: Ratio = self.context.unfold(node)[row][column]
+        return ratio
 
     def number(self, ratio: Ratio) -> Fraction | None:
         """The value of a fraction that is a number as it stands, else None."""

@@ -22,7 +22,7 @@ from chasles.statements import Goal, Problem
 from chasles.verdict import Counterexample
 from chasles.vocabulary import Node, Symbol
 
-__all__ = ["DifferentiatedRow", "EquationBlock", "Frame", "Motion", "Search", "entry_of"]
+__all__ = ["DifferentiatedRow", "EquationBlock", "Frame", "Motion", "Search", "UnreducedEntry", "entry_of"]
 
 ATTEMPTS = (150, 600)
 ENOUGH = 10
@@ -185,7 +185,8 @@ def _sides(suspect: UnreducedEntry) -> tuple[Node, Node]:
 
 
 def _ratio(context: Context, side: Node, place: tuple[int, int]) -> Ratio:
-    return context.unfold(side)[place[0] - 1][place[1] - 1]
+    ratio: Ratio = context.unfold(side)[place[0] - 1][place[1] - 1]
+    return ratio
 
 
 def _height(value: Fraction | SurdSum) -> int:
