@@ -15,6 +15,7 @@ import pytest
 
 from chasles.algebra.values import InPi
 from chasles.checker.certificate import check
+from chasles.cli.closure import closure
 from chasles.cli.outcome import decide
 from chasles.decisions import processes as spreading
 from chasles.decisions import recalled
@@ -338,3 +339,10 @@ def test_a_verdict_that_is_rejected_without_a_cache_is_a_failure(monkeypatch: py
     monkeypatch.setattr(rechecking, "spread", lambda work, pieces, seconds: ["not proved" for _ in pieces])
     found, _ = decide(section("3.3"), BOOK)
     assert any("is rejected: not proved" in line for line in found.failures)
+
+
+def test_what_is_kept_is_of_all_the_code_that_decides() -> None:
+    """Whatever is loaded to decide is part of the engine, but what only displays."""
+    loaded = closure("chasles.decisions.session", "chasles.deriving", "chasles.points.search")
+    rooms = {name.split(".")[1] for name in loaded if "." in name}
+    assert rooms - {"display", "several", "nearest"} == set(recalled.ENGINE)

@@ -11,7 +11,7 @@ import pytest
 import chasles
 
 ROOMS = (
-    *("vocabulary", "statements", "rewriting", "algebra", "checker", "problems", "points", "prover"),
+    *("vocabulary", "evaluation", "statements", "rewriting", "algebra", "checker", "problems", "points", "prover"),
     *("repairs", "decisions", "deriving", "from_sympy"),
 )
 PACKAGE = Path(chasles.__file__).parent

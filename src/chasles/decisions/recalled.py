@@ -24,10 +24,10 @@ from chasles.statements import Chapter
 __all__ = ["forget", "retained", "session_of"]
 
 ENGINE = (
-    *("vocabulary", "statements", "rewriting", "algebra", "checker", "problems", "points", "prover"),
-    *("repairs", "decisions", "deriving"),
+    *("vocabulary", "evaluation", "statements", "rewriting", "algebra", "verdict", "checker", "problems", "points"),
+    *("prover", "repairs", "decisions", "deriving"),
 )
-"""The packages on which a verdict depends."""
+"""The packages and modules on which a verdict depends."""
 LIBRARIES = ("sympy", "python-flint")
 MOST = 4096
 """Answers that are kept: some ten books of this size."""
@@ -78,8 +78,8 @@ def _engine() -> str:
     """The hash of the engine: its source, and the libraries that it computes with."""
     found = sha256()
     root = Path(__file__).parents[1]
-    for package in ENGINE:
-        for source in sorted((root / package).rglob("*.py")):
+    for name in ENGINE:
+        for source in sorted((root / name).rglob("*.py")) or [root / f"{name}.py"]:
             found.update(source.relative_to(root).as_posix().encode())
             found.update(source.read_bytes())
     for library in LIBRARIES:
