@@ -19,7 +19,7 @@ __all__ = ["Fingerprints", "fingerprint"]
 
 Sentence = Statement | Theorem | Inverse
 Known = dict[int, tuple[Any, Any]]
-PROSE = ("says", "meaning")
+PROSE = ("says", "meaning", "home")
 DERIVED = ("fault",)
 """Fields that are computed from the others."""
 

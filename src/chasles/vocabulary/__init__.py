@@ -19,12 +19,11 @@ from chasles.vocabulary.dimension import (
 )
 from chasles.vocabulary.families import Entry, Family, Index, Kronecker, Member, members_of
 from chasles.vocabulary.fitting import printed
-from chasles.vocabulary.latex import latex
 from chasles.vocabulary.layout import At, Block, Call, Group, Rate
 from chasles.vocabulary.letters import Identity, Symbol, Zero
 from chasles.vocabulary.measure import Measure, Misfit, uniform
 from chasles.vocabulary.nodes import Contract, Negative, Node, Number, Power, Quotient, Scale, Sum, Transpose
-from chasles.vocabulary.plain import plain
+from chasles.vocabulary.plain import latex, plain
 from chasles.vocabulary.spatial import Cofactor, Cross, Determinant, Dot, Inverse, Norm, Skew, Trace, Vect
 from chasles.vocabulary.tree import children, rebuilt, replace, symbols_of, undotted, walk
 from chasles.vocabulary.words import (

@@ -12,10 +12,10 @@ from fractions import Fraction
 from functools import cache, wraps
 from inspect import Parameter, isclass, isroutine, signature
 from pathlib import Path
-from types import UnionType
+from types import FrameType, UnionType
 from typing import Any, ParamSpec, Self, TypeVar, Union, get_args, get_origin, get_type_hints
 
-__all__ = ["Declared", "WrongArgument", "declaring", "fits", "require"]
+__all__ = ["Declared", "WrongArgument", "declaring", "declaring_module", "fits", "require"]
 
 _P = ParamSpec("_P")
 _R = TypeVar("_R")
@@ -217,9 +217,18 @@ def _shown(value: Any) -> str:
 
 def _place() -> str:
     """File and line from where words or sentences were called; empty where that is no file."""
-    frame = sys._getframe(1)
-    while frame.f_code.co_filename.startswith("<") or Path(frame.f_code.co_filename).parent in ROOMS:
-        if frame.f_back is None:
-            return ""
+    frame = _caller()
+    return f"{frame.f_code.co_filename}, line {frame.f_lineno}" if frame else ""
+
+
+def declaring_module() -> str:
+    """The name of the module from which words or sentences were called."""
+    frame = _caller()
+    return str(frame.f_globals.get("__name__", "")) if frame else ""
+
+
+def _caller() -> FrameType | None:
+    frame: FrameType | None = sys._getframe(1)
+    while frame and (frame.f_code.co_filename.startswith("<") or Path(frame.f_code.co_filename).parent in ROOMS):
         frame = frame.f_back
-    return f"{frame.f_code.co_filename}, line {frame.f_lineno}"
+    return frame

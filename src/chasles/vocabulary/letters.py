@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import field
+
 from chasles.vocabulary.dimension import NO_DIMENSION
 from chasles.vocabulary.fitting import word
 from chasles.vocabulary.measure import Measure, uniform
@@ -15,7 +17,7 @@ class Symbol(Node):
     """A named quantity. `stands_for` makes it an abbreviation, as E is for the cross-product matrix of e.
 
     `constant` says that it does not change with time. Two symbols of different `name` are different even where the
-    book prints the same letter.
+    book prints the same letter. `home` is the module that declares it, whose notation it is printed in.
     """
 
     name: str
@@ -24,6 +26,7 @@ class Symbol(Node):
     meaning: str = ""
     constant: bool = False
     stands_for: Node | None = None
+    home: str = field(default="", compare=False, repr=False)
 
     def _measured(self) -> Measure:
         return self.size

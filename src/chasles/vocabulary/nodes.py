@@ -35,6 +35,7 @@ class Node(Displayed, Fitted):
     """A word with the operators that combine it with others."""
 
     __slots__ = ()
+    __iter__ = None  # places are counted from 1, which Python's own way through them is not
 
     def _parts(self) -> tuple[Node, ...]:
         return tuple(getattr(self, name) for name in node_fields(type(self)))  # type: ignore[arg-type]
@@ -85,6 +86,32 @@ class Node(Displayed, Fitted):
         if not isinstance(exponent, int) or isinstance(exponent, bool):
             raise TypeError(f"the exponent of {self} is {exponent!r}; it must be a whole number")
         return Power(self, exponent)
+
+    def __getitem__(self, places: int | slice | tuple[int | slice, int | slice]) -> Node:
+        """An entry `R[1, 2]` or `v[3]`, or a block `T[1:3, 4]`: rows and columns counted from 1, ends included."""
+        from chasles.vocabulary.parts import part
+
+        return part(self, places)
+
+    @property
+    def x(self) -> Node:
+        """The first component of a vector."""
+        return self._component(1, "x")
+
+    @property
+    def y(self) -> Node:
+        """The second component of a vector."""
+        return self._component(2, "y")
+
+    @property
+    def z(self) -> Node:
+        """The third component of a vector."""
+        return self._component(3, "z")
+
+    def _component(self, row: int, mark: str) -> Node:
+        from chasles.vocabulary.parts import component
+
+        return component(self, row, mark)
 
     def __str__(self) -> str:
         from chasles.vocabulary.plain import plain

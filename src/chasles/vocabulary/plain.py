@@ -1,15 +1,16 @@
-"""Expressions in plain text: for terminals, error messages and the heads of generated files."""
+"""Expressions as text, in LaTeX or plain: for terminals, error messages and the heads of generated files."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
 from chasles.vocabulary.layout import At
 from chasles.vocabulary.letters import Identity, Symbol, Zero
 from chasles.vocabulary.nodes import Node, Number
 from chasles.vocabulary.spelling import Piece, Precedence, spell
 
-__all__ = ["plain"]
+__all__ = ["latex", "plain"]
 
 BRACKETS = (("(", ")"), ("[", "]"), ("{", "}"))
 INFIX = {"dot": ".", "cross": "x"}
@@ -17,6 +18,9 @@ ENDS_WITH_NUMBER = re.compile(r"(?:^|[ /-])\d+$")
 
 
 class _Plain:
+    def own(self, node: Node, spell: Callable[[Node], Piece]) -> Piece | None:
+        return None
+
     def symbol(self, symbol: Symbol) -> str:
         return symbol.name
 
@@ -70,6 +74,9 @@ class _Plain:
     def subscripted(self, text: str, subscript: str) -> str:
         return re.sub(r"\\(?:mathbf|boldsymbol|mathcal)?|[{}]", "", f"{text}_{subscript}")
 
+    def component(self, text: str, mark: str) -> str:
+        return f"{text}_{mark}"
+
     def integral(self, of: Piece, body: str) -> Piece:
         sign = self.subscripted("int", body)
         return Piece(f"{sign}({of.text})", Precedence.ATOM, of.depth)
@@ -81,3 +88,10 @@ class _Plain:
 def plain(node: Node) -> str:
     """The expression in one line of plain text, spelled as its author did."""
     return spell(node, _Plain()).text
+
+
+def latex(node: Node) -> str:
+    """The expression in LaTeX, spelled as its author did, in the notation of the chapter that declares its symbols."""
+    from chasles.vocabulary.typesetting import typeset
+
+    return typeset(node)

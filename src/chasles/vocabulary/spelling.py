@@ -8,7 +8,7 @@ can be read in two ways. Nor do two numbers meet in a product, nor bars of a nor
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
 from typing import Protocol
@@ -46,8 +46,9 @@ class Piece:
 
 
 class Style(Protocol):
-    """What a language of formulas must spell."""
+    """What a language of formulas must spell; words that it spells on its `own` are not spelled by their parts."""
 
+    def own(self, node: Node, spell: Callable[[Node], Piece]) -> Piece | None: ...
     def symbol(self, symbol: Symbol) -> str: ...
     def constant(self, node: Identity | Zero) -> str: ...
     def number(self, number: Number) -> Piece: ...
@@ -62,6 +63,7 @@ class Style(Protocol):
     def rate(self, of: Node, text: str, order: int) -> str: ...
     def derivative(self, text: str, order: int) -> str: ...
     def subscripted(self, text: str, subscript: str) -> str: ...
+    def component(self, text: str, mark: str) -> str: ...
     def block(self, rows: list[list[str]]) -> str: ...
     def integral(self, of: Piece, body: str) -> Piece: ...
 
@@ -95,6 +97,12 @@ def spell(node: Node, style: Style) -> Piece:
                 pieces[k] = grouped(pieces[k], pieces[k].depth)
         return joined(pieces, style.product([piece.text for piece in pieces]), Precedence.PRODUCT)
 
+    def as_part(part: Node) -> Piece:
+        return spell(part, style)
+
+    own = style.own(node, as_part) or (node.spelled(style, as_part) if isinstance(node, Shorthand) else None)
+    if own is not None:
+        return own
     match node:
         case Symbol():
             return Piece(style.symbol(node), Precedence.ATOM)
@@ -152,7 +160,7 @@ def spell(node: Node, style: Style) -> Piece:
             order, of = 1, node.of
             while isinstance(of, Rate):
                 order, of = order + 1, of.of
-            if isinstance(of.of if isinstance(of, At) else of, Symbol | Member):
+            if isinstance(of.of if isinstance(of, At) else of, Symbol | Member) or getattr(of, "is_letter", False):
                 return Piece(style.rate(of, spell(of, style).text, order), Precedence.ATOM)
             piece = bracketed(of, Precedence.ATOM)
             return Piece(style.derivative(piece.text, order), Precedence.DOT, piece.depth)

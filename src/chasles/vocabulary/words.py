@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from fractions import Fraction
 
-from chasles.vocabulary.arguments import declaring
+from chasles.vocabulary.arguments import declaring, declaring_module
 from chasles.vocabulary.body import Integral
 from chasles.vocabulary.dimension import NO_DIMENSION, Dimension
 from chasles.vocabulary.layout import At, Block, Call, Group, Rate
@@ -46,6 +47,7 @@ __all__ = [
     "vector",
 ]
 
+COMMAND = re.compile(r"\\[A-Za-z]+\s*\{")
 PI = Symbol("pi", r"\pi", uniform((1, 1)), "ratio of a circle's circumference to its diameter", constant=True)
 
 
@@ -54,7 +56,7 @@ def scalar(
     name: str, letter: str, meaning: str, dimension: Dimension = NO_DIMENSION, *, constant: bool = False
 ) -> Symbol:
     """A scalar quantity."""
-    return Symbol(name, letter, uniform((1, 1), dimension), meaning, constant)
+    return Symbol(name, letter, uniform((1, 1), dimension), meaning, constant, home=declaring_module())
 
 
 @declaring
@@ -62,7 +64,7 @@ def vector(
     name: str, letter: str, meaning: str, dimension: Dimension = NO_DIMENSION, *, constant: bool = False
 ) -> Symbol:
     """A vector, a 3 x 1 column; its letter is printed bold."""
-    return Symbol(name, _bold(letter), uniform((3, 1), dimension), meaning, constant)
+    return Symbol(name, _bold(letter), uniform((3, 1), dimension), meaning, constant, home=declaring_module())
 
 
 @declaring
@@ -70,7 +72,7 @@ def square(
     name: str, letter: str, meaning: str, dimension: Dimension = NO_DIMENSION, *, constant: bool = False
 ) -> Symbol:
     """A 3 x 3 matrix; its letter is printed bold."""
-    return Symbol(name, _bold(letter), uniform((3, 3), dimension), meaning, constant)
+    return Symbol(name, _bold(letter), uniform((3, 3), dimension), meaning, constant, home=declaring_module())
 
 
 @declaring
@@ -79,7 +81,7 @@ def array(name: str, letter: str, meaning: str, measure: Measure | Node) -> Symb
     if isinstance(measure, Node):
         assert measure.measure is not None
         measure = measure.measure
-    return Symbol(name, _bold(letter), measure, meaning)
+    return Symbol(name, _bold(letter), measure, meaning, home=declaring_module())
 
 
 @declaring
@@ -87,12 +89,15 @@ def abbreviation(name: str, letter: str, stands_for: Node, meaning: str) -> Symb
     """A letter that stands for an expression wherever it occurs."""
     assert stands_for.measure is not None
     constant = isinstance(stands_for, Skew) and isinstance(stands_for.of, Symbol) and stands_for.of.constant
-    return Symbol(name, _bold(letter), stands_for.measure, meaning, constant, stands_for)
+    return Symbol(name, _bold(letter), stands_for.measure, meaning, constant, stands_for, declaring_module())
 
 
 def _bold(letter: str) -> str:
-    """The letter in bold, its decorations outside: of p_0' only the p is made bold."""
-    if letter.startswith(("\\math", "\\bold", "\\over", "\\tilde", "\\dot", "[")):
+    """The letter in bold, its decorations outside: of p_0' only the p is made bold.
+
+    One that begins with a brace, or with a command that takes something in braces, is printed as it is.
+    """
+    if letter.startswith(("{", "[")) or COMMAND.match(letter):
         return letter
     cut = next((i for i, mark in enumerate(letter) if mark in "_^'"), len(letter))
     stem, rest = letter[:cut], letter[cut:]

@@ -14,8 +14,9 @@ from markupsafe import Markup
 
 from chasles.report.html.breaking import in_lines, width_of
 from chasles.vocabulary import Node
-from chasles.vocabulary.latex import Latex
+from chasles.vocabulary.notation import notation_of
 from chasles.vocabulary.spelling import Piece, Precedence, spell
+from chasles.vocabulary.typesetting import Latex
 
 __all__ = ["displayed", "equation_tree", "latex_for_mathml", "markup", "math", "tree_of"]
 
@@ -79,7 +80,7 @@ def _is_bare_call(factor: str) -> bool:
 
 def latex_for_mathml(node: Node) -> str:
     """The expression in LaTeX, as it is to be turned into MathML."""
-    return spell(node, _ForMathML()).text
+    return spell(node, _ForMathML(notation_of(node))).text
 
 
 def equation_tree(left: Node, right: Node, sign: str = "=") -> Element:

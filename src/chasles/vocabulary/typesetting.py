@@ -3,25 +3,34 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from chasles.vocabulary.layout import At
 from chasles.vocabulary.letters import Identity, Symbol, Zero
 from chasles.vocabulary.nodes import Node, Number
+from chasles.vocabulary.notation import BOOK, Notation, notation_of
 from chasles.vocabulary.spelling import Piece, Precedence, spell
 
-__all__ = ["Latex", "latex"]
+__all__ = ["Latex", "typeset"]
 
 BRACKETS = (("(", ")"), ("[", "]"), (r"\{", r"\}"))
 NUMBER = r"(?:\d+|\\frac\{\d+\}\{\d+\})"
 BEGINS_WITH_NUMBER = re.compile(NUMBER)
 ENDS_WITH_NUMBER = re.compile(rf"(?:^|[ -]){NUMBER}$")
+SUBSCRIPT = re.compile(r"\{[^{}]*\}|\\[A-Za-z]+|.")
+ONE_MARK = re.compile(r".|\\[A-Za-z]+")
 CLOSED = (")", "]", r"\}", r"\|", r"\end{bmatrix}")
 INFIX = {"dot": r"\cdot", "cross": r"\times"}
 
 
 class Latex:
-    """The spellings of LaTeX; a dialect of it spells some of them otherwise."""
+    """The spellings of LaTeX in a chapter's notation; a dialect of it spells some of them otherwise."""
+
+    def __init__(self, notation: Notation = BOOK) -> None:
+        self.notation = notation
+
+    def own(self, node: Node, spell: Callable[[Node], Piece]) -> Piece | None:
+        return self.notation.spelled(node, self, spell)
 
     def symbol(self, symbol: Symbol) -> str:
         return symbol.letter
@@ -54,7 +63,7 @@ class Latex:
     def power(self, base: str, exponent: str) -> str:
         if not base.endswith(CLOSED) and _takes_no_superscript(base):
             base = f"{{{base}}}"
-        return f"{base}^{exponent}" if len(exponent) == 1 else f"{base}^{{{exponent}}}"
+        return f"{base}^{exponent}" if ONE_MARK.fullmatch(exponent) else f"{base}^{{{exponent}}}"
 
     def infix(self, sign: str, left: str, right: str) -> str:
         return f"{left} {INFIX[sign]} {right}"
@@ -85,6 +94,16 @@ class Latex:
     def subscripted(self, text: str, subscript: str) -> str:
         return f"{text}_{{{subscript}}}" if len(subscript) > 1 else f"{text}_{subscript}"
 
+    def component(self, text: str, mark: str) -> str:
+        """The letter with the mark in its subscript, behind what stands there."""
+        before = next((place for place, sign in _decorations(text) if sign == "_"), None)
+        if before is None:
+            end = next((place for place, sign in _decorations(text) if sign == "'" or place), len(text))
+            return self.subscripted(text[:end], mark) + text[end:]
+        old = SUBSCRIPT.match(text, before + 1)
+        assert old is not None
+        return text[:before] + self.subscripted("", f"{old[0].strip('{}')},{mark}") + text[old.end() :]
+
     def integral(self, of: Piece, body: str) -> Piece:
         return Piece(rf"\int_{{{body}}} {of.text} \, d{body}", Precedence.PRODUCT, of.depth)
 
@@ -113,6 +132,6 @@ def _decorations(text: str) -> Iterator[tuple[int, str]]:
             yield position, mark
 
 
-def latex(node: Node) -> str:
-    """The expression in LaTeX, spelled as its author did."""
-    return spell(node, Latex()).text
+def typeset(node: Node) -> str:
+    """The expression in LaTeX, spelled as its author did, in the notation of its chapter."""
+    return spell(node, Latex(notation_of(node))).text

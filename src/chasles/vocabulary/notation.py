@@ -1,0 +1,107 @@
+"""How a chapter prints words in LaTeX: a hat or brackets for a cross-product matrix, a T or a top for a transpose."""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import fields
+from inspect import isclass
+from typing import TYPE_CHECKING, Any, get_type_hints
+
+from chasles.vocabulary.arguments import WrongArgument
+from chasles.vocabulary.letters import Identity, Symbol, Zero
+from chasles.vocabulary.nodes import Node, node_fields
+from chasles.vocabulary.tree import walk
+
+if TYPE_CHECKING:
+    from chasles.vocabulary.spelling import Piece, Style
+
+__all__ = ["BOOK", "Notation", "notation_of"]
+
+PLACE = re.compile(r"#(\d)")
+POSTFIX = re.compile(r"#1\s*\^\s*(?:\{(.*)\}|(\\?\w+))$")
+ENCLOSED = re.compile(r"(?:[{\[(|,]|\\left\S|\\langle)\s*#(\d)\s*(?=[}\]),|]|\\\||\\right|\\rangle)")
+FORMS = '`{CPM: r"[#1]_\\times", Transpose: r"#1^\\top"}`, where #1 is the first part of the word'
+
+
+class Notation:
+    """What words are printed as: `forms` maps a word to a form in which #1, #2 stand for its parts.
+
+    A word is named by its class, by the function that writes it (`CPM`, `tr`), or, a function of a scalar, by its
+    name ("sin"). Raises `WrongArgument` for a form that leaves out a part or has none that the word has.
+    """
+
+    def __init__(self, forms: Mapping[Any, str]) -> None:
+        self._forms = {_key(word): form for word, form in forms.items()}
+        for word, form in self._forms.items():
+            parts = None if isinstance(word, str) else node_fields(word)
+            places = set(map(int, PLACE.findall(form))) if isinstance(form, str) else None
+            if places is None or (parts and places != set(range(1, len(parts) + 1))):
+                name, count = (word, 1) if isinstance(word, str) else (word.__name__, len(parts or ()))
+                raise WrongArgument(f"Notation: {form!r} for {name} has to name its {count} part(s): {FORMS}")
+
+    def form(self, node: Node) -> str | None:
+        """The form in which the chapter prints the word; None where it is printed as usual."""
+        return self._forms.get(type(node)) or self._forms.get(getattr(node, "function", ""))
+
+    def spelled(self, node: Node, style: Style, spell: Callable[[Node], Piece]) -> Piece | None:
+        """The word in the chapter's form; None where it has no other than the usual one."""
+        from chasles.vocabulary.spelling import Piece, Precedence
+
+        form = self.form(node)
+        if form is None:
+            return None
+        if isinstance(node, Identity | Zero):
+            usual = any(each.name == "letter" and each.default == node.letter for each in fields(node))
+            return Piece(form.replace("#1", str(node.shape[0])), Precedence.ATOM) if usual else None
+        parts = node._parts()
+        infix = len(parts) > 1 and len(ENCLOSED.findall(form)) < len(parts)
+        enclosed = {int(number) - 1 for number in ENCLOSED.findall(form)}
+        least = Precedence.PRODUCT if infix else Precedence.ATOM
+        texts, depth = [], 0
+        for place, part in enumerate(parts):
+            piece = spell(part)
+            chained = infix and place == 0 and type(part) is type(node)
+            if place not in enclosed and piece.level < least and not chained:
+                piece = Piece(style.brackets(piece.text, piece.depth), Precedence.ATOM, piece.depth + 1)
+            texts.append(piece.text)
+            depth = max(depth, piece.depth)
+        if power := POSTFIX.match(form):
+            return Piece(style.power(texts[0], power[1] or power[2]), Precedence.POWER, depth)
+        text = PLACE.sub(lambda found: texts[int(found[1]) - 1], form)
+        bracketed = any(bracket in form for bracket in "([")
+        return Piece(text, Precedence.DOT if infix else Precedence.ATOM, depth + bracketed)
+
+
+BOOK = Notation({})
+"""Each word as usual."""
+
+
+def notation_of(node: Node) -> Notation:
+    """The `NOTATION` of the chapter that declares the first symbol: in its module or in a package around it."""
+    for part in walk(node):
+        if isinstance(part, Symbol) and part.home:
+            for module in _around(part.home):
+                found = getattr(sys.modules.get(module), "NOTATION", None)
+                if isinstance(found, Notation):
+                    return found
+                if found is not None:
+                    raise TypeError(f"NOTATION of {module} is {found!r}: write Notation({FORMS.strip('`')})")
+            return BOOK
+    return BOOK
+
+
+def _around(module: str) -> Iterator[str]:
+    while module:
+        yield module
+        module = module.rpartition(".")[0]
+
+
+def _key(word: Any) -> Any:
+    if isinstance(word, str) or (isclass(word) and issubclass(word, Node)):
+        return word
+    made = get_type_hints(word).get("return") if callable(word) else None
+    if isclass(made) and issubclass(made, Node) and made is not Node:
+        return made
+    raise WrongArgument(f"Notation: {word!r} is no word: {FORMS}")

@@ -1,0 +1,102 @@
+"""Entries of matrices and components of vectors: R_{12}, omega_x, and blocks of them, T_{1:3,4}."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from fractions import Fraction
+from typing import TYPE_CHECKING, ClassVar
+
+from chasles.vocabulary.fitting import word
+from chasles.vocabulary.layout import Block
+from chasles.vocabulary.letters import Identity, Symbol, Zero
+from chasles.vocabulary.measure import Misfit
+from chasles.vocabulary.nodes import Contract, Node, Number
+from chasles.vocabulary.shorthand import Shorthand
+from chasles.vocabulary.tree import undotted
+
+if TYPE_CHECKING:
+    from chasles.vocabulary.spelling import Piece, Style
+
+__all__ = ["Part", "component", "part"]
+
+BOLD = re.compile(r"\\(?:mathbf|boldsymbol)\{(\\?[A-Za-z]+)\}")
+Range = tuple[int, int]
+
+
+@word
+class Part(Shorthand):
+    """The entries of a matrix in the given `rows` and `columns`, counted from 1, first and last; printed as `mark`."""
+
+    of: Node
+    rows: Range
+    columns: Range
+    mark: str
+    is_letter: ClassVar[bool] = True
+
+    @property
+    def definition(self) -> Node:
+        height, width = self.of.shape
+        for (first, last), size, line in ((self.rows, height, "row"), (self.columns, width, "column")):
+            if not 1 <= first <= last <= size:
+                asked = first if first == last else f"{first} to {last}"
+                raise Misfit(f"{self.of} is {height} x {width} and has no {line} {asked}: they are counted from 1")
+        factors = [] if self.rows == (1, height) else [_selection(self.rows, height)]
+        factors.append(self.of)
+        if self.columns != (1, width):
+            factors.append(_selection(self.columns, width).T)
+        return factors[0] if len(factors) == 1 else Contract(tuple(factors))
+
+    def spelled(self, style: Style, spell: Callable[[Node], Piece]) -> Piece:
+        from chasles.vocabulary.spelling import Piece, Precedence
+
+        piece = spell(self.of)
+        if isinstance(undotted(self.of)[0], Symbol) and piece.level is Precedence.ATOM:
+            letter = BOLD.sub(r"\1", piece.text) if self.is_scalar else piece.text
+            return Piece(style.component(letter, self.mark), Precedence.ATOM)
+        text = piece.text if isinstance(self.of, Block) else style.brackets(piece.text, 1)
+        return Piece(style.subscripted(text, self.mark), Precedence.ATOM, max(piece.depth, 1) + 1)
+
+
+def _selection(places: Range, size: int) -> Node:
+    """The rows of the identity in the given places, between columns of zeros."""
+    first, last = places
+    count = last - first + 1
+    kept: Node = Number(Fraction(1)) if count == 1 else Identity(count)
+    blocks = (Zero(count, first - 1), kept, Zero(count, size - last))
+    return Block((tuple(block for block in blocks if block.shape[1]),))
+
+
+def part(of: Node, places: int | slice | tuple[int | slice, int | slice]) -> Node:
+    """The entry or block in the given rows and columns; of a column or a row, one place is enough."""
+    height, width = of.shape
+    if not isinstance(places, tuple):
+        if 1 not in (height, width):
+            raise Misfit(f"{of} is {height} x {width}: an entry of it has a row and a column, as in A[1, 2]")
+        rows, columns = (_range(places, height), (1, 1)) if width == 1 else ((1, 1), _range(places, width))
+        return Part(of, rows, columns, _mark(rows if width == 1 else columns))
+    if len(places) != 2:
+        raise Misfit(f"{places!r} are the places of no entry: it has a row and a column")
+    rows, columns = _range(places[0], height), _range(places[1], width)
+    marks = _mark(rows), _mark(columns)
+    return Part(of, rows, columns, ("" if all(len(mark) == 1 for mark in marks) else ",").join(marks))
+
+
+def component(of: Node, row: int, mark: str) -> Node:
+    """The component of a column in the given row, printed with a mark of the author's: q_w, omega_x."""
+    return Part(of, (row, row), (1, 1), mark)
+
+
+def _range(places: int | slice, size: int) -> Range:
+    match places:
+        case slice(start=first, stop=last, step=None):
+            return first if first is not None else 1, last if last is not None else size
+        case int():
+            return places, places
+        case _:
+            raise Misfit(f"{places!r} is no row or column: write a number, or a range such as 1:3")
+
+
+def _mark(places: Range) -> str:
+    first, last = places
+    return str(first) if first == last else f"{first}:{last}"

@@ -1,0 +1,157 @@
+"""Each chapter prints words in its own notation, whatever other chapters are loaded beside it."""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Iterator
+from types import ModuleType
+from typing import Any, ClassVar
+
+import pytest
+from latex2mathml.converter import convert
+
+from chasles.report.html.formulas import latex_for_mathml
+from chasles.vocabulary import (
+    CPM,
+    Identity,
+    Node,
+    Rate,
+    Transpose,
+    cross,
+    det,
+    dot,
+    inverse,
+    latex,
+    norm,
+    number,
+    rate,
+    sin,
+    tr,
+    vect,
+)
+from chasles.vocabulary.arguments import WrongArgument
+from chasles.vocabulary.fitting import word
+from chasles.vocabulary.notation import Notation
+from chasles.vocabulary.shorthand import Shorthand
+
+DECLARATIONS = """
+from chasles.vocabulary import scalar, square, vector
+a = vector("a", "a", "a vector")
+b = vector("b", "b", "a vector")
+R = square("R", "R", "a matrix")
+s = scalar("s", r"\\sigma", "a number")
+"""
+FORMS: dict[Any, str] = {
+    CPM: r"[#1]_\times",
+    Transpose: r"#1^\top",
+    inverse: r"#1^{\mathrm{inv}}",
+    norm: "|#1|",
+    vect: r"#1^\vee",
+    cross: r"#1 \wedge #2",
+    dot: r"\langle #1, #2 \rangle",
+    tr: r"\operatorname{tr}(#1)",
+    det: r"\left|#1\right|",
+    Identity: r"I_{#1}",
+    Rate: r"\frac{d #1}{d t}",
+    "sin": r"\mathrm{s}_{#1}",
+}
+
+
+@word
+class SymmetricPart(Shorthand):
+    """The symmetric part of a square matrix."""
+
+    of: Node
+    function: ClassVar[str] = "sym"
+
+    @property
+    def definition(self) -> Node:
+        return (self.of + self.of.T) / 2
+
+
+def chapter(name: str, **contents: Any) -> ModuleType:
+    """A package of that name, with symbols in a module of its own."""
+    package, symbols = ModuleType(name), ModuleType(f"{name}.notation")
+    vars(package).update(contents)
+    sys.modules |= {name: package, symbols.__name__: symbols}
+    exec(compile(DECLARATIONS, f"{name}.py", "exec"), vars(symbols))
+    return symbols
+
+
+@pytest.fixture(name="own")
+def chapter_with_a_notation() -> Iterator[ModuleType]:
+    yield chapter("of_its_own", NOTATION=Notation(FORMS))
+    del sys.modules["of_its_own"], sys.modules["of_its_own.notation"]
+
+
+@pytest.fixture(name="plain")
+def chapter_without() -> Iterator[ModuleType]:
+    yield chapter("of_the_usual")
+    del sys.modules["of_the_usual"], sys.modules["of_the_usual.notation"]
+
+
+def test_words_are_printed_in_the_forms_of_their_chapter(own: ModuleType) -> None:
+    a, b, R, s = own.a, own.b, own.R, own.s
+    table: list[tuple[Node, str]] = [
+        (CPM(a), r"[\mathbf{a}]_\times"),
+        (CPM(a + b) @ R, r"[\mathbf{a} + \mathbf{b}]_\times \mathbf{R}"),
+        (CPM(a) ** 2, r"[\mathbf{a}]_\times^2"),
+        (R.T @ R - Identity(3), r"\mathbf{R}^\top \mathbf{R} - I_{3}"),
+        ((R @ R).T, r"\left( \mathbf{R} \mathbf{R} \right)^\top"),
+        (inverse(R), r"\mathbf{R}^{\mathrm{inv}}"),
+        (norm(a - b), r"|\mathbf{a} - \mathbf{b}|"),
+        (vect(R - R.T), r"\left( \mathbf{R} - \mathbf{R}^\top \right)^\vee"),
+        (cross(a, b), r"\mathbf{a} \wedge \mathbf{b}"),
+        (cross(cross(a, b), a), r"\mathbf{a} \wedge \mathbf{b} \wedge \mathbf{a}"),
+        (cross(a, cross(b, a)), r"\mathbf{a} \wedge \left( \mathbf{b} \wedge \mathbf{a} \right)"),
+        (dot(a, a + b), r"\langle \mathbf{a}, \mathbf{a} + \mathbf{b} \rangle"),
+        (2 * tr(R), r"2 \operatorname{tr}(\mathbf{R})"),
+        (det(R @ R), r"\left|\mathbf{R} \mathbf{R}\right|"),
+        (rate(a), r"\frac{d \mathbf{a}}{d t}"),
+        (sin(s) * R, r"\mathrm{s}_{\sigma} \mathbf{R}"),
+    ]
+    for node, printed in table:
+        assert latex(node) == printed
+        assert "<math" in convert(latex_for_mathml(node))
+
+
+def test_chapters_do_not_mix(own: ModuleType, plain: ModuleType) -> None:
+    assert latex(CPM(own.a)) == r"[\mathbf{a}]_\times"
+    assert latex(CPM(plain.a)) == r"\text{CPM}\left( \mathbf{a} \right)"
+    assert latex(own.R.T) == r"\mathbf{R}^\top"
+    assert latex(plain.R.T) == r"\mathbf{R}^T"
+    assert own.a == plain.a, "the notation is no part of what a symbol is"
+
+
+def test_a_word_of_ones_own_has_a_form_by_its_class_or_its_name(own: ModuleType) -> None:
+    sys.modules["of_its_own"].NOTATION = Notation({SymmetricPart: r"\overline{#1}"})  # type: ignore[attr-defined]
+    assert latex(SymmetricPart(own.R)) == r"\overline{\mathbf{R}}"
+    sys.modules["of_its_own"].NOTATION = Notation({"sym": r"\{#1\}"})  # type: ignore[attr-defined]
+    assert latex(SymmetricPart(own.R)) == r"\{\mathbf{R}\}"
+
+
+@pytest.mark.parametrize(
+    ("forms", "reason"),
+    [
+        ({CPM: r"\hat{a}"}, "name its 1 part(s)"),
+        ({cross: r"#1 \times"}, "for Cross has to name its 2 part(s)"),
+        ({CPM: "#1 #2"}, "for Skew has to name its 1 part(s)"),
+        ({3: "#1"}, "3 is no word"),
+        ({len: "#1"}, "is no word"),
+        ({CPM: 7}, "7 for Skew"),
+    ],
+)
+def test_a_form_that_does_not_fit_its_word_is_refused(forms: dict[Any, Any], reason: str) -> None:
+    with pytest.raises(WrongArgument, match=re.escape(reason)):
+        Notation(forms)
+
+
+def test_a_notation_that_is_none_is_told(own: ModuleType) -> None:
+    sys.modules["of_its_own"].NOTATION = {CPM: "#1"}  # type: ignore[attr-defined]
+    with pytest.raises(TypeError, match="write Notation"):
+        latex(own.a)
+
+
+def test_numbers_alone_are_printed_as_usual() -> None:
+    assert latex(number(2)) == "2"
