@@ -86,7 +86,7 @@ def notation_of(node: Node) -> Notation:
                 found = getattr(sys.modules.get(module), "NOTATION", None)
                 if isinstance(found, Notation):
                     return found
-                if found is not None:
+                if isinstance(found, Mapping):
                     raise TypeError(f"NOTATION of {module} is {found!r}: write Notation({FORMS.strip('`')})")
             return BOOK
     return BOOK

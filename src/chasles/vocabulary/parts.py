@@ -18,14 +18,14 @@ from chasles.vocabulary.tree import undotted
 if TYPE_CHECKING:
     from chasles.vocabulary.spelling import Piece, Style
 
-__all__ = ["Part", "component", "part"]
+__all__ = ["Submatrix", "component", "part"]
 
 BOLD = re.compile(r"\\(?:mathbf|boldsymbol)\{(\\?[A-Za-z]+)\}")
 Range = tuple[int, int]
 
 
 @word
-class Part(Shorthand):
+class Submatrix(Shorthand):
     """The entries of a matrix in the given `rows` and `columns`, counted from 1, first and last; printed as `mark`."""
 
     of: Node
@@ -74,17 +74,17 @@ def part(of: Node, places: int | slice | tuple[int | slice, int | slice]) -> Nod
         if 1 not in (height, width):
             raise Misfit(f"{of} is {height} x {width}: an entry of it has a row and a column, as in A[1, 2]")
         rows, columns = (_range(places, height), (1, 1)) if width == 1 else ((1, 1), _range(places, width))
-        return Part(of, rows, columns, _mark(rows if width == 1 else columns))
+        return Submatrix(of, rows, columns, _mark(rows if width == 1 else columns))
     if len(places) != 2:
         raise Misfit(f"{places!r} are the places of no entry: it has a row and a column")
     rows, columns = _range(places[0], height), _range(places[1], width)
     marks = _mark(rows), _mark(columns)
-    return Part(of, rows, columns, ("" if all(len(mark) == 1 for mark in marks) else ",").join(marks))
+    return Submatrix(of, rows, columns, ("" if all(len(mark) == 1 for mark in marks) else ",").join(marks))
 
 
 def component(of: Node, row: int, mark: str) -> Node:
     """The component of a column in the given row, printed with a mark of the author's: q_w, omega_x."""
-    return Part(of, (row, row), (1, 1), mark)
+    return Submatrix(of, (row, row), (1, 1), mark)
 
 
 def _range(places: int | slice, size: int) -> Range:
