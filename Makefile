@@ -70,7 +70,7 @@ lint: $(VENV)/.tools
 	@$(BIN)/ruff format --check
 
 types: $(VENV)/.compiled $(VENV)/.tools
-	@mkdir -p .types/chasles && ln -sfn ../../derivations ../../generated .types/chasles/
+	@mkdir -p .types/chasles && ln -sfn ../../derivations ../../rotations ../../generated .types/chasles/
 	@$(BIN)/mypy
 
 wheel: $(VENV)/pyvenv.cfg

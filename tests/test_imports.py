@@ -53,7 +53,7 @@ SYMBOLS_ONLY = ("vocabulary", "statements", "rewriting")
 COMPUTING = ("sympy", "flint", "numpy", "mpmath")
 # What the numbers are to check; they borrow nothing from it.
 CHECKED_BY_NUMBERS = ("lowering", "bounds", "targets", "compiling")
-BOOK = "derivations"
+BOOKS = ("derivations", "rotations")
 BOOK_MAY_IMPORT = ("vocabulary", "statements")
 EXERCISES_MAY_IMPORT = (*BOOK_MAY_IMPORT, "exact", "exercises")
 
@@ -80,13 +80,13 @@ def objection(module: str, name: str) -> str | None:
     top, _, rest = name.partition(".")
     home, target = module.split(".")[1:2], rest.split(".")[0]
     unit = home[0] if home else ""
-    if top == BOOK:
-        return "the book is imported as chasles.derivations"
-    if unit == BOOK:
+    if top in BOOKS:
+        return f"the book is imported as chasles.{top}"
+    if unit in BOOKS:
         return objection_in_book(module, top, rest)
     if top != "chasles":
         return f"{unit} computes nothing" if unit in SYMBOLS_ONLY and top in COMPUTING else None
-    if target == BOOK:
+    if target in BOOKS:
         return "src reaches the book through load() only"
     if unit == "" or target in (unit, "__version__"):
         return None
@@ -104,8 +104,9 @@ def objection_in_book(module: str, top: str, rest: str) -> str | None:
     if top != "chasles":
         return None if top == "__future__" else "the book computes nothing"
     target, *inner = rest.split(".")
-    exercise = module.startswith(f"chasles.{BOOK}.exercises")
-    if target != BOOK:
+    book = module.split(".")[1]
+    exercise = module.startswith(f"chasles.{book}.exercises")
+    if target != book:
         return None if target in (EXERCISES_MAY_IMPORT if exercise else BOOK_MAY_IMPORT) else f"not {target}"
     here = module.split(".")[2:]
     own_part = inner[: len(here)] == here
@@ -125,7 +126,8 @@ def objections(module: str, source: str, is_package: bool = False) -> list[str]:
 
 def project_modules() -> Iterator[tuple[str, Path]]:
     """Dotted name and file of every module of src and of the book."""
-    for folder, prefix in ((ROOT / "src" / "chasles", ("chasles",)), (ROOT / BOOK, ("chasles", BOOK))):
+    books = [(ROOT / book, ("chasles", book)) for book in BOOKS]
+    for folder, prefix in ((ROOT / "src" / "chasles", ("chasles",)), *books):
         for path in sorted(folder.rglob("*.py")):
             inner = path.relative_to(folder).with_suffix("").parts
             yield ".".join((*prefix, *(inner[:-1] if path.stem == "__init__" else inner))), path

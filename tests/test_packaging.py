@@ -173,7 +173,9 @@ def contents(wheel: Path) -> dict[str, str]:
 
 def sources() -> set[str]:
     """What a wheel has to hold: sources, book, what is emitted but for the C self-test, and what was measured."""
-    places = {"src/chasles": "chasles", "derivations": "chasles/derivations", "generated": "chasles/generated"}
+    places = {"src/chasles": "chasles"} | {
+        name: f"chasles/{name}" for name in ("derivations", "rotations", "generated")
+    }
     measured = {"chasles/evidence/kernels.json", "chasles/evidence/errors.json"}
     return measured | {
         f"{to}/{path.relative_to(ROOT / folder).as_posix()}"

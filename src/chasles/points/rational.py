@@ -53,8 +53,10 @@ def free(shape: tuple[int, int], draw: Random, rich: bool) -> Numbers:
     return [[Fraction(draw.randint(-reach, reach)) for _ in range(columns)] for _ in range(rows)]
 
 
-def unit_vector(draw: Random, rich: bool) -> tuple[Fraction, ...]:
-    """A vector of length one."""
+def unit_vector(draw: Random, rich: bool, size: int = 3) -> tuple[Fraction, ...]:
+    """A column of length one."""
+    if size != 3:
+        return tuple(on_sphere(size, draw, rich))
     if not rich:
         return draw.choice(UNIT_VECTORS)
     a, b = (Fraction(draw.randint(-4, 4), draw.randint(1, 3)) for _ in range(2))

@@ -61,7 +61,8 @@ def bind(
         case "unit" | "direction":
             (vector,) = subjects
             if (vector, 0) not in values:
-                rates = _turning([[x] for x in unit_vector(draw, rich)], orders.get(vector, 0), draw, rich)
+                entries = unit_vector(draw, rich, vector.shape[0])
+                rates = _turning([[x] for x in entries], orders.get(vector, 0), draw, rich)
                 values |= {(vector, k): rate for k, rate in enumerate(rates)}
         case "rotation" | "half_turn":
             (matrix,) = subjects
@@ -116,7 +117,7 @@ def _on_sphere(
     if radius is None or not open_:
         return
     lengths = on_sphere(len(open_), draw, rich)
-    parts = [(1,) if symbol.is_scalar else unit_vector(draw, rich) for symbol in open_]
+    parts = [(1,) if symbol.is_scalar else unit_vector(draw, rich, symbol.shape[0]) for symbol in open_]
     column = [[radius * length * x] for length, part in zip(lengths, parts, strict=True) for x in part]
     order = 0 if known else max(orders.get(symbol, 0) for symbol in open_)
     for k, rate in enumerate(_turning(column, order, draw, rich)):
@@ -129,18 +130,27 @@ def _perpendicular(
 ) -> set[Symbol]:
     """Two vectors at right angles; one that has a rational length keeps it."""
     one, other = subjects if (subjects[0], 0) in values or (subjects[1], 0) not in values else subjects[::-1]
-    first = [row[0] for row in values.setdefault((one, 0), free((3, 1), draw, rich))]
+    size = one.shape[0]
+    first = [row[0] for row in values.setdefault((one, 0), free((size, 1), draw, rich))]
     length, kept = (root_of(sum((x * x for (x,) in values.get((s, 0), ())), Fraction(0))) for s in (one, other))
     if length and kept:
-        # The reflection that turns the third axis into the first vector turns the other two into normals of it.
-        mirror = [x / length - axis for x, axis in zip(first, (0, 0, 1), strict=True)]
+        # The reflection that turns the last axis into the first vector turns the others into normals of it.
+        mirror = [x / length - axis for x, axis in zip(first, (*(0,) * (size - 1), 1), strict=True)]
         square = sum(x * x for x in mirror) or Fraction(1)
-        normal = [*(circle(draw) if rich else draw.choice(CIRCLE)), Fraction(0)]
+        across = on_sphere(size - 1, draw, rich) if size != 3 else circle(draw) if rich else draw.choice(CIRCLE)
+        normal = [*across, Fraction(0)]
         along = 2 * sum(map(mul, mirror, normal)) / square
         values[other, 0] = [[kept * (x - along * y)] for x, y in zip(normal, mirror, strict=True)]
     else:
-        values[other, 0] = _spin(free((3, 1), draw, rich), first)
+        values[other, 0] = _spin(free((3, 1), draw, rich), first) if size == 3 else _across(first, draw, rich)
     return {one, other}
+
+
+def _across(column: list[Fraction], draw: Random, rich: bool) -> Numbers:
+    """A column at right angles to another: what a skew-symmetric matrix makes of that."""
+    size = len(column)
+    spin = [row[0] for row in free((size * (size - 1) // 2, 1), draw, rich)]
+    return _spin([[entry] for entry in column], spin)
 
 
 def _turning(numbers: Numbers, order: int, draw: Random, rich: bool) -> list[Numbers]:

@@ -24,7 +24,7 @@ GUARDS = 20
 Point = tuple[tuple[Fraction, ...], ...]
 
 UNITS = ((1, 2, 2, 3), (0, 3, 4, 5))
-"""Unit vectors: three entries, each over the fourth number."""
+"""Unit vectors: three entries, each over the fourth number. Others come from stereographic projection."""
 ROTATIONS = ((2, -1, 2, 2, 2, -1, -1, 2, 2, 3), (3, -4, 0, 4, 3, 0, 0, 0, 5, 5))
 """Rotations: nine entries, row-major, each over the tenth number."""
 NUMBERS = tuple(Fraction(quarters, 4) for quarters in (5, 2, -3, 8, -6, 1, 7, -2, 3, -5, 6))
@@ -42,7 +42,7 @@ def _points(request: Request, arguments: Sequence[Argument]) -> Iterator[Point]:
     for k in range(2):
         numbers = islice(cycle(NUMBERS), 3 * k, None)
         yield tuple(
-            _special(kinds[place], place + k) or tuple(islice(numbers, _size(argument)))
+            _special(kinds[place], place + k, _size(argument)) or tuple(islice(numbers, _size(argument)))
             for place, argument in enumerate(arguments)
         )
 
@@ -50,7 +50,7 @@ def _points(request: Request, arguments: Sequence[Argument]) -> Iterator[Point]:
 def _at_zero(request: Request, program: Program) -> Point:
     kinds = _kinds(request)
     return tuple(
-        _special(kinds[place], place) or (Fraction(0),) * _size(argument)
+        _special(kinds[place], place, _size(argument)) or (Fraction(0),) * _size(argument)
         for place, argument in enumerate(program.arguments)
     )
 
@@ -64,8 +64,12 @@ def _kinds(request: Request) -> list[str]:
     ]
 
 
-def _special(kind: str, choice: int) -> tuple[Fraction, ...]:
-    """A unit vector or a rotation; nothing for another kind."""
+def _special(kind: str, choice: int, size: int) -> tuple[Fraction, ...]:
+    """A unit column or a rotation; nothing for another kind."""
+    if kind == "unit" and size != 3:
+        plane = NUMBERS[choice % len(UNITS) :][: size - 1]
+        square = sum((entry * entry for entry in plane), Fraction(0))
+        return (*(2 * entry / (1 + square) for entry in plane), (square - 1) / (square + 1))
     table = {"unit": UNITS, "rotation": ROTATIONS}.get(kind)
     if table is None:
         return ()

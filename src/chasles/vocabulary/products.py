@@ -1,0 +1,95 @@
+"""Products of matrices and columns that have a sign of their own: direct sums, outer and Kronecker products."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import ClassVar
+
+from chasles.vocabulary.arguments import declaring
+from chasles.vocabulary.fitting import measured, word
+from chasles.vocabulary.layout import Block
+from chasles.vocabulary.letters import Identity, Zero
+from chasles.vocabulary.measure import Misfit
+from chasles.vocabulary.nodes import Contract, Node, Number, Scale, Transpose
+from chasles.vocabulary.shorthand import Shorthand
+
+__all__ = ["DirectSum", "KroneckerProduct", "OuterProduct", "direct_sum", "kronecker_product", "outer", "rows_of"]
+
+
+@word
+class DirectSum(Shorthand):
+    """Two matrices on the diagonal of one, with zeros beside them."""
+
+    first: Node
+    second: Node
+    function: ClassVar[str] = "diag"
+
+    @property
+    def definition(self) -> Node:
+        (m, n), (p, q) = self.first.shape, self.second.shape
+        return Block(((self.first, Zero(m, q)), (Zero(p, n), self.second)))
+
+
+@word
+class OuterProduct(Shorthand):
+    """The matrix of the products of the entries of two columns: a b^T."""
+
+    left: Node
+    right: Node
+    function: ClassVar[str] = "outer"
+
+    @property
+    def definition(self) -> Node:
+        for side in (self.left, self.right):
+            if side.shape[1] != 1:
+                rows, columns = side.shape
+                raise Misfit(f"an outer product is that of two columns, and {side} is {rows} x {columns}")
+        return Contract((self.left, Transpose(self.right)))
+
+
+@word
+class KroneckerProduct(Shorthand):
+    """The blocks that each entry of the first matrix makes with the second."""
+
+    left: Node
+    right: Node
+    function: ClassVar[str] = "kron"
+
+    @property
+    def definition(self) -> Node:
+        rows, columns = measured(self.left).shape
+        entries = [[_entry(self.left, i, j) for j in range(columns)] for i in range(rows)]
+        return Block(tuple(tuple(Scale(entry, self.right) for entry in line) for line in entries))
+
+
+def rows_of(of: Node, first: int, count: int = 1) -> Node:
+    """So many rows of a matrix, from the row of that number on, counted from zero."""
+    height = measured(of).shape[0]
+    kept = Identity(count) if count > 1 else Number(Fraction(1))
+    blocks = (Zero(count, first), kept, Zero(count, height - first - count))
+    return of if count == height else Contract((Block((tuple(block for block in blocks if block.shape[1]),)), of))
+
+
+def _entry(of: Node, i: int, j: int) -> Node:
+    line = rows_of(of, i)
+    return Transpose(rows_of(Transpose(line), j))
+
+
+@declaring
+def direct_sum(first: Node, *others: Node) -> Node:
+    """Matrices on the diagonal of one, with zeros beside them."""
+    for other in others:
+        first = DirectSum(first, other)
+    return first
+
+
+@declaring
+def outer(left: Node, right: Node) -> OuterProduct:
+    """The matrix of the products of the entries of two columns."""
+    return OuterProduct(left, right)
+
+
+@declaring
+def kronecker_product(left: Node, right: Node) -> KroneckerProduct:
+    """The blocks that each entry of the first matrix makes with the second."""
+    return KroneckerProduct(left, right)

@@ -1,0 +1,208 @@
+"""The chapter `chasles.rotations`: decided whole, as on record, and by numbers that share nothing with the prover.
+
+`pytest tests/test_rotations.py --update-golden` records the verdicts anew.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+from chasles.decisions.session import Session
+from chasles.numerics import evaluate
+from chasles.statements import Claim, Entry, Inverse, Kernel, Section, load, perpendicular, unit, unit_column
+from chasles.targets.commission import kernel_of
+from chasles.verdict import Defined, Holds, HoldsUnder
+from chasles.vocabulary import Misfit, Node, array, column, dot, norm, number, rate, uniform
+from chasles.vocabulary.products import direct_sum, kronecker_product, outer
+from chasles.vocabulary.quaternions import (
+    product_from_left,
+    product_from_right,
+    quaternion_conjugate,
+    quaternion_product,
+    rotation_of_quaternion,
+)
+
+from .second_opinion.opinion import opinion_on
+from .test_verdicts import differences, line
+
+GOLDEN = Path(__file__).parent / "golden" / "rotations.toml"
+HEAD = "# The verdict on every statement; `pytest tests/test_rotations.py --update-golden` writes this file.\n\n"
+CHAPTER = load("chasles.rotations")
+SECTIONS = [section.number for section in CHAPTER.sections]
+Array = NDArray[np.float64]
+
+
+@cache
+def session() -> Session:
+    return Session(book=CHAPTER)
+
+
+def test_the_verdicts_are_those_on_record(pytestconfig: pytest.Config) -> None:
+    found = HEAD + "".join(line(entry, session().decide(entry.statement)) + "\n" for entry in CHAPTER)
+    if pytestconfig.getoption("--update-golden"):
+        GOLDEN.write_text(found, encoding="utf-8")
+    different = list(differences(GOLDEN.read_text(encoding="utf-8"), found))
+    assert not different, "\n".join([*different, "if this is meant: pytest tests/test_rotations.py --update-golden"])
+
+
+def test_all_is_true_and_nothing_is_assumed_in_vain() -> None:
+    for entry in CHAPTER:
+        verdict = session().decide(entry.statement).verdict
+        if isinstance(entry.statement, Claim | Inverse):
+            assert isinstance(verdict, Holds | HoldsUnder), f"({entry.number}) {entry.name}: {verdict}"
+            assert not verdict.unused, f"({entry.number}) {entry.name} assumes {verdict.unused} in vain"
+        else:
+            assert isinstance(verdict, Defined), f"({entry.number}) {entry.name}: {verdict}"
+
+
+@pytest.mark.parametrize("section", SECTIONS)
+def test_numbers_agree(section: str) -> None:
+    """At an explicit motion, in 80 digits and more, with differences for rates."""
+    for entry in CHAPTER.select(sections=[section]):
+        if isinstance(entry.statement, Claim | Inverse):
+            opinion = opinion_on(entry.statement, motions=1)
+            assert opinion.agrees, f"({entry.number}) {entry.name}: {opinion}"
+
+
+# The words, beside what NumPy and SciPy make of the same numbers.
+
+p, q = (array(name, name, "a quaternion", uniform((4, 1))) for name in "pq")
+A, B = array("A", "A", "a matrix", uniform((2, 3))), array("B", "B", "another", uniform((3, 2)))
+
+
+def of_scipy(x: Array) -> Rotation:
+    return Rotation.from_quat(x, scalar_first=True)
+
+
+def hamilton(x: Array, y: Array) -> Array:
+    """By Hamilton's table: i j = k and so on."""
+    a, b, c, d = x
+    e, f, g, h = y
+    return np.array(
+        [
+            a * e - b * f - c * g - d * h,
+            a * f + b * e + c * h - d * g,
+            a * g - b * h + c * e + d * f,
+            a * h + b * g - c * f + d * e,
+        ]
+    )
+
+
+def of_basis(multiply: Callable[[Array], Array]) -> Array:
+    return np.column_stack([multiply(unit) for unit in np.eye(4)])
+
+
+WORDS: dict[str, tuple[Node, Callable[..., Any]]] = {
+    "product": (quaternion_product(p, q), hamilton),
+    "conjugate": (quaternion_conjugate(p), lambda x: x * [1, -1, -1, -1]),
+    "from the left": (product_from_left(p), lambda x: of_basis(lambda y: hamilton(x, y))),
+    "from the right": (product_from_right(p), lambda x: of_basis(lambda y: hamilton(y, x))),
+    "rotation": (rotation_of_quaternion(p), lambda x: x @ x * of_scipy(x).as_matrix()),
+    "composition": (
+        rotation_of_quaternion(quaternion_product(p, q)),
+        lambda x, y: x @ x * (y @ y) * (of_scipy(x) * of_scipy(y)).as_matrix(),
+    ),
+    "outer product": (outer(p, q), np.outer),
+    "Kronecker product": (kronecker_product(A, B), np.kron),
+    "direct sum": (
+        direct_sum(A, B, p),
+        lambda a, b, x: np.block(
+            [
+                [a, np.zeros((2, 2)), np.zeros((2, 1))],
+                [np.zeros((3, 3)), b, np.zeros((3, 1))],
+                [np.zeros((4, 3)), np.zeros((4, 2)), x[:, None]],
+            ]
+        ),
+    ),
+}
+
+
+def symbols_in(node: Node) -> list[Node]:
+    return [symbol for symbol in (A, B, p, q) if symbol in set(_walked(node))]
+
+
+def _walked(node: Node) -> list[Node]:
+    return [node, *(below for part in node._parts() for below in _walked(part))]
+
+
+@pytest.mark.parametrize("name", WORDS)
+def test_a_word_means_what_others_mean_by_it(name: str) -> None:
+    word, other = WORDS[name]
+    draw = np.random.default_rng(7)
+    for _ in range(20):
+        values = {symbol: draw.standard_normal(symbol.shape) for symbol in symbols_in(word)}
+        found = np.array(evaluate(word, values, digits=20), dtype=float)
+        expected = np.atleast_2d(other(*(x[:, 0] if x.shape[1] == 1 else x for x in values.values())))
+        assert found.reshape(-1) == pytest.approx(expected.reshape(-1))
+
+
+LAST = {"scalar_last": True}
+ORDERS: list[Callable[..., Node]] = [
+    quaternion_conjugate,
+    product_from_left,
+    product_from_right,
+    rotation_of_quaternion,
+]
+
+
+@pytest.mark.parametrize("word", ORDERS)
+def test_the_scalar_may_come_last(word: Callable[..., Node]) -> None:
+    """The numbers in the other order, the result in the other order."""
+    x = np.array([0.3, -0.5, 0.7, 0.4])
+    first = np.array(evaluate(word(p), {p: x}, digits=20), dtype=float)
+    last = np.array(evaluate(word(p, **LAST), {p: np.roll(x, -1)}, digits=20), dtype=float)
+    if first.shape[0] == 4:
+        first = np.roll(first, -1, axis=0)
+    if first.shape == (4, 4):
+        first = np.roll(first, -1, axis=1)
+    assert last == pytest.approx(first)
+
+
+@pytest.mark.parametrize("word", ORDERS)
+def test_what_is_no_quaternion_is_refused(word: Callable[..., Node]) -> None:
+    with pytest.raises(Misfit, match="a quaternion is a column of four numbers"):
+        word(column(1, 2, 3))
+
+
+# Columns of length one, of every height.
+
+HEIGHTS = (2, 3, 4, 5, 6, 9)
+
+
+@pytest.mark.parametrize("height", HEIGHTS)
+def test_columns_of_any_height_are_units(height: int) -> None:
+    x, y = (array(name, name, "a column", uniform((height, 1))) for name in "xy")
+    across = (unit(x), unit(y), perpendicular(x, y))
+    true = [
+        Claim("1", dot(x + y, x + y), number(2), assuming=across),
+        Claim("2", x.T @ (x @ x.T), x.T, assuming=(unit(x),)),
+        Claim("3", dot(x, rate(x)), number(0), assuming=(unit(x),)),
+        Claim("4", dot(x, x) * norm(y) ** 2, number(1), assuming=(unit_column(x), unit(y))),
+    ]
+    wrong = [
+        Claim("5", dot(x + y, x + y), number(1), assuming=across),
+        Claim("6", x @ y.T, y @ x.T, assuming=(unit(x), unit_column(y))),
+        Claim("7", dot(x, y), number(1), assuming=(perpendicular(x, y),)),
+        Claim("8", dot(rate(x), rate(x)), rate(dot(x, y)) ** 2, assuming=across),
+    ]
+    assert [Session().decide(claim).verdict.name for claim in true] == ["holds-under"] * 4
+    assert [Session().decide(claim).verdict.name for claim in wrong] == ["fails"] * 4
+
+
+@pytest.mark.parametrize("height", HEIGHTS)
+def test_a_kernel_of_a_unit_column_is_tested_at_units(height: int) -> None:
+    x = array("x", "x", "a column", uniform((height, 1)))
+    claim = Claim("1", x @ x.T @ x, x, assuming=(unit(x),), kernel=Kernel(of=(x,)))
+    entry = Entry("projected", Section("1", "One"), claim)
+    checks = kernel_of(entry, Session().decide).checks
+    assert len(checks) == 2
+    for check in checks:
+        assert sum(entry * entry for entry in check.inputs[0]) == 1
