@@ -16,6 +16,7 @@ from chasles.repairs.inside_definitions import block_edits
 from chasles.repairs.modular_testing import REFUSED, ModularTest, modular_test
 from chasles.repairs.one_term import Change, new_coefficients, other_terms
 from chasles.repairs.residues import Unsampled
+from chasles.repairs.scalar_edits import Factors, scalar_edits
 from chasles.repairs.several_terms import combined_changes
 from chasles.repairs.single_edits import SingleEdit, in_letters, single_edits
 from chasles.rewriting.term_basis import TermBasis, fit, term_basis
@@ -66,10 +67,11 @@ class Nearest:
     def single_changes(self, left: Node, right: Node, turns: int = 2) -> Iterator[Change]:
         """One change to the right side; in a second turn, with letters that it does not have."""
         for turn, (test, basis) in enumerate(islice(self._tests(left, right), turns)):
-            others = in_letters(right, self.letters) if turn else single_edits(right)
+            others = in_letters(right, self.letters) if turn else single_edits(right, scalars=False)
             slips = [Change(left, u.node, (u.words,), u.effort) for u in others if fit(left, u.node)]
             coefficients = () if turn else new_coefficients(test)
-            changes = (*coefficients, *slips, *other_terms(test, basis))
+            inside = scalar_edits(test, Factors(test, (right, left, *(self.given_sides if turn else ()))))
+            changes = (*coefficients, *slips, *other_terms(test, basis), *inside)
             found = [change for change in changes if self._holds(test, change)]
             yield from found
             if found:

@@ -5,7 +5,7 @@ Wrong coefficients and missing terms are not among them; these are found from th
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace as with_fields
 from itertools import combinations
 from typing import NamedTuple, TypeVar
@@ -27,11 +27,13 @@ from chasles.vocabulary import (
     Symbol,
     Transpose,
     Zero,
+    children,
     plain,
     printed,
+    rebuilt,
 )
 
-__all__ = ["SingleEdit", "in_letters", "placed", "single_edits"]
+__all__ = ["FORM", "SingleEdit", "edits_at", "in_letters", "placed", "single_edits"]
 
 _T = TypeVar("_T")
 FORM = 3
@@ -51,19 +53,32 @@ def placed(node: Node, path: Path, new: Node) -> Node:
     return printed(lambda: put(node, path, new))
 
 
-def single_edits(node: Node) -> Iterator[SingleEdit]:
-    """The expression with one slip of form undone, in every place where what comes out fits together."""
+def single_edits(node: Node, *, scalars: bool = True) -> Iterator[SingleEdit]:
+    """The expression with one slip of form undone, in every place where what comes out fits together.
+
+    Without `scalars`, those in the scalars are left out, but for those whose rate is taken.
+    """
     parts, linear = dict(everywhere(node)), {place.path for place in linear_places(node)}
+    within: set[Path] = set()
     for path, part in parts.items():
-        changes = [*_of_form(part), *_with_factor(part)]
-        if not path or not isinstance(parts[path[:-1]], Rate | Transpose):
-            changes += _flipped(part)
-        if path not in linear:
-            changes += _signs(part)
-        for new, words, effort in changes:
+        if not scalars and (path[:-1] in within or part.is_scalar) and not isinstance(part, Block):
+            within.add(path)
+            continue
+        parent = parts[path[:-1]] if path else None
+        for new, words, effort in edits_at(part, parent, turned=path not in linear):
             whole = placed(node, path, new)
             if whole.fault is None:
                 yield SingleEdit(whole, words or instead(new, part), effort)
+
+
+def edits_at(part: Node, parent: Node | None = None, *, turned: bool = True) -> Iterator[SingleEdit]:
+    """What one slip of form, undone at the root of an expression, makes of it; signs only if `turned`."""
+    yield from _of_form(part)
+    yield from _with_factor(part)
+    if not isinstance(parent, Rate | Transpose):
+        yield from _flipped(part)
+    if turned:
+        yield from _signs(part)
 
 
 def in_letters(
@@ -77,12 +92,17 @@ def in_letters(
             if letter == symbol or (not any_shape and letter.shape != symbol.shape):
                 continue
             places = [path for path, part in found if part == symbol]
-            for chosen in [(path,) for path in places] + ([tuple(places)] if len(places) > 1 else []):
-                whole = node
-                for path in chosen:
-                    whole = placed(whole, path, letter)
-                if whole.fault is None:
-                    yield SingleEdit(whole, instead(letter, symbol))
+            wholes = [placed(node, path, letter) for path in places]
+            if len(places) > 1:
+                wholes.append(printed(lambda: _renamed(node, {symbol: letter})))  # noqa: B023
+            yield from (SingleEdit(whole, instead(letter, symbol)) for whole in wholes if whole.fault is None)
+
+
+def _renamed(node: Node, letters: Mapping[Node, Node]) -> Node:
+    """The expression with other letters in all places; what a letter stands for is left alone."""
+    parts = children(node)
+    changed = tuple(_renamed(part, letters) for part in parts)
+    return letters.get(node, node) if changed == parts else rebuilt(node, changed)
 
 
 def _of_form(node: Node) -> Iterator[SingleEdit]:
