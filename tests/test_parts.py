@@ -7,8 +7,9 @@ from itertools import product
 
 import pytest
 
+from chasles.decisions.memory import Memory
 from chasles.decisions.session import Session
-from chasles.statements import Claim, rotation
+from chasles.statements import Chapter, Claim, Entry, Section, rotation
 from chasles.verdict import Fails, Holds
 from chasles.vocabulary import (
     FREQUENCY,
@@ -102,3 +103,16 @@ def test_places_that_a_matrix_has_not_are_refused(places: object, reason: str) -
 def test_an_expression_is_not_gone_through() -> None:
     with pytest.raises(TypeError, match="not iterable"):
         list(w)  # type: ignore[call-overload]
+
+
+def test_a_repair_with_entries_is_found_and_kept() -> None:
+    wrong = Claim("1", cross(p, w).z, p.x * w.y + p.y * w.x)
+    book = Chapter("Parts", (Entry("wrong", Section("1", "One"), wrong),), "parts")
+    memory = Memory()
+    session = Session(book=book, memory=memory)
+    correction = session.decide(wrong).correction
+    assert correction is not None
+    assert correction.sides[1] == p.x * w.y - p.y * w.x
+    again = Session(book=book, memory=Memory(memory.as_data(1000))).decide(wrong)
+    assert again.correction is not None
+    assert again.correction.sides == correction.sides

@@ -136,8 +136,11 @@ class Memory:
         return not self._answers.keys() <= self._kept.keys()
 
     def data_of(self, key: str) -> Any:
-        """An answer as plain data, as it was kept if it was; None if there is none."""
-        return self._kept[key] if key in self._kept else to_data(self._answers.get(key))
+        """An answer as plain data, as it was kept if it was; None if there is none, or if it has words of an author's."""
+        try:
+            return self._kept[key] if key in self._kept else to_data(self._answers.get(key))
+        except TypeError:
+            return None
 
     @property
     def everything(self) -> dict[str, Any]:
@@ -146,6 +149,7 @@ class Memory:
 
     def as_data(self, most: int) -> dict[str, Any]:
         """The answers as plain data: those given here, and those kept before as long as they are not too many."""
-        here = {key: self.data_of(key) for key in self._answers if key not in self._shipped}
+        found = {key: self.data_of(key) for key in self._answers if key not in self._shipped}
+        here = {key: data for key, data in found.items() if data is not None}
         others = {key: data for key, data in self._kept.items() if key not in here and key not in self._shipped}
         return here | dict(list(others.items())[: max(0, most - len(here))])

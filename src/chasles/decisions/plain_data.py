@@ -6,7 +6,7 @@ Each class stands by its name with what its fields hold, in order; nothing but t
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import fields, is_dataclass
+from dataclasses import Field, fields, is_dataclass
 from fractions import Fraction
 from typing import Any
 
@@ -17,6 +17,7 @@ from chasles.verdict import Contradictory, Counterexample, Fails, Holds, HoldsUn
 from chasles.vocabulary.dimension import Dimension
 from chasles.vocabulary.families import Family, Index
 from chasles.vocabulary.measure import Measure
+from chasles.vocabulary.parts import Submatrix
 
 __all__ = ["from_data", "to_data"]
 
@@ -24,7 +25,7 @@ VERDICTS = (Holds, HoldsUnder, Fails, IllFormed, Contradictory, Posed, Counterex
 NODES = tuple(
     each for each in vars(vocabulary).values() if isinstance(each, type) and issubclass(each, vocabulary.Node)
 )
-WORDS = (Dimension, Measure, Family, Index, *NODES)
+WORDS = (Dimension, Measure, Family, Index, Submatrix, *NODES)
 CLASSES: dict[str, type] = {each.__name__: each for each in (*VERDICTS, *WORDS)}
 IN_PI = " pi"
 """Behind a coordinate of a point that pi measures."""
@@ -44,7 +45,7 @@ def to_data(value: Any) -> Any:
         case Mapping():
             return {key: f"{Fraction(held)}{IN_PI * isinstance(held, InPi)}" for key, held in value.items()}
         case _ if is_dataclass(value) and CLASSES.get(type(value).__name__) is type(value):
-            held = ((each.name, getattr(value, each.name)) for each in fields(value))
+            held = ((each.name, getattr(value, each.name)) for each in _told(value))
             return [type(value).__name__, *(one if name in VERBATIM else to_data(one) for name, one in held)]
         case _:
             raise TypeError(f"{type(value).__name__} is not kept as plain data")
@@ -64,7 +65,12 @@ def from_data(data: Any) -> Any:
         case [str() as name, *held] if name in CLASSES:
             made = CLASSES[name]
             assert is_dataclass(made)
-            named = zip(fields(made), held, strict=True)
+            named = zip(_told(made), held, strict=True)
             return made(*(one if each.name in VERBATIM else from_data(one) for each, one in named))
         case _:
             raise ValueError(f"no verdict and no repair: {data!r:.60}")
+
+
+def _told(made: Any) -> list[Field[Any]]:
+    """The fields that tell a value from others."""
+    return [each for each in fields(made) if each.compare]
