@@ -136,7 +136,7 @@ class Memory:
         return not self._answers.keys() <= self._kept.keys()
 
     def data_of(self, key: str) -> Any:
-        """An answer as plain data, as it was kept if it was; None if there is none, or if it has words of an author's."""
+        """An answer as plain data, as it was kept if it was; None for none, and for one with an author's own words."""
         try:
             return self._kept[key] if key in self._kept else to_data(self._answers.get(key))
         except TypeError:
