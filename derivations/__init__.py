@@ -18,3 +18,10 @@ SECTIONS = (
     "s08_dynamics",
     "x3_10_euler_angles",
 )
+CONVENTIONS = (
+    "Units are SI.",
+    "3 x 3 matrices act on columns from the left.",
+    "Twists hold the angular part first and wrenches the moment first.",
+    "Euler angles come in the order of the turns, each about an axis as the turns before have left it.",
+)
+"""What the heads of generated files say of what numbers mean."""

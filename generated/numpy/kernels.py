@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Emitted by chasles 0.2.0.
-"""Rigid-body kernels for NumPy and every other library of the array API. Made by `chasles emit`; not to be edited.
+"""Kernels for NumPy and every other library of the array API. Made by `chasles emit`; not to be edited.
 
 Core axes come last, batch axes before them broadcast; lists are taken as NumPy arrays. Single precision stays single.
 `out` takes an array, or a tuple with one for each result (None for a new one), and may share storage with inputs.

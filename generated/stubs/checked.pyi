@@ -1,4 +1,4 @@
-"""The functions of `chasles.checked`. Made by `chasles emit`; not to be edited."""
+"""The functions of `checked` beside `chasles.kernels`. Made by `chasles emit`; not to be edited."""
 
 from .calls import (
     CheckedCrossProductMatrix,

@@ -1,4 +1,4 @@
-"""The functions of `chasles.kernels.one`. Made by `chasles emit`; not to be edited."""
+"""The functions of `one` beside `chasles.kernels`. Made by `chasles emit`; not to be edited."""
 
 from .calls import (
     LightCrossProductMatrix,

@@ -50,8 +50,9 @@ def test_a_file_in_the_folder_s_place_is_named(run, chapter_is, tmp_path: Path) 
 
 def test_a_damaged_manifest_is_named(run, chapter_is, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     chapter_is(twice=TWICE)
-    (tmp_path / "MANIFEST.toml").write_text("files = [", "utf-8")
-    monkeypatch.setattr(recorded, "files", lambda package: tmp_path)
+    (tmp_path / "generated").mkdir()
+    (tmp_path / "generated" / "MANIFEST.toml").write_text("files = [", "utf-8")
+    monkeypatch.setattr(recorded, "installed_folder", lambda book: tmp_path / "generated")
     done = run("report", "--out", str(tmp_path / "out"))
     assert done.exit_code == 1
     assert "generated/MANIFEST.toml cannot be read" in done.stderr

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Emitted by chasles 0.2.0. */
-/* Rigid-body kernels emitted from checked equations. Made by `chasles emit`; not to be edited by hand.
+/* Kernels emitted from checked equations. Made by `chasles emit`; not to be edited by hand.
  *
  * C99; needs the standard library alone. Nothing is allocated, no state is kept, errno is not used.
  * Each kernel has a line: its equation, its inputs -> its results, and the file in which its contract stands.
- * A 3 x 3 matrix is 9 numbers, row by row. Angles are in radians, units are SI. A twist holds the angular part
- * first, a wrench the moment first.
+ * A matrix is its numbers, row by row; angles are in radians.
+ * Units are SI. 3 x 3 matrices act on columns from the left. Twists hold the angular part first and wrenches the
+ * moment first. Euler angles come in the order of the turns, each about an axis as the turns before have left it.
  *
  * Scalars are passed by value, arrays by address, outputs last. All results are computed before any is stored, so
  * that an output may share storage with any input. What a function assumes of its inputs is not tested.

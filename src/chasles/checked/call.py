@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from math import prod
 from typing import Any
 
@@ -11,7 +11,7 @@ import numpy as np
 from chasles.checked.hypotheses import TESTS, BrokenHypothesis, Numbers, is_finite
 from chasles.kernels.signatures import MASKED, signature_of_call
 
-__all__ = ["Checked"]
+__all__ = ["Checked", "twins"]
 
 Inputs = tuple[tuple[str, tuple[int, ...]], ...]
 Demands = tuple[tuple[str, str, tuple[str, ...], Callable[..., Any] | None], ...]
@@ -124,6 +124,11 @@ class Checked:
         place = f" at index {index}" if index else ""
         found = finding.says.format(float(finding.amount[index]))
         raise ValueError(f"{self.__name__}: {', '.join(names)}{place}: {text} does not hold: {found}")
+
+
+def twins(kernels: object, record: Mapping[str, tuple[Inputs, Demands]]) -> dict[str, Checked]:
+    """The kernels of a module with their inputs tested, by name; the record says what they take and what must hold."""
+    return {name: Checked(name, getattr(kernels, name), *known) for name, known in record.items()}
 
 
 def _flat(array: Numbers, core: tuple[int, ...]) -> Numbers:

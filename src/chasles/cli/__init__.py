@@ -11,7 +11,7 @@ __all__ = ["main"]
 
 COMMANDS = (
     "list", "show", "decide", "derive", "repair", "solve", "practice", "emit", "verify", "summary", "report",
-    "doctor", "completion",
+    "new", "build", "doctor", "completion",
 )  # fmt: skip
 EXIT_STATUS = """\b
 Exit status:

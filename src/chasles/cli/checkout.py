@@ -1,32 +1,49 @@
-"""Where generated files are written by default.
+"""Where generated files are written by default, and where those of a chapter are.
 
 The book's go into `generated/` of the checkout around the current folder, those of another chapter into `generated/` in
-its own package.
+its own package. Where a chapter's were written elsewhere, the cache keeps the place.
 """
 
 from __future__ import annotations
 
+from contextlib import suppress
+from hashlib import sha256
 from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
 
+from chasles import cache
 from chasles.cli.book import BOOK
 from chasles.cli.failures import BAD_INPUT, Failure
 from chasles.statements import Chapter
 from chasles.statements.packages import generated_package
 
-__all__ = ["GENERATED", "generated_folder", "installed_folders"]
+__all__ = ["GENERATED", "generated_folder", "installed_folder", "remember"]
 
 GENERATED = "generated"
 DERIVATIONS = "derivations"
 
 
-def installed_folders(book: Chapter) -> tuple[Path, ...]:
-    """Where what was emitted of a chapter is imported from; none where nothing was."""
-    try:
-        return tuple(map(Path, import_module(generated_package(book.package)).__path__))
-    except ModuleNotFoundError:
-        return ()
+def installed_folder(book: Chapter) -> Path | None:
+    """Where what was emitted last of a chapter is; None where nothing is."""
+    from chasles.targets import MANIFEST
+
+    if book.package == BOOK:
+        with suppress(ModuleNotFoundError):
+            return Path(next(iter(import_module(generated_package(BOOK)).__path__)))
+        return None
+    places = [_folder_of(book) / GENERATED]
+    with suppress(OSError):
+        places.insert(0, Path(_note(book).read_text("utf-8")))
+    return next((place for place in places if (place / MANIFEST).is_file()), None)
+
+
+def remember(book: Chapter, folder: Path) -> None:
+    """Note where a chapter's files were written last. A cache that cannot be written is none: nothing is said."""
+    if book.package != BOOK and cache.folder() is not None:
+        with suppress(OSError):
+            _note(book).parent.mkdir(parents=True, exist_ok=True)
+            cache.keep(_note(book), str(folder.resolve()).encode())
 
 
 def generated_folder(book: Chapter, start: Path) -> Path:
@@ -36,7 +53,7 @@ def generated_folder(book: Chapter, start: Path) -> Path:
     checkout's chapter must not be written into this one.
     """
     if book.package != BOOK:
-        return Path(next(iter(import_module(book.package).__path__))) / GENERATED
+        return _folder_of(book) / GENERATED
     start = start.resolve()
     for folder in (start, *start.parents):
         if (folder / DERIVATIONS / "__init__.py").is_file() and (folder / "pyproject.toml").is_file():
@@ -46,6 +63,18 @@ def generated_folder(book: Chapter, start: Path) -> Path:
         f"{start} is in no checkout: run this below the folder that holds {DERIVATIONS}/, or name a folder with --out",
         BAD_INPUT,
     )
+
+
+def _folder_of(book: Chapter) -> Path:
+    return Path(next(iter(import_module(book.package).__path__))).resolve()
+
+
+def _note(book: Chapter) -> Path:
+    """The file that holds the place. Raises OSError where nothing is cached."""
+    folder = cache.folder()
+    if folder is None:
+        raise FileNotFoundError("there is no cache")
+    return folder / "written" / sha256(str(_folder_of(book)).encode()).hexdigest()
 
 
 def _require_loaded(declarations: Path) -> None:

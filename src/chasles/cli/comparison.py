@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Iterator, Sequence
+from hashlib import sha256
 from importlib import import_module
 from itertools import product
 from types import ModuleType
@@ -12,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from chasles.cli.book import BOOK
+from chasles.cli.checkout import generated_folder, installed_folder
 from chasles.cli.failures import BAD_INPUT, Failure, complain
 from chasles.decisions.session import Session
 from chasles.lowering.cost import roundings
@@ -21,7 +23,7 @@ from chasles.nearest import nearest
 from chasles.numerics import Evidence, Specification, Unsatisfiable, specification_of, specification_of_inverse, verify
 from chasles.report.waiting import progress
 from chasles.statements import Chapter, Entry, Inverse, Kernel, Theorem
-from chasles.statements.packages import generated_package
+from chasles.statements.packages import generated_package, imported
 
 __all__ = ["PRECISIONS", "Asked", "asking", "backend_of", "compared", "installed_kernels"]
 
@@ -30,28 +32,30 @@ PRECISIONS: tuple[type[np.floating[Any]], ...] = (np.float64, np.float32)
 
 
 def installed_kernels(book: Chapter) -> ModuleType:
-    """The module of the kernels that programs get here: for another chapter than the book, those emitted in NumPy.
+    """The module of the kernels that programs get here.
 
     Raises Failure where there are none, and the chapter asks for some.
     """
-    if book.package != BOOK:
-        asks = any(entry.kernels for entry in book)
-        return _written_out(generated_package(book.package)) if asks else ModuleType(generated_package(book.package))
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:
-            from chasles import kernels
+            kernels = _offered(book) if book.package != BOOK else import_module("chasles.kernels")
         except ImportError as error:
             raise Failure(str(error)) from error
     complain(str(warning.message) for warning in caught)
     return kernels
 
 
-def _written_out(generated: str) -> ModuleType:
-    try:
-        return import_module(f"{generated}.numpy.kernels")
-    except ModuleNotFoundError as error:
-        raise Failure(f"there is no {generated}: `chasles emit` writes the kernels of this chapter there") from error
+def _offered(book: Chapter) -> ModuleType:
+    """The module of another chapter's kernels, from where they were written last."""
+    folder = installed_folder(book)
+    if folder is not None:
+        is_own = folder == generated_folder(book, folder)
+        name = generated_package(book.package) if is_own else f"written_{sha256(str(folder).encode()).hexdigest()}"
+        return import_module(f"{imported(folder, name).__name__}.kernels")
+    if any(entry.kernels for entry in book):
+        raise Failure(f"there is no {book.package}.generated: `chasles emit` writes the kernels of this chapter there")
+    return ModuleType(book.package)
 
 
 def asking(book: Chapter, names: Sequence[str]) -> list[Asked]:
@@ -74,7 +78,7 @@ def compared(
         if function is None:
             raise Failure(
                 f"the kernels installed here ({backend_of(kernels)}) lack {name}: "
-                "run `chasles emit`, then `make compile`"
+                "run `chasles emit`, then `make compile`, for another chapter `chasles build`"
             )
         options = {"dtype": precision, "strategies": (strategy,), "samples": samples, "batched": True}
         try:

@@ -3,34 +3,48 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from importlib import import_module
 from pathlib import Path
 
 from chasles.bounds import Bound, bound_of, key_of, remembered
-from chasles.cli.failures import Failure
+from chasles.cli.answers import answers
+from chasles.cli.book import BOOK
+from chasles.cli.checkout import installed_folder
+from chasles.cli.failures import BAD_INPUT, Failure
 from chasles.decisions.prediction import predict
 from chasles.decisions.processes import spread
+from chasles.decisions.recalled import session_of
 from chasles.decisions.session import Session
 from chasles.lowering.program import Program
 from chasles.lowering.request import Request
+from chasles.report.pages import pages
 from chasles.report.waiting import progress
-from chasles.statements import Entry
+from chasles.statements import Chapter, Entry
 from chasles.statements import Kernel as Asked
-from chasles.targets import MANIFEST, EmissionError, TargetKernel, discover, render
+from chasles.targets import MANIFEST, EmissionError, Origin, TargetKernel, discover, render
 from chasles.targets.commission import kernel_of
+from chasles.targets.kernel import require_plain
 
-__all__ = ["commissioned", "emitted"]
+__all__ = ["commissioned", "emitted", "everything"]
 
 A_KERNEL = 0.025
 """About how many seconds it takes to make a kernel and to prove it equal to its statement."""
 
 
-def commissioned(entries: Sequence[Entry], session: Session, *folders: Path) -> tuple[TargetKernel, ...]:
+def everything(book: Chapter, folder: Path, anew: bool) -> tuple[tuple[TargetKernel, ...], dict[str, str]]:
+    """The kernels of a chapter, and the text of each file that belongs into the folder. Raises Failure."""
+    session = session_of(book, anew)
+    kernels = commissioned(book.entries, session, installed_folder(book), folder)
+    return kernels, emitted(book, kernels, pages(book, session) | answers(book, session))
+
+
+def commissioned(entries: Sequence[Entry], session: Session, *folders: Path | None) -> tuple[TargetKernel, ...]:
     """The kernels of all statements that ask for some; error bounds that a manifest in `folders` has are taken over.
 
     Raises Failure with a line for each kernel that is refused, and where a bound has to be proved without python-flint.
     """
     # In a checkout what is installed is what is written to: its manifest is read once.
-    manifests = dict.fromkeys(folder.resolve() / MANIFEST for folder in folders)
+    manifests = dict.fromkeys(folder.resolve() / MANIFEST for folder in folders if folder)
     known = {key: bound for manifest in manifests for key, bound in _known(manifest).items()}
 
     def prove(program: Program, request: Request) -> Bound:
@@ -79,12 +93,27 @@ def _proved(program: Program, request: Request) -> Bound:
         ) from error
 
 
-def emitted(kernels: tuple[TargetKernel, ...], pages: Mapping[str, str]) -> dict[str, str]:
-    """The text of each file by its path: the kernels in all languages, and the `pages`.
+def emitted(book: Chapter, kernels: tuple[TargetKernel, ...], beside: Mapping[str, str]) -> dict[str, str]:
+    """The text of each file by its path: the kernels in all languages, and what stands beside.
 
     Raises Failure where a language cannot spell a kernel.
     """
+    # The ufuncs of another chapter are made when they are imported, of its C library: no extension module is built.
+    targets = [target for target in discover() if book.package == BOOK or target.name != "gufunc"]
     try:
-        return render(kernels, discover(), pages)
+        return render(kernels, targets, beside, origin=_origin(book))
     except EmissionError as error:
         raise Failure(f"nothing was emitted: {error}") from error
+
+
+def _origin(book: Chapter) -> Origin:
+    """What the files say of the chapter. Raises Failure for conventions that are no texts of one line."""
+    conventions = getattr(import_module(book.package), "CONVENTIONS", ())
+    if not isinstance(conventions, tuple) or not all(isinstance(said, str) for said in conventions):
+        raise Failure(f"the CONVENTIONS of {book.package} must be a tuple of texts, not {conventions!r}", BAD_INPUT)
+    try:
+        for said in conventions:
+            require_plain(said, f"the CONVENTIONS of {book.package}")
+    except ValueError as error:
+        raise Failure(str(error), BAD_INPUT) from error
+    return Origin("" if book.package == BOOK else book.package, conventions)

@@ -10,19 +10,18 @@ import platform
 import shlex
 import shutil
 import subprocess
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-
-from chasles.compiling.sources import BLOCKS, INCLUDES, SOURCES
 
 __all__ = ["Compiler", "CompilerFailed", "found"]
 
 _ALWAYS = ("-std=c99", "-fPIC", "-fvisibility=hidden", "-fno-math-errno", "-ffp-contract=off")
 _ONCE = ("-O2",)
 _BLOCK = ("-O3", "-fno-trapping-math")
+_INCLUDES = ("include", "src")
 _CONTRACTED = "trigonometry_blocks"
 _LEVELS = ("x86-64-v3", "x86-64-v4")
 """Beyond the compiler's own target, in the order of `batches.h`."""
@@ -42,17 +41,17 @@ class Compiler:
     version: str
     levels: tuple[str, ...]
 
-    @property
-    def key(self) -> str:
-        """All that the compiled code depends on besides the sources."""
-        return repr((self.version, self.levels, platform.machine(), platform.system(), *map(tuple, self._jobs("x"))))
+    def key(self, files: Iterable[str]) -> str:
+        """All that the compiled code depends on besides what is in the files."""
+        jobs = map(tuple, self._jobs("x", files))
+        return repr((self.version, self.levels, platform.machine(), platform.system(), *jobs))
 
     def shared_object(self, files: Mapping[str, str], folder: Path) -> Path:
         """The shared object made of the files, in the folder. Raises `CompilerFailed`."""
         for path, text in files.items():
             (folder / path).parent.mkdir(parents=True, exist_ok=True)
             (folder / path).write_text(text, encoding="utf-8")
-        jobs = list(self._jobs("."))
+        jobs = list(self._jobs(".", files))
         objects = [f"{number}.o" for number in range(len(jobs))]
         with ThreadPoolExecutor(min(len(jobs), os.cpu_count() or 1)) as pool:
             commands = [(*self.command, *job, "-o", made) for job, made in zip(jobs, objects, strict=True)]
@@ -60,13 +59,16 @@ class Compiler:
         _run((*self.command, "-shared", "-o", "made.so", *objects, "-lm"), folder)
         return folder / "made.so"
 
-    def _jobs(self, root: str) -> Iterator[Sequence[str]]:
-        """What to compile, and how, but for where to."""
-        shared = (*_ALWAYS, *(f"-I{root}/{include}" for include in INCLUDES), f"-DCHASLES_LEVELS={len(self.levels)}")
-        for source in SOURCES:
-            yield (*shared, *_ONCE, "-c", f"{root}/{source}")
+    def _jobs(self, root: str, files: Iterable[str]) -> Iterator[Sequence[str]]:
+        """What to compile, and how, but for where to: blocks for each level, other sources once."""
+        shared = (*_ALWAYS, *(f"-I{root}/{include}" for include in _INCLUDES), f"-DCHASLES_LEVELS={len(self.levels)}")
+        sources = sorted(path for path in files if path.endswith(".c"))
+        blocks = [path for path in sources if path.endswith("_blocks.c")]
+        for source in sources:
+            if source not in blocks:
+                yield (*shared, *_ONCE, "-c", f"{root}/{source}")
         for level, flag in enumerate(self.levels):
-            for source in BLOCKS:
+            for source in blocks:
                 contracted = ("-ffp-contract=fast",) if _CONTRACTED in source else ()
                 flags = (*_BLOCK, *contracted, f"-DCHASLES_LEVEL={level}", *((flag,) if flag else ()))
                 yield (*shared, *flags, "-c", f"{root}/{source}")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes
 from collections.abc import Callable, Mapping
 from functools import wraps
 from hashlib import sha256
@@ -18,6 +17,7 @@ from chasles.compiling.compiler import Compiler, CompilerFailed, found
 from chasles.compiling.sources import Sources, sources_of
 from chasles.compiling.store import loaded
 from chasles.display import Displayed
+from chasles.kernels.chapter import functions_of
 from chasles.kernels.signatures import signature_of_call
 from chasles.lowering.program import Op, Program
 from chasles.targets.kernel import Heading, TargetKernel, signature
@@ -115,20 +115,12 @@ def _compiled(program: Program, sources: Sources, doc: str) -> tuple[Any, Any]:
     except (CompilerFailed, OSError) as error:
         warn(f"{program.name} runs as NumPy kernel: it could not be compiled: {error}", RuntimeWarning, stacklevel=4)
         return None, None
-    data = library.chasles_data
-    data.restype = ctypes.c_void_p
-    loop, items = (ctypes.cast(f, ctypes.c_void_p).value for f in (library.chasles_entry, library.chasles_items))
-    sizes = len(program.arguments), len(program.results)
-    names = tuple(item.name for item in program.parameters)
-    call = f"{program.name}({', '.join(names[: sizes[0]])}, /, *, out=None)\n--\n\n"
-    return (
-        kernels.make_ufunc(program.name, doc, signature(program), *sizes, loop, data(0), data(1)),
-        kernels.make_light(program.name, call + doc, names, items, data(0), data(1)),
-    )
+    names = ([item.name for item in items] for items in (program.arguments, program.results))
+    return functions_of(library, 0, program.name, doc, signature(program), *names)
 
 
 def _key(sources: Sources, compiler: Compiler) -> str:
-    return sha256(repr((compiler.key, sorted(sources.files.items()))).encode()).hexdigest()
+    return sha256(repr((compiler.key(sources.files), sorted(sources.files.items()))).encode()).hexdigest()
 
 
 def _written_out(program: Program, sources: Sources) -> Callable[..., Any]:

@@ -2,29 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
 from pathlib import Path
 
 from chasles.lowering.refusal import LoweringError
-from chasles.targets import EmissionError, Page, Target, TargetKernel, render
+from chasles.targets import EmissionError, Origin, Page, Target, TargetKernel, render
 from chasles.targets.c import TARGET as C
 from chasles.targets.c.blocks import loop_name
 from chasles.targets.c.functions import PRECISIONS, single
 from chasles.targets.constants import DOUBLE, SINGLE
+from chasles.targets.emit import filled
 from chasles.targets.numpy import TARGET as NUMPY
+from chasles.targets.offering import c_sources
 
-__all__ = ["BLOCKS", "INCLUDES", "SOURCES", "Sources", "sources_of"]
+__all__ = ["Sources", "library_of", "sources_of"]
 
-COMMAND = "chasles.compile"
 _HERE = Path(__file__).parent
-
-SOURCES = ("src/expression.c", "src/batches.c", "src/entry.c")
-"""What is compiled once; in `TargetKernel` the section is `expression`."""
-BLOCKS = ("src/expression_blocks.c", "src/trigonometry_blocks.c")
-"""What is compiled for each set of instructions."""
-INCLUDES = ("include", "src")
+ORIGIN = Origin(command="chasles.compile")
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,32 +35,24 @@ class Sources:
 def sources_of(kernel: TargetKernel) -> Sources:
     """The texts of a kernel. Raises `LoweringError` where no target can spell it."""
     try:
-        compiled = render([kernel], [Target("c", C.templates, _compiled), Target("shown", _HERE, _shown)], head=())
+        compiled = render([kernel], [C, Target("shown", _HERE, _shown)], head=(), origin=ORIGIN)
     except EmissionError as error:
         raise LoweringError(str(error)) from None
-    files = {path.removeprefix("c/"): text for path, text in compiled.items() if path.startswith("c/")}
-    files["src/entry.c"] = compiled["shown/entry.c"]
-    return Sources(compiled["shown/function.c"], compiled["shown/function.py"], files)
+    return Sources(compiled["shown/function.c"], compiled["shown/function.py"], library_of([kernel], compiled))
 
 
-def _compiled(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
-    """The pages of the C library without its self-test."""
-    for page in C.pages(kernels):
-        if not page.path.startswith("test/"):
-            yield _signed(page)
+def library_of(kernels: Sequence[TargetKernel], texts: Mapping[str, str]) -> dict[str, str]:
+    """The files of a shared object, of the emitted `texts`: the C library and what a ufunc calls."""
+    loops = [loop_name(kernel, precision) for kernel in kernels for precision in (SINGLE, DOUBLE)]
+    page = Page("entry.c", "entry.c.jinja", {"loops": loops})
+    return {**c_sources(texts), "src/entry.c": filled(_HERE, page, ORIGIN)}
 
 
 def _shown(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
-    """The functions alone, and the loop that a ufunc calls."""
+    """The functions alone."""
     [kernel] = kernels
     functions: Iterable[object] = [single(kernel, precision) for precision in PRECISIONS]
-    yield _signed(Page("function.c", "function.c.jinja", {"functions": functions}))
-    loops = {"twofold": loop_name(kernel, DOUBLE), "single": loop_name(kernel, SINGLE)}
-    yield _signed(Page("entry.c", "entry.c.jinja", loops))
+    yield Page("function.c", "function.c.jinja", {"functions": functions})
     for page in NUMPY.pages(kernels):
         if page.path == "kernels.py":
-            yield _signed(with_fields(page, path="function.py", template="function.py.jinja"))
-
-
-def _signed(page: Page) -> Page:
-    return with_fields(page, values={**page.values, "command": COMMAND})
+            yield with_fields(page, path="function.py", template="function.py.jinja")

@@ -18,14 +18,14 @@ class DeclarationError(ValueError):
     """The declarations contradict each other: a number said twice, a statement resting on a later one."""
 
 
-def imported(package: str | os.PathLike[str]) -> ModuleType:
-    """The package of that name, or in that folder: text with a slash, or that begins with a dot, is a folder's path.
+def imported(package: str | os.PathLike[str], name: str = "") -> ModuleType:
+    """The package of that name, or in the folder that text with a slash or that begins with a dot names.
 
-    Raises `DeclarationError` for a folder that holds no package or cannot be imported under its own name, and
-    ModuleNotFoundError if no package has the name.
+    What is in a folder is imported as `name` if that is given, else as the folder is called. Raises `DeclarationError`
+    for a folder that holds no package or whose name is taken, and ModuleNotFoundError if no package has the name.
     """
     folder = folder_of(package)
-    return import_module(str(package)) if folder is None else _imported_from(folder)
+    return import_module(str(package)) if folder is None else _imported_from(folder, name or folder.name)
 
 
 def generated_package(package: str) -> str:
@@ -40,12 +40,12 @@ def folder_of(package: str | os.PathLike[str]) -> Path | None:
     return Path(text).resolve() if is_path else None
 
 
-def _imported_from(folder: Path) -> ModuleType:
-    """The package in the folder, imported under the folder's name; nothing beside it comes to be importable."""
-    entrance, name = folder / "__init__.py", folder.name
+def _imported_from(folder: Path, name: str) -> ModuleType:
+    """The package in the folder, imported under the name; nothing beside it comes to be importable."""
+    entrance = folder / "__init__.py"
     if not entrance.is_file():
         raise DeclarationError(f"{folder} is no chapter: there is no __init__.py in it")
-    if not name.isidentifier():
+    if not name.rpartition(".")[2].isidentifier():
         raise DeclarationError(
             f"{folder} cannot be imported: {name!r} is no name of a Python package; rename the folder"
         )

@@ -8,16 +8,16 @@ from __future__ import annotations
 
 from chasles.targets.emit import MANIFEST, render
 from chasles.targets.kernel import Check, EmissionError, Heading, TargetKernel, signature
-from chasles.targets.target import COMMAND, Page, Target, discover
+from chasles.targets.target import Origin, Page, Target, discover
 from chasles.targets.tree import Difference, Written, stale, write
 
 __all__ = [
-    "COMMAND",
     "MANIFEST",
     "Check",
     "Difference",
     "EmissionError",
     "Heading",
+    "Origin",
     "Page",
     "Target",
     "TargetKernel",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections import Counter
 from collections.abc import Iterable, Mapping
+from functools import partial
 from pathlib import Path, PurePosixPath
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, TemplateError, TemplateRuntimeError
@@ -14,15 +15,17 @@ from chasles.bounds import Bound
 from chasles.lowering.program import Op
 from chasles.targets.contract import cited, operations
 from chasles.targets.kernel import EmissionError, TargetKernel, signature
-from chasles.targets.target import COMMAND, Page, Target
+from chasles.targets.offering import offering
+from chasles.targets.target import Origin, Page, Target
 
-__all__ = ["HEAD", "MANIFEST", "render"]
+__all__ = ["HEAD", "MANIFEST", "filled", "render"]
 
 MANIFEST = "MANIFEST.toml"
 HEAD = ("SPDX-License-Identifier: BSD-3-Clause", f"Emitted by chasles {__version__}.")
 """How every file of code begins: people copy single ones."""
 _COMMENTS = {".c": "/* {} */\n", ".h": "/* {} */\n", ".py": "# {}\n"}
 _INDEX = Path(__file__).parent / "templates"
+BOOK = Origin()
 
 
 def render(
@@ -30,6 +33,7 @@ def render(
     targets: Iterable[Target],
     beside: Mapping[str, str] | None = None,
     head: Iterable[str] = HEAD,
+    origin: Origin = BOOK,
 ) -> dict[str, str]:
     """The text of every file, by its path below generated/ with forward slashes; the manifest is the last.
 
@@ -39,35 +43,32 @@ def render(
     The same kernels in the same order give the same bytes. Raises EmissionError where two kernels share a name, two
     files a path, or a target cannot spell a kernel.
     """
-    kernels, head = tuple(kernels), tuple(head)
+    kernels, fill = tuple(kernels), partial(filled, origin=origin, head=tuple(head))
     _require_distinct((kernel.name for kernel in kernels), "kernels are called")
     pages: dict[str, str] = {}
     for target in targets:
         try:
-            made = [
-                (f"{target.name}/{page.path}", _filled(target.templates, page, head)) for page in target.pages(kernels)
-            ]
+            made = [(f"{target.name}/{page.path}", fill(target.templates, page)) for page in target.pages(kernels)]
         except EmissionError as error:
             raise EmissionError(f"target {target.name}: {error}") from error
         _require_distinct([*pages, *(path for path, _ in made)], "files are to be written to")
         pages |= made
     pages |= beside or {}
-    pages |= _index(kernels, [*pages], head)
-    return pages
+    offered = offering(kernels, pages) if origin.package else ()
+    top = [*offered, *_index(kernels, [*pages, *(page.path for page in offered)])]
+    return pages | {page.path: fill(_INDEX, page) for page in top}
 
 
-def _index(kernels: tuple[TargetKernel, ...], paths: list[str], head: tuple[str, ...]) -> dict[str, str]:
+def _index(kernels: tuple[TargetKernel, ...], paths: list[str]) -> list[Page]:
     """The files at the top of generated/."""
     files = [*paths, "README.md", "__init__.py"]
     folders = sorted({path.split("/")[0] for path in paths if "/" in path})
     values = {
-        "command": COMMAND,
         "files": [_quoted(path) for path in sorted(files)],
         "folders": ", ".join(f"`{folder}`" for folder in folders),
         "kernels": [_entry(kernel) for kernel in kernels],
     }
-    names = ("README.md", "__init__.py", MANIFEST)
-    return {name: _filled(_INDEX, Page(name, f"{name}.jinja", values), head) for name in names}
+    return [Page(name, f"{name}.jinja", values) for name in ("README.md", "__init__.py", MANIFEST)]
 
 
 def _entry(kernel: TargetKernel) -> dict[str, object]:
@@ -117,7 +118,7 @@ class _Layout(Environment):
         return super().getattr(obj, attribute)
 
 
-def _filled(templates: Path, page: Page, head: tuple[str, ...]) -> str:
+def filled(templates: Path, page: Page, origin: Origin, head: tuple[str, ...] = ()) -> str:
     """The page's text. Raises EmissionError where the template is missing, wrong, or asks for what is not there."""
     path = PurePosixPath(page.path)
     if path.is_absolute() or ".." in path.parts or not path.parts:
@@ -131,7 +132,7 @@ def _filled(templates: Path, page: Page, head: tuple[str, ...]) -> str:
         autoescape=False,
     )
     try:
-        text = environment.get_template(page.template).render(page.values)
+        text = environment.get_template(page.template).render({**origin.values, **page.values})
     except TemplateError as error:
         raise EmissionError(f"template {page.template}: {type(error).__name__}: {error}") from error
     comment = _COMMENTS.get(path.suffix, "")

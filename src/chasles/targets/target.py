@@ -11,16 +11,15 @@ from dataclasses import dataclass
 from importlib import import_module
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
+from textwrap import wrap
 from types import ModuleType
 
 from chasles.targets.kernel import EmissionError, TargetKernel
 
-__all__ = ["COMMAND", "Page", "Target", "discover"]
-
-COMMAND = "chasles emit"
-"""What makes every generated file, as its head says."""
+__all__ = ["Origin", "Page", "Target", "discover"]
 
 _HOME = Path(__file__).parent
+_WIDTH = 112
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,6 +29,29 @@ class Page:
     path: str
     template: str
     values: Mapping[str, object]
+
+
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """What files are made of: the chapter's package, empty for the book, its conventions, and the command."""
+
+    package: str = ""
+    conventions: tuple[str, ...] = ()
+    command: str = ""
+
+    @property
+    def values(self) -> Mapping[str, object]:
+        """What every template may say of it."""
+        chapter = f" --chapter {self.package}" if self.package else ""
+        kernels = f"{self.package}.kernels" if self.package else "chasles.kernels"
+        plain = " ".join(self.conventions).replace("*/", "* /").replace("/*", "/ *")
+        return {
+            "package": self.package,
+            "command": self.command or f"chasles{chapter} emit",
+            "kernels_module": kernels,
+            "checked_module": f"{kernels}.checked" if self.package else "chasles.checked",
+            "conventions": wrap(plain, _WIDTH),
+        }
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,7 +17,7 @@ from chasles.targets.kernel import EmissionError
 
 __all__ = ["Difference", "Written", "stale", "write"]
 
-_IGNORED = {"__pycache__"}
+_IGNORED = {"__pycache__", "compiled"}
 _SHOWN = 40
 
 
@@ -160,7 +160,7 @@ def _listed(root: Path) -> list[str]:
 
 
 def _present(root: Path) -> Iterator[str]:
-    """Every file below the root, but for what Python puts there."""
+    """Every file below the root, but for what Python and `chasles build` put there."""
     for path in sorted(root.rglob("*")):
         if path.is_file() and not _IGNORED & set(path.relative_to(root).parts):
             yield _below(root, path)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from chasles.cli.book import as_data, chapter
-from chasles.cli.checkout import generated_folder, installed_folders
+from chasles.cli.checkout import generated_folder, remember
 from chasles.cli.failures import FAILED, Failure, complain
 
 if TYPE_CHECKING:
@@ -33,24 +33,20 @@ def command(check: bool, anew: bool, out: Path | None, json: bool) -> int:
     A kernel is refused unless its program is proved equal to its statement. Either all files are written or none; an
     unchanged file keeps its time. Status 1: something was refused or, with --check, is out of date.
     """
-    from chasles.cli.answers import answers
-    from chasles.cli.emission import commissioned, emitted
-    from chasles.decisions.recalled import session_of
-    from chasles.report.pages import pages
+    from chasles.cli.emission import everything
     from chasles.report.words import number_of, seconds
     from chasles.targets import EmissionError
 
     started = perf_counter()
     book = chapter()
     folder = out or generated_folder(book, Path.cwd())
-    session = session_of(book, anew)
-    kernels = commissioned(book.entries, session, *installed_folders(book), folder)
-    texts = emitted(kernels, pages(book, session) | answers(book, session))
+    kernels, texts = everything(book, folder, anew)
     head = f"{number_of(len(kernels), 'kernel')}, each proved equal to its statement"
     try:
         if check:
             return _check(folder, texts, head, json)
         report = _write(folder, texts)
+        remember(book, folder)
     except EmissionError as error:
         raise Failure(str(error)) from error
     if json:

@@ -35,7 +35,7 @@ from chasles.targets.c.functions import PRECISIONS, Function, batch, in_short, s
 from chasles.targets.c.self_test import vectors
 from chasles.targets.constants import Precision
 from chasles.targets.kernel import EmissionError, TargetKernel
-from chasles.targets.target import COMMAND, Page, Target
+from chasles.targets.target import Page, Target
 
 __all__ = ["TARGET"]
 
@@ -46,32 +46,31 @@ def _pages(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
     inner = [name(*pair) for pair in pairs for name in (loop_name, block_name)]
     _require_distinct([*inner, *(function.name for group in functions.values() for function in group)])
     groups = [{"comment": in_short(kernel), "functions": functions[kernel.name]} for kernel in kernels]
-    yield Page("include/chasles.h", "chasles.h.jinja", {"command": COMMAND, "groups": groups})
+    yield Page("include/chasles.h", "chasles.h.jinja", {"groups": groups})
     for section in dict.fromkeys(kernel.heading.section for kernel in kernels):
         members = [kernel for kernel in kernels if kernel.heading.section == section]
         bodies = [function for kernel in members for function in functions[kernel.name]]
         loops = [loop(kernel, precision) for kernel in members for precision in PRECISIONS]
-        values = {"command": COMMAND, "section": section, "functions": bodies, "loops": loops}
+        values = {"section": section, "functions": bodies, "loops": loops}
         yield Page(f"src/{section}.c", "section.c.jinja", values)
         blocks = [block(kernel, precision) for kernel in members for precision in PRECISIONS]
-        values = {"command": COMMAND, "section": section, "blocks": blocks}
+        values = {"section": section, "blocks": blocks}
         yield Page(f"src/{section}_blocks.c", "blocks.c.jinja", values)
     yield from _batches(kernels)
     checks = [check for kernel in kernels for check in vectors(kernel)]
-    yield Page("test/self_test.c", "self_test.c.jinja", {"command": COMMAND, "checks": checks})
+    yield Page("test/self_test.c", "self_test.c.jinja", {"checks": checks})
 
 
 def _batches(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
     """What all blocks have in common."""
     pairs = [(kernel, precision) for kernel in kernels for precision in PRECISIONS]
     values = {
-        "command": COMMAND,
         "operands": MOST_OPERANDS,
         "loops": [loop_name(*pair) for pair in pairs],
         "blocks": [block_name(*pair) for pair in pairs],
     }
     yield Page("src/batches.h", "batches.h.jinja", values)
-    values = {"command": COMMAND, "precisions": list(map(_words, PRECISIONS)), "circular": ("sine", "cosine")}
+    values = {"precisions": list(map(_words, PRECISIONS)), "circular": ("sine", "cosine")}
     for name in ("batches.c", "vectors.h", "trigonometry_blocks.c"):
         yield Page(f"src/{name}", f"{name}.jinja", values)
 

@@ -17,7 +17,7 @@ from chasles.targets.constants import DOUBLE, SINGLE
 from chasles.targets.contract import contract
 from chasles.targets.gufunc.text import c_string
 from chasles.targets.kernel import TargetKernel, signature
-from chasles.targets.target import COMMAND, Page, Target
+from chasles.targets.target import Page, Target
 
 __all__ = ["TARGET"]
 
@@ -56,7 +56,7 @@ def _shown(item: Argument | Result) -> str:
 
 
 def _pages(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
-    values = {"command": COMMAND, "ufuncs": [_ufunc(kernel) for kernel in kernels], "count": len(kernels)}
+    values = {"ufuncs": [_ufunc(kernel) for kernel in kernels], "count": len(kernels)}
     for name in ("kernels.h", "_kernels.c", "light.c", "factory.c"):
         yield Page(name, f"{name}.jinja", values)
 

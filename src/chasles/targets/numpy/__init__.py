@@ -16,7 +16,7 @@ from chasles.targets.kernel import TargetKernel, signature
 from chasles.targets.layout import listed
 from chasles.targets.numpy.hypotheses import divisors, rows
 from chasles.targets.spelling import Spelled, spelled
-from chasles.targets.target import COMMAND, Page, Target
+from chasles.targets.target import Page, Target
 
 __all__ = ["TARGET"]
 
@@ -115,13 +115,13 @@ def _docstring(lines: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def _pages(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
-    values = {"command": COMMAND, "functions": [_function(kernel) for kernel in kernels]}
+    values = {"functions": [_function(kernel) for kernel in kernels]}
     yield Page("kernels.py", "kernels.py.jinja", values)
     functions = divisors(kernels, _divisor)
-    table = {"command": COMMAND, "divisors": [*functions.values()], "rows": [*rows(kernels, functions)]}
+    table = {"divisors": [*functions.values()], "rows": [*rows(kernels, functions)]}
     yield Page("hypotheses.py", "hypotheses.py.jinja", table)
-    yield Page("batches.py", "batches.py.jinja", {"command": COMMAND})
-    yield Page("__init__.py", "__init__.py.jinja", {"command": COMMAND})
+    yield Page("batches.py", "batches.py.jinja", {})
+    yield Page("__init__.py", "__init__.py.jinja", {})
 
 
 TARGET = Target("numpy", Path(__file__).parent, _pages)

@@ -13,15 +13,15 @@ from pathlib import Path
 from chasles.lowering.program import Argument, Result
 from chasles.targets.contract import cited, contract
 from chasles.targets.kernel import TargetKernel, signature
-from chasles.targets.target import COMMAND, Page, Target
+from chasles.targets.target import Page, Target
 
 __all__ = ["TARGET"]
 
 _REMARKS = {
-    "one": ("Light", "chasles.kernels.one", "Of one element or a contiguous batch."),
-    "checked": ("Checked", "chasles.checked", "The inputs are tested."),
+    "one": ("Light", "Of one element or a contiguous batch."),
+    "checked": ("Checked", "The inputs are tested."),
 }
-"""By file: how the names of protocols begin, the module, and in what its functions differ from the kernels."""
+"""By file: how the names of protocols begin, and in what its functions differ from the kernels."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,14 +76,13 @@ def _shown(item: Argument | Result) -> str:
 
 
 def _pages(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
-    values = {"command": COMMAND, "declared": [_declared(kernel) for kernel in kernels]}
+    values = {"declared": [_declared(kernel) for kernel in kernels]}
     for module in ("__init__", "protocols", "calls"):
         yield Page(f"{module}.pyi", f"{module}.pyi.jinja", values)
     yield Page("kernels.pyi", "kernels.pyi.jinja", {**values, "family": "Ufunc"})
-    for file, (family, module, remark) in _REMARKS.items():
-        yield Page(
-            f"{file}.pyi", "functions.pyi.jinja", {**values, "family": family, "module": module, "remark": remark}
-        )
+    for file, (family, remark) in _REMARKS.items():
+        own = {"family": family, "module": file, "remark": remark}
+        yield Page(f"{file}.pyi", "functions.pyi.jinja", {**values, **own})
 
 
 TARGET = Target("stubs", Path(__file__).parent, _pages)

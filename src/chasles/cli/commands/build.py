@@ -1,0 +1,59 @@
+"""`chasles build`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from time import perf_counter
+
+import click
+
+from chasles.cli.book import BOOK, as_data, chapter
+from chasles.cli.checkout import generated_folder, remember
+from chasles.cli.failures import BAD_INPUT, Failure
+
+__all__ = ["command"]
+
+
+@click.command(
+    "build",
+    short_help="Emit and compile a chapter's kernels.",
+    epilog="Example: chasles build --out DIR, after --chapter",
+)
+@click.option(
+    "--out",
+    type=click.Path(path_type=Path, file_okay=False),
+    help="The folder to write to, rather than generated/ of the chapter's package.",
+)
+@as_data
+def command(out: Path | None, json: bool) -> int:
+    """Emit the kernels of another chapter, and compile them with the system's C compiler.
+
+    After that `from PACKAGE import kernels` gives them to programs: as ufuncs, and `kernels.one`, `kernels.checked`.
+    """
+    from chasles.cli.building import compiled, offered
+    from chasles.cli.emission import everything
+    from chasles.report.words import number_of, seconds
+    from chasles.targets import EmissionError, write
+
+    started = perf_counter()
+    book = chapter()
+    if book.package == BOOK:
+        raise Failure(f"`make compile` compiles the kernels of {BOOK}: name another chapter with --chapter", BAD_INPUT)
+    folder = out or generated_folder(book, Path.cwd())
+    kernels, texts = everything(book, folder, anew=False)
+    try:
+        write(folder, texts)
+    except EmissionError as error:
+        raise Failure(str(error)) from error
+    remember(book, folder)
+    made = compiled(kernels, texts, folder)
+    module = offered(book, folder)
+    if json:
+        from chasles.report.records import as_json
+
+        names = [kernel.name for kernel in kernels]
+        click.echo(as_json({"folder": str(folder), "kernels": names, "compiled": str(made), "import": module}))
+    else:
+        click.echo(f"{number_of(len(kernels), 'kernel')}, proved and compiled in {seconds(perf_counter() - started)}")
+        click.echo(f"from {module} import kernels")
+    return 0

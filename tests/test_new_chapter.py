@@ -1,0 +1,184 @@
+"""A chapter made by `chasles new`: decided, compiled, imported like the book, with nothing of the book in its files."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from chasles import kernels
+
+pytestmark = pytest.mark.skipif(shutil.which("cc") is None, reason="no C compiler on this machine")
+OF_THE_BOOK = ("wist", "rench", "angular part", "Euler", "SI.", "`chasles.", "chasles._kernels", "derivations")
+
+
+def run(*words: str, cwd: Path, status: int = 0, **environment: str) -> str:
+    command = [sys.executable, "-m", "chasles", *words]
+    done = subprocess.run(
+        command, cwd=cwd, env={**os.environ, **environment}, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == status, f"{done.stdout}\n{done.stderr}"
+    assert "Traceback" not in done.stderr
+    return done.stdout if status == 0 else done.stderr
+
+
+def python(code: str, cwd: Path, **environment: str) -> str:
+    command = [sys.executable, "-W", "error", "-c", code]
+    done = subprocess.run(
+        command, cwd=cwd, env={**os.environ, **environment}, capture_output=True, text=True, check=False
+    )
+    return done.stdout if done.returncode == 0 else done.stderr
+
+
+@pytest.fixture(scope="module")
+def book(tmp_path_factory: pytest.TempPathFactory, hasty_compiler: str) -> Path:
+    """The folder that holds the chapter `mybook`, built."""
+    here = tmp_path_factory.mktemp("shelf")
+    run("new", "mybook", cwd=here)
+    said = run("--chapter", "./mybook", "build", cwd=here, CC=hasty_compiler)
+    assert said.splitlines()[-1] == "from mybook import kernels"
+    return here
+
+
+def test_all_of_it_is_true(book: Path) -> None:
+    records = json.loads(run("--chapter", "mybook", "decide", "--json", cwd=book))["statements"]
+    assert {record["verdict"] for record in records} == {"defined", "holds-under"}
+
+
+def test_its_kernels_are_imported_like_those_of_the_book(book: Path) -> None:
+    code = (
+        "import sys; from mybook import kernels as k; n, p = [0, 0, 1], [[3, 4, 5], [1, 1, 1]]\n"
+        "print(k.backend, type(k.image_of_point).__name__, k.image_of_point(n, p).tolist(), k.instructions)\n"
+        "import numpy as np; print(k.one.image_of_point(np.array(n, float), np.array([3., 4, 5])).tolist())\n"
+        "print('sympy' in sys.modules, k.image_of_point.__signature__)\n"
+        "k.checked.image_of_point([0, 0, 2], p)"
+    )
+    said = python(code, book)
+    assert "ValueError: image_of_point: n" in said
+    printed = python(code.rpartition("\n")[0], book).splitlines()
+    expected = "c ufunc [[3.0, 4.0, -5.0], [1.0, 1.0, -1.0]]"
+    assert printed[0] == f"{expected} {kernels.instructions}"
+    assert printed[1] == "[3.0, 4.0, -5.0]"
+    assert printed[2].startswith("False (n, p, /, *,")
+
+
+def test_the_variables_of_the_book_choose_for_it_too(book: Path) -> None:
+    code = (
+        "from mybook import kernels as k; print(k.backend, k.instructions, k.point_from_image([0, 0, 1], [1, 2, 3])[2])"
+    )
+    assert python(code, book, CHASLES_BACKEND="numpy") == "numpy  -3.0\n"
+    assert python(code, book, CHASLES_INSTRUCTIONS="baseline") == "c baseline -3.0\n"
+
+
+def test_the_compiled_functions_are_compared_with_50_digits(book: Path) -> None:
+    found = json.loads(run("--chapter", "mybook", "verify", "--json", "--samples", "20", cwd=book))
+    assert (found["backend"], found["wrong"], found["lossy"]) == ("c", [], [])
+    assert "2 kernels (c) compared" in run("--chapter", "mybook", "summary", "--samples", "5", cwd=book)
+    run("--chapter", "mybook", "emit", "--check", cwd=book)
+
+
+def test_its_test_passes(book: Path) -> None:
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "mybook"]
+    done = subprocess.run(command, cwd=book, capture_output=True, text=True, check=False)
+    assert " passed" in done.stdout
+    assert "skipped" not in done.stdout
+    assert done.returncode == 0, done.stdout
+
+
+def test_its_files_say_its_own_conventions_and_none_of_the_book(book: Path) -> None:
+    texts = {
+        path: path.read_text("utf-8") for path in (book / "mybook").rglob("*.*") if path.suffix not in (".so", ".pyc")
+    }
+    generated = {path.relative_to(book).as_posix(): text for path, text in texts.items() if "generated" in path.parts}
+    found = [(path, word) for path, text in generated.items() for word in OF_THE_BOOK if word in text]
+    assert found == []
+    for path in ("README.md", "kernels.py", "c/include/chasles.h"):
+        assert "a normal points away from the mirror." in " ".join(generated[f"mybook/generated/{path}"].split())
+
+
+def test_kernels_that_were_written_elsewhere_are_found(book: Path, hasty_compiler: str, tmp_path: Path) -> None:
+    copy = tmp_path / "elsewhere"
+    shutil.copytree(book / "mybook", copy / "mirrors", ignore=shutil.ignore_patterns("generated", "__pycache__"))
+    assert "there is no mirrors.generated" in run("--chapter", "./mirrors", "verify", cwd=copy, status=1)
+    here = {"CC": hasty_compiler, "CHASLES_CACHE": str(tmp_path / "cache")}
+    said = run("--chapter", "./mirrors", "build", "--out", "ours/of-mirrors", cwd=copy, **here)
+    assert said.splitlines()[-1] == "from of-mirrors import kernels"
+    assert not (copy / "mirrors" / "generated").exists()
+    found = json.loads(run("--chapter", "./mirrors", "verify", "--json", "--samples", "2", cwd=copy, **here))
+    assert (found["backend"], found["wrong"]) == ("c", [])
+
+
+def test_what_was_compiled_of_other_declarations_is_not_taken(book: Path, tmp_path: Path) -> None:
+    shutil.copytree(book / "mybook", tmp_path / "mybook", ignore=shutil.ignore_patterns("__pycache__"))
+    code = "from mybook import kernels as k; print(k.backend)"
+    assert python(code, tmp_path) == "c\n"
+    section = tmp_path / "mybook" / "s01_reflection.py"
+    section.write_text(section.read_text("utf-8").replace("q, H @ p", "q, -H @ p"), "utf-8")
+    run("--chapter", "./mybook", "emit", cwd=tmp_path)
+    said = python(code, tmp_path)
+    assert "RuntimeWarning: NumPy kernels in place of the compiled ones" in said
+    assert "what was emitted last is not compiled" in said
+    assert "ImportError: CHASLES_BACKEND is 'c'" in python(code, tmp_path, CHASLES_BACKEND="c")
+
+
+def test_its_c_library_is_built_by_cmake(book: Path, hasty_compiler: str, tmp_path: Path) -> None:
+    cmake = shutil.which("cmake", path=f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}")
+    if cmake is None:
+        pytest.skip("no CMake on this machine")
+    build = [cmake, "-S", str(book / "mybook" / "generated"), "-B", str(tmp_path / "build")]
+    environment = {**os.environ, "CC": hasty_compiler}
+    for command in (
+        build,
+        [cmake, "--build", str(tmp_path / "build")],
+        [str(Path(cmake).with_name("ctest")), "--test-dir", str(tmp_path / "build"), "--no-tests=error"],
+        [cmake, "--install", str(tmp_path / "build"), "--prefix", str(tmp_path / "prefix")],
+    ):
+        subprocess.run(command, check=True, capture_output=True, env=environment)
+    assert (tmp_path / "prefix" / "include" / "mybook" / "chasles.h").is_file()
+
+
+# What is refused.
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["new", "my-book"], "'my-book' is no name of a Python package"),
+        (["new", "class"], "'class' is no name of a Python package"),
+        (["new", "json"], "there is a Python package json already"),
+        (["new", "mybook"], "there is mybook already: nothing was written"),
+        (["build"], "`make compile` compiles the kernels of chasles.derivations"),
+    ],
+)
+def test_what_is_not_written(book: Path, words: list[str], said: str) -> None:
+    assert said in run(*words, cwd=book, status=2)
+
+
+def test_without_a_compiler_the_kernels_are_emitted_and_run_in_numpy(book: Path, tmp_path: Path) -> None:
+    run("new", "mine", cwd=tmp_path)
+    said = run("--chapter", "./mine", "build", cwd=tmp_path, status=1, CC="no-such-compiler")
+    assert "are emitted to" in said
+    assert "there is no C compiler" in said
+    code = "from mine import kernels as k; print(k.backend, k.image_of_point([0, 0, 1], [1, 2, 3])[2])"
+    assert python(code, tmp_path) == "numpy -3.0\n"
+
+
+@pytest.mark.parametrize("name", ["checked", "backend", "instructions"])
+def test_a_kernel_is_not_called_like_what_stands_beside_it(tmp_path: Path, name: str) -> None:
+    run("new", "mine", cwd=tmp_path)
+    section = tmp_path / "mine" / "s01_reflection.py"
+    section.write_text(section.read_text("utf-8").replace("point_from_image =", f"{name} ="), "utf-8")
+    assert f"a kernel may not be called {name}" in run("--chapter", "./mine", "emit", cwd=tmp_path, status=1)
+
+
+@pytest.mark.parametrize("said", ['"one text"', "[1, 2]", "(1,)", r'("\\hat a",)', '("a\\nb",)'])
+def test_conventions_are_lines_of_plain_text(tmp_path: Path, said: str) -> None:
+    run("new", "mine", cwd=tmp_path)
+    package = tmp_path / "mine" / "__init__.py"
+    package.write_text(package.read_text("utf-8") + f"CONVENTIONS = {said}\n", "utf-8")
+    assert "CONVENTIONS of mine" in run("--chapter", "./mine", "emit", cwd=tmp_path, status=2)
