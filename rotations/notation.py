@@ -13,6 +13,7 @@ from chasles.vocabulary import (
     abbreviation,
     array,
     column,
+    norm,
     scalar,
     square,
     uniform,
@@ -57,6 +58,21 @@ s = scalar("s", "s", "scalar of a quaternion")
 t = scalar("t", "t", "scalar of another quaternion")
 one_4 = Identity(4)
 neutral = column(zero, 1)
+
+
+# Rotation vectors
+v = vector("v", "v", "rotation vector: the angle along the axis")
+v_length = norm(v)
+J = square("J", "J", "left Jacobian of rotations")
+e_fixed = vector("e", "e", "unit vector along an axis that stays", constant=True)
+
+# Rodrigues parameters
+g = vector("g", "g", "Rodrigues parameters: the tangent of half the angle along the axis")
+g_1 = vector("g_1", "g_1", "Rodrigues parameters of a first rotation")
+g_2 = vector("g_2", "g_2", "Rodrigues parameters of a second rotation")
+g_3 = vector("g_3", "g_3", "Rodrigues parameters of the first rotation and then the second")
+m = vector("m", "m", "modified Rodrigues parameters: the tangent of a quarter of the angle along the axis")
+m_2 = vector("m'", "m'", "the other modified Rodrigues parameters of the same rotation")
 
 
 def times(left: Node, right: Node) -> Node:

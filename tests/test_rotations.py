@@ -17,10 +17,36 @@ from scipy.spatial.transform import Rotation
 
 from chasles.decisions.session import Session
 from chasles.numerics import evaluate
-from chasles.statements import Claim, Entry, Inverse, Kernel, Section, load, perpendicular, unit, unit_column
+from chasles.statements import (
+    Claim,
+    Entry,
+    Inverse,
+    Kernel,
+    Section,
+    load,
+    nonzero,
+    perpendicular,
+    rotation,
+    unit,
+    unit_column,
+)
 from chasles.targets.commission import kernel_of
 from chasles.verdict import Defined, Holds, HoldsUnder
-from chasles.vocabulary import Misfit, Node, array, column, dot, norm, number, rate, uniform
+from chasles.vocabulary import (
+    Identity,
+    Misfit,
+    Node,
+    array,
+    column,
+    dot,
+    norm,
+    number,
+    paren,
+    rate,
+    square,
+    uniform,
+    vector,
+)
 from chasles.vocabulary.products import direct_sum, kronecker_product, outer
 from chasles.vocabulary.quaternions import (
     product_from_left,
@@ -29,6 +55,7 @@ from chasles.vocabulary.quaternions import (
     quaternion_product,
     rotation_of_quaternion,
 )
+from chasles.vocabulary.rotation_vectors import cayley, exp_of_vector, left_jacobian, right_jacobian
 
 from .second_opinion.opinion import opinion_on
 from .test_verdicts import differences, line
@@ -75,6 +102,7 @@ def test_numbers_agree(section: str) -> None:
 # The words, beside what NumPy and SciPy make of the same numbers.
 
 p, q = (array(name, name, "a quaternion", uniform((4, 1))) for name in "pq")
+v, C = vector("v", "v", "a rotation vector"), square("C", "C", "a matrix")
 A, B = array("A", "A", "a matrix", uniform((2, 3))), array("B", "B", "another", uniform((3, 2)))
 
 
@@ -96,6 +124,14 @@ def hamilton(x: Array, y: Array) -> Array:
     )
 
 
+def mean_rotation(x: Array) -> Array:
+    """The mean of the rotations through parts of a rotation vector, by Gauss and Legendre."""
+    points, weights = np.polynomial.legendre.leggauss(20)
+    parts = Rotation.from_rotvec((points[:, None] + 1) / 2 * x).as_matrix()
+    mean: Array = np.tensordot(weights / 2, parts, 1)
+    return mean
+
+
 def of_basis(multiply: Callable[[Array], Array]) -> Array:
     return np.column_stack([multiply(unit) for unit in np.eye(4)])
 
@@ -110,6 +146,10 @@ WORDS: dict[str, tuple[Node, Callable[..., Any]]] = {
         rotation_of_quaternion(quaternion_product(p, q)),
         lambda x, y: x @ x * (y @ y) * (of_scipy(x) * of_scipy(y)).as_matrix(),
     ),
+    "exponential": (exp_of_vector(v), lambda x: Rotation.from_rotvec(x).as_matrix()),
+    "left Jacobian": (left_jacobian(v), mean_rotation),
+    "right Jacobian": (right_jacobian(v), lambda x: mean_rotation(-x)),
+    "Cayley's transform": (cayley(C), lambda c: np.linalg.solve(np.eye(3) - c, np.eye(3) + c)),
     "outer product": (outer(p, q), np.outer),
     "Kronecker product": (kronecker_product(A, B), np.kron),
     "direct sum": (
@@ -126,7 +166,7 @@ WORDS: dict[str, tuple[Node, Callable[..., Any]]] = {
 
 
 def symbols_in(node: Node) -> list[Node]:
-    return [symbol for symbol in (A, B, p, q) if symbol in set(_walked(node))]
+    return [symbol for symbol in (A, B, C, p, q, v) if symbol in set(_walked(node))]
 
 
 def _walked(node: Node) -> list[Node]:
@@ -206,3 +246,28 @@ def test_a_kernel_of_a_unit_column_is_tested_at_units(height: int) -> None:
     assert len(checks) == 2
     for check in checks:
         assert sum(entry * entry for entry in check.inputs[0]) == 1
+
+
+# Lengths of turned, stretched and opposite vectors, where they are divided by.
+
+R = square("R", "R", "a rotation")
+STRETCHED = {
+    "opposite": -v,
+    "twice": 2 * v,
+    "a third": v / 3,
+    "turned": R @ v,
+    "turned back": R.T @ v,
+    "turned and opposite": -(R @ v),
+    "in brackets": paren(-v),
+    "opposite of a half": -(v / 2),
+    "turned twice": R @ (R @ v),
+}
+
+
+@pytest.mark.parametrize("vector", STRETCHED)
+@pytest.mark.parametrize("word", [exp_of_vector, left_jacobian, right_jacobian])
+def test_words_that_divide_by_a_length_take_any_vector(word: Callable[[Node], Node], vector: str) -> None:
+    given = (nonzero(norm(v)), rotation(R))
+    of = STRETCHED[vector]
+    assert Session().decide(Claim("1", word(of) @ of, of, assuming=given)).verdict.true
+    assert Session().decide(Claim("2", word(of), Identity(3), assuming=given)).verdict.name == "fails"

@@ -53,7 +53,7 @@ class Motion:
             return [[1 + drawn[0][0] ** 2]]
         if "perpendicular" in kinds and kinds["perpendicular"].subjects[1] == symbol:
             drawn = _without(drawn, self.at(kinds["perpendicular"].subjects[0], moment, element))  # type: ignore[arg-type]
-        return self._normalised(drawn) if "unit" in kinds else drawn
+        return self._normalised(drawn) if {"unit", "direction"} & kinds.keys() else drawn
 
     def _polynomials(self, name: str, moment: Any, rows: int, columns: int, element: int | None) -> Matrix:
         """Independent polynomials of the moment, their coefficients halves, thirds... between -2 and 2."""

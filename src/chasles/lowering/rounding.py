@@ -40,7 +40,10 @@ def stable(request: Request, programs: Sequence[Program]) -> list[Program]:
     angles = [node for node in request.of if node in _angles(programs, request)]
     if not angles or len(programs) == 1:
         return list(programs)
-    return steady(programs, [_point(request, dict.fromkeys(angles, value)) for value in ANGLES])
+    # An array is one of angles, or a rotation vector, whose length is one.
+    ways = (True,) if all(node.is_scalar for node in angles) else (True, False)
+    points = [_point(request, dict.fromkeys(angles, value), each) for value in ANGLES for each in ways]
+    return steady(programs, points)
 
 
 def steady(
@@ -179,8 +182,11 @@ def _angular(program: Program) -> set[tuple[int, int]]:
     return found
 
 
-def _point(request: Request, angles: dict[Node, Any]) -> list[list[Any]]:
-    """Values of the arguments: the angles as given, unit vectors of unit length, the rest at large."""
+def _point(request: Request, angles: dict[Node, Any], each: bool) -> list[list[Any]]:
+    """Values of the arguments: the angles as given, unit vectors of unit length, the rest at large.
+
+    In an array of angles `each` entry is as given, or the length is.
+    """
     arithmetic = decimals(DIGITS)
     units = {h.subjects[0] for h in request.hypotheses if h.kind == "unit"}
     values: dict[Node, list[Any]] = {}
@@ -189,13 +195,13 @@ def _point(request: Request, angles: dict[Node, Any]) -> list[list[Any]]:
         size = node.shape[0] * node.shape[1]
         numbers = _numbers(drawn, size)
         drawn += size
-        if node in angles:
-            values[node] = [_angle(angles[node], arithmetic)]
-        elif node in units:
+        values[node] = [arithmetic.constant(x) for x in numbers]
+        if node in units or (node in angles and not each):
             length = arithmetic.square_root(arithmetic.constant(sum((x * x for x in numbers), Fraction(0))))
-            values[node] = [arithmetic.constant(x) / length for x in numbers]
-        else:
-            values[node] = [arithmetic.constant(x) for x in numbers]
+            values[node] = [x / length for x in values[node]]
+        if node in angles:
+            angle = _angle(angles[node], arithmetic)
+            values[node] = [angle if each else angle * x for x in values[node]]
     return [[values[node][i * node.shape[1] + j] for node, i, j in places_of(a)] for a in request.arguments]
 
 

@@ -51,8 +51,10 @@ class Lengths:
         """The node with every length in it as simple as it is known."""
         if not _has_length(node):
             return node
-        # An even power of a norm is a polynomial as it stands, whatever is known of the norm.
-        squares: dict[Node, Node] = {part: part for part in walk(node) if _is_square(part)}
+        # An even power of a norm is a polynomial as it stands, whatever is known of the norm; what is divided by is
+        # to be found among what does not vanish.
+        divisors = {part for each in walk(node) if isinstance(each, Quotient) for part in walk(each.denominator)}
+        squares: dict[Node, Node] = {part: part for part in walk(node) if _is_square(part) and part not in divisors}
         loose = [part for part in _outside(node, squares) if isinstance(part, Norm)]
         lengths = {part: self._length(part.of) for part in loose}
         changed: dict[Node, Node] = {old: new for old, new in lengths.items() if old != new}

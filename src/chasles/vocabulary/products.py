@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
 from typing import ClassVar
 
 from chasles.vocabulary.arguments import declaring
 from chasles.vocabulary.fitting import measured, word
 from chasles.vocabulary.layout import Block
-from chasles.vocabulary.letters import Identity, Zero
+from chasles.vocabulary.letters import Zero
 from chasles.vocabulary.measure import Misfit
-from chasles.vocabulary.nodes import Contract, Node, Number, Scale, Transpose
+from chasles.vocabulary.nodes import Contract, Node, Scale, Transpose
 from chasles.vocabulary.shorthand import Shorthand
 
-__all__ = ["DirectSum", "KroneckerProduct", "OuterProduct", "direct_sum", "kronecker_product", "outer", "rows_of"]
+__all__ = ["DirectSum", "KroneckerProduct", "OuterProduct", "direct_sum", "kronecker_product", "outer"]
 
 
 @word
@@ -58,21 +57,8 @@ class KroneckerProduct(Shorthand):
     @property
     def definition(self) -> Node:
         rows, columns = measured(self.left).shape
-        entries = [[_entry(self.left, i, j) for j in range(columns)] for i in range(rows)]
-        return Block(tuple(tuple(Scale(entry, self.right) for entry in line) for line in entries))
-
-
-def rows_of(of: Node, first: int, count: int = 1) -> Node:
-    """So many rows of a matrix, from the row of that number on, counted from zero."""
-    height = measured(of).shape[0]
-    kept = Identity(count) if count > 1 else Number(Fraction(1))
-    blocks = (Zero(count, first), kept, Zero(count, height - first - count))
-    return of if count == height else Contract((Block((tuple(block for block in blocks if block.shape[1]),)), of))
-
-
-def _entry(of: Node, i: int, j: int) -> Node:
-    line = rows_of(of, i)
-    return Transpose(rows_of(Transpose(line), j))
+        lines = ([self.left[i + 1, j + 1] for j in range(columns)] for i in range(rows))
+        return Block(tuple(tuple(Scale(entry, self.right) for entry in line) for line in lines))
 
 
 @declaring

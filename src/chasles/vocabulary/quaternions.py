@@ -14,7 +14,6 @@ from chasles.vocabulary.layout import Block, Group
 from chasles.vocabulary.letters import Identity
 from chasles.vocabulary.measure import Misfit
 from chasles.vocabulary.nodes import Contract, Negative, Node, Number, Power, Scale, Sum, Transpose
-from chasles.vocabulary.products import rows_of
 from chasles.vocabulary.shorthand import Shorthand
 from chasles.vocabulary.spatial import Cross, Dot, Skew
 
@@ -39,7 +38,7 @@ def _parts(of: Node, scalar_last: bool) -> tuple[Node, Node]:
     match of:
         case Block(((one,), (other,))) if (one.shape if scalar_last else other.shape) == (3, 1):
             return (one, other) if scalar_last else (other, one)
-    return rows_of(of, int(not scalar_last), 3), rows_of(of, 3 * int(scalar_last))
+    return (of[1:3], of[4]) if scalar_last else (of[2:4], of[1])
 
 
 def _column(vector: Node, scalar: Node, scalar_last: bool) -> Node:
