@@ -131,22 +131,26 @@ def outcome_of(case: Planted, chapter: Chapter, session: Session) -> Outcome:
 
 def _says(found: Repair, case: Planted) -> bool:
     """Whether a repair says what the original says, or a multiple of it, whatever its letters are."""
-    if (found.left, found.right) == case.original.printed:
+    meaning, sides = case.meaning.of_words, case.original.printed
+    if all(meaning(a) == meaning(b) for a, b in zip((found.left, found.right), sides, strict=True)):
+        return True
+    ratios = [_ratio(meaning(found.left), meaning(sides[0])), _ratio(meaning(found.right), meaning(sides[1]))]
+    if ratios[0] is not None and ratios[0] == ratios[1]:
         return True
     try:
-        one, other = (
-            Sum((left, Negative(right))) for left, right in ((found.left, found.right), case.original.printed)
-        )
+        one, other = (Sum((left, Negative(right))) for left, right in ((found.left, found.right), sides))
     except Misfit:
         return False
-    values, wanted = (_flat(case.meaning.of_words(node)) for node in (one, other))
-    if values is None or wanted is None:
-        return False
-    if not any(wanted):
-        sides = ((found.left, case.original.printed[0]), (found.right, case.original.printed[1]))
-        return all(case.meaning.of_words(a) == case.meaning.of_words(b) for a, b in sides)
-    k = next(k for k, value in enumerate(wanted) if value)
-    return bool(values[k]) and all(v * wanted[k] == w * values[k] for v, w in zip(values, wanted, strict=True))
+    return _ratio(meaning(one), meaning(other)) is not None
+
+
+def _ratio(values: object, wanted: object) -> Fraction | None:
+    """How many times the one expression is the other; None if it is no multiple, or if that is zero."""
+    one, other = _flat(values), _flat(wanted)
+    k = next((k for k, value in enumerate(other or []) if value), None)
+    if one is None or other is None or k is None or not one[k]:
+        return None
+    return one[k] / other[k] if all(v * other[k] == w * one[k] for v, w in zip(one, other, strict=True)) else None
 
 
 def _flat(meaning: object) -> list[Fraction] | None:

@@ -28,9 +28,17 @@ INSIDE: list[tuple[Node, Node, bool, str]] = [
 def test_a_block_that_is_missing_in_a_factor_is_found(left: Node, wrong: Node, transposed: bool, right: str) -> None:
     factor = array("P", "P", "a factor", wrong)
     product = factor @ factor.T if transposed else factor @ factor
-    found = repair(Claim("2", left, product, given=(Definition("1", factor, wrong),)))[0]
+    named = array("M", "M", "a product", left)
+    found = repair(Claim("3", named, product, given=(Definition("1", factor, wrong), Definition("2", named, left))))[0]
     assert plain(found.right) == f"{right} {right}" + ("^T" if transposed else "")
     assert found.changes == (f"P = {right} instead of {plain(wrong)}",)
+
+
+def test_a_slip_on_the_left_side_is_nearer_than_one_in_a_definition() -> None:
+    factor = array("P", "P", "a factor", FACTOR)
+    left = matrix((A @ A.T, A @ B.T), (B @ A.T, 2 * B @ B.T))
+    found = repair(Claim("2", left, factor @ factor.T, given=(Definition("1", factor, FACTOR),)))[0]
+    assert (plain(found.left), plain(found.right)) == ("[A A^T, A B^T; B A^T, B B^T]", "P P^T")
 
 
 pair, X = array("p", "p", "a pair", column(a, b)), array("X", "X", "a matrix", matrix((CPM(a), CPM(b))))

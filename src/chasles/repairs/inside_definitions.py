@@ -27,7 +27,7 @@ def block_edits(test: ModularTest, basis: TermBasis) -> Iterator[Change]:
     names = {_opened(letter, rules): f"{plain(letter)} = " for letter in reversed(rules)}
     one_block = list(new_coefficients(test.of(right)))
     yield from one_block
-    for array, other in () if one_block else _completed(right, [*basis.nodes, *_blocks(test.left)]):
+    for array, other in () if one_block else _completed(right, [*basis.nodes, *_blocks(_opened(test.left, rules))]):
         new = _replaced(right, array, other)
         words = names.get(array, "") + instead(other, array)
         if fit(test.left, new):

@@ -56,7 +56,10 @@ PROBED = 3
 
 @dataclass(frozen=True)
 class ModularTest:
-    """An equation at points where its hypotheses hold: the angles differ at the `varied`, not at the `fixed` ones."""
+    """An equation at points where its hypotheses hold: the angles differ at the `varied`, not at the `fixed` ones.
+
+    With the sides `exchanged`, a multiple of the whole of the right one is left to the other test.
+    """
 
     statement: Statement
     left: Node
@@ -64,6 +67,7 @@ class ModularTest:
     problem: Problem
     varied: Sampled
     fixed: Sampled
+    exchanged: bool = False
     probe: Sampled = field(init=False)
     _contributions: dict[tuple[int, Path, Node | None], Column] = field(init=False, default_factory=dict)
     _directions: dict[Node, Direction] = field(init=False, default_factory=dict)
@@ -110,6 +114,11 @@ class ModularTest:
     def of(self, right: Node) -> ModularTest:
         """The same test with another right side."""
         return ModularTest(self.statement, self.left, right, self.problem, self.varied, self.fixed)
+
+    @cached_property
+    def turned(self) -> ModularTest:
+        """The same test with its sides exchanged."""
+        return ModularTest(self.statement, self.right, self.left, self.problem, self.varied, self.fixed, exchanged=True)
 
     def holds(self, left: Node, right: Node) -> bool:
         """Whether other sides agree at all points."""

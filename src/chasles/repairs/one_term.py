@@ -88,7 +88,7 @@ def new_coefficients(test: ModularTest) -> Iterator[Change]:
     """The right sides that are true with another coefficient of one term, of a block or of the whole."""
     residual = test.residual(test.probe)
     for place in linear_places(test.right):
-        if not place.term:
+        if not place.term or (test.exchanged and not place.path):
             continue
         contribution = test.contribution(test.probe, place)
         ratio = multiple(residual, contribution)

@@ -9,21 +9,23 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from dataclasses import replace as with_fields
+from fractions import Fraction
 from itertools import islice
 
 from chasles.repairs.free_objects import freedom_of, other_objects
 from chasles.repairs.inside_definitions import block_edits
+from chasles.repairs.local_edits import SingleEdit
 from chasles.repairs.modular_testing import REFUSED, ModularTest, modular_test
 from chasles.repairs.one_term import Change, new_coefficients, other_terms
 from chasles.repairs.residues import Unsampled
 from chasles.repairs.scalar_edits import Factors, scalar_edits
 from chasles.repairs.several_terms import combined_changes
-from chasles.repairs.single_edits import SingleEdit, in_letters, single_edits
+from chasles.repairs.single_edits import exchanged_letters, in_letters, single_edits
 from chasles.rewriting.term_basis import TermBasis, fit, term_basis
 from chasles.statements import Claim, Statement
 from chasles.statements.problem import AcceptedSides
 from chasles.statements.statement import bare
-from chasles.vocabulary import Node, Rate, Symbol, children, symbols_of
+from chasles.vocabulary import Call, Inverse, Node, Number, Quotient, Rate, Symbol, children, symbols_of, walk
 
 __all__ = ["Nearest", "given_sides"]
 
@@ -67,15 +69,25 @@ class Nearest:
     def single_changes(self, left: Node, right: Node, turns: int = 2) -> Iterator[Change]:
         """One change to the right side; in a second turn, with letters that it does not have."""
         for turn, (test, basis) in enumerate(islice(self._tests(left, right), turns)):
-            others = in_letters(right, self.letters) if turn else single_edits(right, scalars=False)
-            slips = [Change(left, u.node, (u.words,), u.effort) for u in others if fit(left, u.node)]
-            coefficients = () if turn else new_coefficients(test)
-            inside = scalar_edits(test, Factors(test, (right, left, *(self.given_sides if turn else ()))))
-            changes = (*coefficients, *slips, *other_terms(test, basis), *inside)
+            changes = [*self._edits(test, turn), *other_terms(test, basis)]
+            if _symbol(left) is None and not isinstance(left, Inverse):
+                turned = self._edits(test.turned, turn)
+                changes += [with_fields(change, left=change.right, right=change.left) for change in turned]
             found = [change for change in changes if self._holds(test, change)]
             yield from found
             if found:
                 return
+
+    def _edits(self, test: ModularTest, turn: int) -> Iterator[Change]:
+        """One edit of what stands on the right in a test, new terms left aside."""
+        left, right = test.left, test.right
+        if not turn:
+            yield from new_coefficients(test)
+        edits = in_letters(right, self.letters) if turn else single_edits(right, scalars=False)
+        for new, words, effort in (*edits, *(() if turn else exchanged_letters(right))):
+            if fit(left, new):
+                yield Change(left, new, (words,), effort)
+        yield from scalar_edits(test, Factors(test, (right, left, *(self.given_sides if turn else ())), self.own))
 
     def _misread_letters(self, left: Node, right: Node) -> Iterator[Change]:
         """Another letter for one that nothing introduces, and one change more if need be."""
@@ -118,14 +130,17 @@ class Nearest:
             key = left, right, turn
             if key not in self._known_tests:
                 order = max(map(_order, nodes)) if turn else 0
-                self._known_tests[key] = self._tried(left, right, term_basis(nodes, self.own, order))
+                halves = _half_angles(nodes) if turn else []
+                self._known_tests[key] = self._tried(left, right, term_basis(nodes, self.own, order), halves)
             test, basis = self._known_tests[key]
             if test is not None:
                 yield test, basis
 
-    def _tried(self, left: Node, right: Node, basis: TermBasis) -> tuple[ModularTest | None, TermBasis]:
+    def _tried(
+        self, left: Node, right: Node, basis: TermBasis, more: list[Node]
+    ) -> tuple[ModularTest | None, TermBasis]:
         try:
-            test = modular_test(self.statement, left, right, self.accepted, basis.nodes)
+            test = modular_test(self.statement, left, right, self.accepted, (*basis.nodes, *more))
             failing = test is not None and any(test.residual(test.probe)) and any(test.residual(test.varied))
         except REFUSED:
             return None, basis
@@ -174,6 +189,12 @@ def _order(node: Node) -> int:
     if isinstance(node, Rate):
         return 1 + _order(node.of)
     return max(map(_order, children(node)), default=0)
+
+
+def _half_angles(nodes: Iterable[Node]) -> list[Node]:
+    """The cosines of half of the angles that occur."""
+    calls = dict.fromkeys(part.argument for node in nodes for part in walk(node) if isinstance(part, Call))
+    return [Call("cos", Quotient(angle, Number(Fraction(2)))) for angle in calls]
 
 
 def _symbols(nodes: Iterable[Node]) -> list[Symbol]:

@@ -44,7 +44,8 @@ class Required:
 
     def allows(self, at: Sampled, new: Node) -> bool:
         """Whether something else in the place gives the values wanted."""
-        return value(at, _with(self.around, self.inner, new)) == self.wanted
+        whole = _with(self.around, self.inner, new)
+        return whole.fault is None and whole.is_scalar and value(at, whole) == self.wanted
 
 
 def required_values(test: ModularTest, at: Sampled) -> Iterator[Required]:

@@ -111,11 +111,16 @@ def generic_points(context: Context, solved: tuple[Solved, ...], count: int) -> 
     ratios = {s.variable: (s.value.numerator, field.power_product(s.value.denominator)) for s in solved}
     generators = [_coded(context, g.polynomial) for g in context.generators]
     nonzero = [_coded(context, factor) for _, factor in context.nonzero]
+    bound = [*generators, *(_coded(context, each) for ratio in ratios.values() for each in ratio)]
+    tied = {*ratios, *(name for polynomial in bound for _, powers in polynomial for name, _ in powers)}
+    free = [v.name for v in context.variables if v.kind == "entry" and v.name not in tied]
     same = _tangents(context, draw)
     varied: list[Point] = []
     fixed: list[Point] = []
     for point in islice(points.sample(context, ratios, simple=False), 2 * count):
         bare = {name: residue(value) for name, value in point.items()}
+        # Small numbers coincide and vanish too often to tell one letter from another.
+        bare |= {name: draw.randrange(1, MODULUS) for name in free if name in bare}
         pair = [bare | dict(_turned(context, tangents)) for tangents in (_tangents(context, draw), same)]
         if all(not any(_value(g, p) for g in generators) and all(_value(a, p) for a in nonzero) for p in pair):
             varied.append(pair[0])

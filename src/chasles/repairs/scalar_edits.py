@@ -6,20 +6,21 @@ is looked up by its values among the products of what the equation is written wi
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Container, Iterable, Iterator, Mapping
 from fractions import Fraction
 from functools import cached_property
 from itertools import combinations_with_replacement, islice
 
-from chasles.algebra.modular import Column, minus, multiple, normalized, rational
+from chasles.algebra.modular import MODULUS, Column, minus, multiple, normalized, rational
+from chasles.repairs.local_edits import FORM, SingleEdit, edits_at
 from chasles.repairs.modular_testing import ModularTest
 from chasles.repairs.one_term import FACTOR, Change, instead, missing, new_term, other_number, rescaled
 from chasles.repairs.required_values import Required, quotient, required_values, value
 from chasles.repairs.residues import Sampled
-from chasles.repairs.single_edits import FORM, SingleEdit, edits_at, placed
+from chasles.repairs.single_edits import placed
 from chasles.rewriting.coefficients import ONE, AngleFunction, scaled, times
 from chasles.rewriting.coefficients import product as product_of
-from chasles.rewriting.places import with_term
+from chasles.rewriting.places import linear_places, with_term
 from chasles.rewriting.term_basis import fit
 from chasles.vocabulary import Call, Node, Number, Power, Rate, Sum, Symbol, Zero, plain, walk
 
@@ -34,12 +35,13 @@ SCOUTS = 3
 class Factors:
     """The scalars that an equation is written with, by their values at points, and their products."""
 
-    def __init__(self, test: ModularTest, nodes: Iterable[Node]) -> None:
+    def __init__(self, test: ModularTest, nodes: Iterable[Node], without: Container[Node]) -> None:
         self.at = Sampled(test.varied.context, test.varied.points[:SCOUTS])
-        found = dict.fromkeys(part for node in nodes for part in walk(node) if part.is_scalar)
+        parts = dict.fromkeys(part for node in nodes for part in walk(node))
+        found = [part for part in parts if part.is_scalar and not any(inner in without for inner in walk(part))]
         both = [Call(f, node.argument) for node in found if isinstance(node, Call) for f in ("cos", "sin")]
         self.letters = tuple(node for node in found if isinstance(node, Symbol))
-        rates = [Rate(s) for s in self.letters if not s.constant] if any(isinstance(n, Rate) for n in found) else []
+        rates = [Rate(s) for s in self.letters if not s.constant] if any(isinstance(n, Rate) for n in parts) else []
         self.columns: dict[Node, Column] = {}
         for node in (ONE, *found, *both, *rates):
             column = value(self.at, node)
@@ -85,14 +87,33 @@ class Factors:
 
 
 def scalar_edits(test: ModularTest, factors: Factors) -> Iterator[Change]:
-    """The right sides that are true with one edit inside a scalar."""
+    """The right sides that are true with one edit inside a scalar, or one more scalar factor."""
+    yield from _lost_factors(test, factors)
     for place in required_values(test, factors.at):
-        found = [*_by_value(place, factors)] if place.known else [*_inside(place, factors)]
+        looked_up = place.known and not (test.exchanged and not place.path)
+        found = [*_by_value(place, factors)] if looked_up else [*_inside(place, factors)]
         edits = (edit for edit in edits_at(place.node) if place.allows(factors.at, edit.node))
         for new, words, effort in (*found, *edits):
             right = placed(test.right, place.path, new)
             if right.fault is None and fit(test.left, right):
                 yield Change(test.left, right, (words or instead(new, place.node),), effort)
+
+
+def _lost_factors(test: ModularTest, factors: Factors) -> Iterator[Change]:
+    """The right sides that are true with one more scalar factor of a vector, a matrix or a block."""
+    residual = test.residual(factors.at)
+    size = len(residual) // SCOUTS
+    for place in linear_places(test.right):
+        if not place.term or place.inside or place.node.is_scalar or (test.exchanged and not place.path):
+            continue
+        term = test.contribution(factors.at, place)
+        ratios = [multiple(residual[k : k + size], term[k : k + size]) for k in range(0, len(residual), size)]
+        wanted = [(ratio + 1) % MODULUS for ratio in ratios if ratio is not None]
+        for factor in factors.of_values(wanted, most=1) if len(wanted) == len(ratios) else ():
+            new = times(factor, place.node)
+            right = placed(test.right, place.path, new)
+            if value(factors.at, factor) == wanted and right.fault is None and fit(test.left, right):
+                yield Change(test.left, right, (instead(new, place.node),), FACTOR + 1)
 
 
 def _by_value(place: Required, factors: Factors) -> Iterator[SingleEdit]:

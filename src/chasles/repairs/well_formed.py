@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from chasles.repairs.single_edits import SingleEdit, in_letters, placed, single_edits
+from chasles.repairs.local_edits import SingleEdit
+from chasles.repairs.single_edits import in_letters, placed, single_edits
 from chasles.rewriting.coefficients import added
 from chasles.rewriting.places import everywhere
 from chasles.rewriting.term_basis import TermBasis, dimension_of, fit

@@ -1,0 +1,219 @@
+"""What one slip of form, undone at the root of an expression, makes of it.
+
+Lost and added transposes, dots and factors, brackets that closed too early, sines for cosines, halves of angles, other
+exponents, products and blocks in another order.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace as with_fields
+from fractions import Fraction
+from itertools import combinations
+from typing import NamedTuple, TypeVar
+
+from chasles.repairs.one_term import FACTOR, SIGN
+from chasles.vocabulary import (
+    Block,
+    Call,
+    Contract,
+    Cross,
+    Dot,
+    Group,
+    Negative,
+    Node,
+    Number,
+    Power,
+    Quotient,
+    Rate,
+    Scale,
+    Sum,
+    Symbol,
+    Transpose,
+    Zero,
+    children,
+    plain,
+    printed,
+    rebuilt,
+)
+
+__all__ = ["FORM", "SingleEdit", "edits_at"]
+
+_T = TypeVar("_T")
+FORM = 3
+"""The effort of undoing a slip of form, or of a wrong letter."""
+TWO = Number(Fraction(2))
+
+
+class SingleEdit(NamedTuple):
+    """An expression with one slip undone, what was changed in words, and how much that is."""
+
+    node: Node
+    words: str
+    effort: int = FORM
+
+
+def edits_at(part: Node, parent: Node | None = None, *, turned: bool = True) -> Iterator[SingleEdit]:
+    """The edits at the root of an expression that stands in another; signs only if `turned`."""
+    made = printed(lambda: [*_of_form(part), *_of_factors(part), *_of_rates(part)])  # type: ignore[type-var]
+    yield from (SingleEdit(new, "") for new in made)
+    yield from _with_factor(part)
+    flat = isinstance(part, Symbol | Rate | Contract | Block) and part.measure is not None and max(part.shape) > 1
+    if flat and not isinstance(parent, Rate | Transpose):
+        yield SingleEdit(Transpose(part), "")
+    if turned:
+        yield from _signs(part)
+
+
+def _of_form(node: Node) -> Iterator[Node]:
+    match node:
+        case Transpose(of):
+            yield of
+        case Call(function, argument):
+            yield Call({"sin": "cos", "cos": "sin"}[function], argument)
+            yield Call(function, Quotient(argument, TWO))
+            yield Call(function, Scale(TWO, argument))
+        case Power(base, exponent):
+            yield Power(base, exponent + 1)
+            yield base if exponent == 2 else Power(base, exponent - 1)
+        case Cross(left, right) if left != right:
+            yield Cross(right, left)
+        case Contract(factors):
+            yield from (Contract(_exchanged(factors, k, k + 1)) for k in range(len(factors) - 1))
+        case Block(rows):
+            yield from _rearranged(rows)
+
+
+def _rearranged(rows: tuple[tuple[Node, ...], ...]) -> Iterator[Node]:
+    """The blocks with two rows, two columns or two blocks exchanged."""
+    for k, n in combinations(range(len(rows)), 2):
+        yield Block(_exchanged(rows, k, n))
+    for k, n in combinations(range(len(rows[0])), 2):
+        yield Block(tuple(_exchanged(row, k, n) for row in rows))
+    blocks, width = sum(rows, ()), len(rows[0])
+    for k, n in combinations(range(len(blocks)), 2):
+        if blocks[k] != blocks[n] and len(rows) > 1 < width:
+            yield rebuilt(Block(rows), _exchanged(blocks, k, n))
+
+
+def _of_factors(node: Node) -> Iterator[Node]:
+    """A factor too many, multiplied with in place of divided by, or meant for the terms beside it too."""
+    match node:
+        case Scale(factor, term):
+            yield term
+            if term.is_scalar:
+                yield factor
+                yield Quotient(factor, term)
+            yield Quotient(term, factor)
+        case Quotient(numerator, denominator):
+            yield numerator
+            yield Scale(denominator, numerator)
+        case Contract(factors):
+            yield from (_product(factors[:k] + factors[k + 1 :]) for k in range(len(factors)))
+        case Sum(terms):
+            for k, term in enumerate(terms):
+                for outer in _outer(term):
+                    yield from _gathered(terms, k, outer)
+
+
+def _product(factors: tuple[Node, ...]) -> Node:
+    return factors[0] if len(factors) == 1 else Contract(factors)
+
+
+_Times = Callable[[Node], Node]
+
+
+def _outer(term: Node) -> Iterator[tuple[Node, _Times, bool]]:
+    """The term without what it is multiplied with in front or behind, which is put there again; which it is."""
+    match term:
+        case Negative(of):
+            yield from ((Negative(inner), times, front) for inner, times, front in _outer(of))
+        case Scale(factor, of):
+            yield of, lambda part: with_fields(term, term=part), not term.trailing
+            if of.is_scalar:
+                yield factor, lambda part: Scale(part, of), False
+        case Quotient(numerator, _):
+            yield numerator, lambda part: with_fields(term, numerator=part), False
+        case Contract(factors):
+            for k in range(1, len(factors)):
+                yield _product(factors[k:]), _before(factors[:k]), True
+                yield _product(factors[:k]), _behind(factors[k:]), False
+        case Cross(left, right) | Dot(left, right):
+            yield right, lambda part: rebuilt(term, (left, part)), True
+            yield left, lambda part: rebuilt(term, (part, right)), False
+
+
+def _before(factors: tuple[Node, ...]) -> _Times:
+    return lambda part: Contract((*factors, part))
+
+
+def _behind(factors: tuple[Node, ...]) -> _Times:
+    return lambda part: Contract((part, *factors))
+
+
+def _gathered(terms: tuple[Node, ...], k: int, outer: tuple[Node, _Times, bool]) -> Iterator[Node]:
+    """What a term is multiplied with, for the terms that follow it too, or for those before it."""
+    inner, times, front = outer
+    ends = range(k + 2, len(terms) + 1) if front else range(k)
+    for end in ends:
+        first, last = (k, end) if front else (end, k + 1)
+        kept = [inner if n == k else terms[n] for n in range(first, last)]
+        leading = kept[0] if front else None
+        turned = isinstance(leading, Negative)
+        inside = Sum(tuple(_opposite(each) for each in kept)) if turned else Sum(tuple(kept))
+        made = Negative(times(Group(inside))) if turned else times(Group(inside))
+        whole = (*terms[:first], made, *terms[last:])
+        yield whole[0] if len(whole) == 1 else Sum(whole)
+
+
+def _opposite(term: Node) -> Node:
+    return term.term if isinstance(term, Negative) else Negative(term)
+
+
+def _of_rates(node: Node) -> Iterator[Node]:
+    """A dot too many, or over the other factor of a product."""
+    match node:
+        case Rate(of):
+            yield of
+        case Scale() | Cross() | Dot() | Contract((_, _)):
+            match children(node):
+                case (Rate(left), right) if not isinstance(right, Rate):
+                    yield rebuilt(node, (left, Rate(right)))
+                case (left, Rate(right)) if not isinstance(left, Rate):
+                    yield rebuilt(node, (Rate(left), right))
+
+
+def _exchanged(items: tuple[_T, ...], k: int, n: int) -> tuple[_T, ...]:
+    return (*items[:k], items[n], *items[k + 1 : n], items[k], *items[n + 1 :])
+
+
+def _signs(node: Node) -> Iterator[SingleEdit]:
+    """A wrong sign, where the whole does not depend on it linearly."""
+    if isinstance(node, Sum):
+        for k, term in enumerate(node.terms):
+            yield SingleEdit(Sum((*node.terms[:k], _opposite(term), *node.terms[k + 1 :])), "", SIGN)
+
+
+def _with_factor(node: Node) -> Iterator[SingleEdit]:
+    """A common factor that was meant for some of the blocks or terms behind it."""
+    match node:
+        case Scale(Node() as factor, Block() | Sum() as whole) if factor.is_scalar:
+            yield from _for_some(whole, lambda part: Scale(factor, part), plain(factor))
+        case Quotient(Block() | Sum() as whole, divisor):
+            yield from _for_some(whole, lambda part: with_fields(node, numerator=part), plain(1 / divisor))
+
+
+def _for_some(whole: Block | Sum, times: _Times, factor: str) -> Iterator[SingleEdit]:
+    parts = children(whole)
+    places = [k for k, part in enumerate(parts) if not isinstance(part, Zero)]
+    for size in range(1, min(len(places), 4)):
+        for chosen in combinations(places, size):
+            new = [_signed(part, times) if k in chosen else part for k, part in enumerate(parts)]
+            names = " and ".join(plain(parts[k]) for k in chosen)
+            made = printed(lambda: rebuilt(whole, tuple(new)))  # noqa: B023
+            yield SingleEdit(made, f"the factor {factor} is that of {names} only", FACTOR)
+
+
+def _signed(part: Node, times: _Times) -> Node:
+    """What `times` makes of the part, its sign in front."""
+    return Negative(times(part.term)) if isinstance(part, Negative) else times(part)
