@@ -35,6 +35,9 @@ SECTIONS = (
     "s2_quaternions",
     "s3_rotation_vectors",
     "s4_cayley",
+    "s5_euler_angles",
+    "s6_motions",
+    "s7_denavit_hartenberg",
 )
 NOTATION = Notation(
     {

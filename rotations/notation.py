@@ -7,18 +7,23 @@ a twist has the angular velocity on top, a wrench the moment; angles are in radi
 from chasles.vocabulary import (
     CPM,
     FREQUENCY,
+    LENGTH,
     Identity,
     Node,
     Zero,
     abbreviation,
     array,
     column,
+    cos,
+    matrix,
     norm,
     scalar,
+    sin,
     square,
     uniform,
     vector,
 )
+from chasles.vocabulary.motions import homogeneous
 from chasles.vocabulary.quaternions import (
     product_from_left,
     product_from_right,
@@ -73,6 +78,62 @@ g_2 = vector("g_2", "g_2", "Rodrigues parameters of a second rotation")
 g_3 = vector("g_3", "g_3", "Rodrigues parameters of the first rotation and then the second")
 m = vector("m", "m", "modified Rodrigues parameters: the tangent of a quarter of the angle along the axis")
 m_2 = vector("m'", "m'", "the other modified Rodrigues parameters of the same rotation")
+
+# Euler angles
+alpha = scalar("alpha", r"\alpha", "yaw: angle of the turn about z")
+beta = scalar("beta", r"\beta", "pitch: angle of the turn about y")
+gamma = scalar("gamma", r"\gamma", "roll: angle of the turn about x")
+theta = scalar("theta", r"\theta", "nutation: angle of the turn about x, between two turns about z")
+psi = scalar("psi", r"\psi", "precession: angle of the first turn about z")
+chi = scalar("chi", r"\chi", "spin: angle of the last turn about z")
+angle_rates = vector("angle_rates", r"\dot{\boldsymbol{\alpha}}", "rates of yaw, pitch and roll", FREQUENCY)
+W = square("W", "W", "angular velocity in the fixed frame from the rates of yaw, pitch and roll")
+W_body = square("W_B", r"\mathbf{W}_{\mathcal{B}}", "angular velocity in the body frame from those rates")
+
+# Motions
+x = vector("x", "x", "position of a point", LENGTH)
+c = vector("c", "c", "position of a point on an axis", LENGTH)
+d = scalar("d", "d", "advance along an axis", LENGTH)
+d_1 = scalar("d_1", "d_1", "advance of the first of two screws about one axis", LENGTH)
+d_2 = scalar("d_2", "d_2", "advance of the second of two screws about one axis", LENGTH)
+p_T = vector("p_T", "p", "position of the origin of the moving frame", LENGTH)
+p_S = vector("p_S", "s", "position of the origin of another moving frame", LENGTH)
+T = array("T", "T", "motion", matrix((Q, p_T), (Zero(1, 3), 1)))
+S = array("S", "S", "another motion", matrix((R, p_S), (Zero(1, 3), 1)))
+H = array("H", "H", "the first of two screws about one axis", matrix((Q, p_T), (Zero(1, 3), 1)))
+K = array("K", "K", "the second of two screws about one axis", matrix((Q, p_T), (Zero(1, 3), 1)))
+A_DH = array("A", "A", "from a link to the one before it", matrix((Q, p_T), (Zero(1, 3), 1)))
+x_1 = vector("x_1", "x_1", "position of a point in the moving frame", LENGTH)
+x_rest = vector("x_1", "x_1", "position of a point in the moving frame, in which it stays", LENGTH, constant=True)
+link = scalar("a", "a", "length of a link", LENGTH, constant=True)
+offset = scalar("b", "b", "offset of a joint", LENGTH, constant=True)
+twist_of_link = scalar("alpha", r"\alpha", "twist of a link: angle between the axes of its joints", constant=True)
+zero_row = Zero(1, 3, r"\mathbf{0}^T")
+
+
+def along(of: Node) -> Node:
+    """The translation by a vector."""
+    return homogeneous(one, of)
+
+
+def turned(by: Node) -> Node:
+    """The motion that is a rotation about the origin."""
+    return homogeneous(by, zero)
+
+
+def about_x(angle: Node) -> Node:
+    """The turn about the axis x."""
+    return matrix((1, 0, 0), (0, cos(angle), -sin(angle)), (0, sin(angle), cos(angle)))
+
+
+def about_y(angle: Node) -> Node:
+    """The turn about the axis y."""
+    return matrix((cos(angle), 0, sin(angle)), (0, 1, 0), (-sin(angle), 0, cos(angle)))
+
+
+def about_z(angle: Node) -> Node:
+    """The turn about the axis z."""
+    return matrix((cos(angle), -sin(angle), 0), (sin(angle), cos(angle), 0), (0, 0, 1))
 
 
 def times(left: Node, right: Node) -> Node:

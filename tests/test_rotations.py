@@ -47,6 +47,7 @@ from chasles.vocabulary import (
     uniform,
     vector,
 )
+from chasles.vocabulary.motions import adjoint_of_motion, adjoint_of_twist, inverse_motion, twist_matrix
 from chasles.vocabulary.products import direct_sum, kronecker_product, outer
 from chasles.vocabulary.quaternions import (
     product_from_left,
@@ -103,6 +104,7 @@ def test_numbers_agree(section: str) -> None:
 
 p, q = (array(name, name, "a quaternion", uniform((4, 1))) for name in "pq")
 v, C = vector("v", "v", "a rotation vector"), square("C", "C", "a matrix")
+T, t = array("T", "T", "a motion", uniform((4, 4))), array("t", "t", "a twist", uniform((6, 1)))
 A, B = array("A", "A", "a matrix", uniform((2, 3))), array("B", "B", "another", uniform((3, 2)))
 
 
@@ -122,6 +124,21 @@ def hamilton(x: Array, y: Array) -> Array:
             a * h + b * g - c * f + d * e,
         ]
     )
+
+
+def hat(omega: Array, v: Array) -> Array:
+    return np.block([[np.cross(np.eye(3), omega), v[:, None]], [np.zeros((1, 4))]])
+
+
+def bracket(x: Array, y: Array) -> Array:
+    product: Array = x @ y - y @ x
+    return product
+
+
+def of_twists(carried: Callable[[Array], Array]) -> Array:
+    """The 6 x 6 matrix of a map of twists that is said of their 4 x 4 matrices."""
+    images = [carried(unit.reshape(2, 3)) for unit in np.eye(6)]
+    return np.column_stack([[x[2, 1], x[0, 2], x[1, 0], *x[:3, 3]] for x in images])
 
 
 def mean_rotation(x: Array) -> Array:
@@ -150,6 +167,10 @@ WORDS: dict[str, tuple[Node, Callable[..., Any]]] = {
     "left Jacobian": (left_jacobian(v), mean_rotation),
     "right Jacobian": (right_jacobian(v), lambda x: mean_rotation(-x)),
     "Cayley's transform": (cayley(C), lambda c: np.linalg.solve(np.eye(3) - c, np.eye(3) + c)),
+    "inverse motion": (inverse_motion(T), np.linalg.inv),
+    "matrix of a twist": (twist_matrix(t), lambda x: hat(x[:3], x[3:])),
+    "adjoint of a motion": (adjoint_of_motion(T), lambda y: of_twists(lambda x: y @ hat(*x) @ np.linalg.inv(y))),
+    "adjoint of a twist": (adjoint_of_twist(t), lambda y: of_twists(lambda x: bracket(hat(y[:3], y[3:]), hat(*x)))),
     "outer product": (outer(p, q), np.outer),
     "Kronecker product": (kronecker_product(A, B), np.kron),
     "direct sum": (
@@ -166,7 +187,7 @@ WORDS: dict[str, tuple[Node, Callable[..., Any]]] = {
 
 
 def symbols_in(node: Node) -> list[Node]:
-    return [symbol for symbol in (A, B, C, p, q, v) if symbol in set(_walked(node))]
+    return [symbol for symbol in (A, B, C, T, p, q, t, v) if symbol in set(_walked(node))]
 
 
 def _walked(node: Node) -> list[Node]:
@@ -179,6 +200,9 @@ def test_a_word_means_what_others_mean_by_it(name: str) -> None:
     draw = np.random.default_rng(7)
     for _ in range(20):
         values = {symbol: draw.standard_normal(symbol.shape) for symbol in symbols_in(word)}
+        if T in values:
+            values[T][:3, :3] = Rotation.random(rng=draw).as_matrix()
+            values[T][3] = [0, 0, 0, 1]
         found = np.array(evaluate(word, values, digits=20), dtype=float)
         expected = np.atleast_2d(other(*(x[:, 0] if x.shape[1] == 1 else x for x in values.values())))
         assert found.reshape(-1) == pytest.approx(expected.reshape(-1))
@@ -271,3 +295,27 @@ def test_words_that_divide_by_a_length_take_any_vector(word: Callable[[Node], No
     of = STRETCHED[vector]
     assert Session().decide(Claim("1", word(of) @ of, of, assuming=given)).verdict.true
     assert Session().decide(Claim("2", word(of), Identity(3), assuming=given)).verdict.name == "fails"
+
+
+# Twists with either part first.
+
+
+@pytest.mark.parametrize("word", [adjoint_of_twist, adjoint_of_motion])
+def test_the_velocity_may_come_first(word: Callable[..., Node]) -> None:
+    of = t if word is adjoint_of_twist else T
+    x = np.arange(1.0, 1 + of.shape[0] * of.shape[1]).reshape(of.shape)
+    turned = np.roll(x, 3, axis=0) if of is t else x
+    first = np.array(evaluate(word(of), {of: x}, digits=20), dtype=float)
+    last = np.array(evaluate(word(of, linear_first=True), {of: turned}, digits=20), dtype=float)
+    assert last == pytest.approx(np.roll(first, 3, axis=(0, 1)))
+
+
+def test_the_matrix_of_a_twist_is_the_same_in_either_order() -> None:
+    x = np.array([[1.0], [2.0], [3.0], [4.0], [5.0], [6.0]])
+    assert evaluate(twist_matrix(t), {t: x}) == evaluate(twist_matrix(t, linear_first=True), {t: np.roll(x, 3, axis=0)})
+
+
+@pytest.mark.parametrize("word", [twist_matrix, adjoint_of_twist, adjoint_of_motion, inverse_motion])
+def test_what_is_no_twist_or_motion_is_refused(word: Callable[..., Node]) -> None:
+    with pytest.raises(Misfit, match=r"a (twist is a column of six numbers|motion is a 4 x 4 matrix), and .* is 3 x 3"):
+        word(C)
