@@ -49,6 +49,11 @@ def check(
 def _check(problem: Problem, certificate: Mapping[str, Any]) -> None:
     if not problem.goals:
         raise Rejected("there is nothing to prove")
+    if "scalars" in certificate:
+        from chasles.checker.scalars import check_scalars  # SymPy is loaded for such problems only
+
+        check_scalars(problem, certificate)
+        return
     problem = with_spins(problem) if certificate.get("spins") else problem
     reading = Reading(problem, certificate["witness"])
     occurring = set().union(*(condition.places for condition in reading.conditions))

@@ -49,6 +49,11 @@ def check_counterexample(problem: Problem, shown: Shown) -> None:
 
     Raises `Rejected` with the reason if not.
     """
+    if problem.has_functions:
+        from chasles.checker.scalars import check_scalar_counterexample  # SymPy is loaded for such problems only
+
+        check_scalar_counterexample(problem, shown)
+        return
     try:
         reasons = list(_objections(problem, shown))
     except (ArithmeticError, AttributeError, LookupError, RecursionError, TypeError, ValueError) as error:

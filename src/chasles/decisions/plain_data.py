@@ -16,6 +16,7 @@ from chasles.repairs.repair import Repair
 from chasles.verdict import Contradictory, Counterexample, Fails, Holds, HoldsUnder, IllFormed, Posed
 from chasles.vocabulary.dimension import Dimension
 from chasles.vocabulary.families import Family, Index
+from chasles.vocabulary.functions import Cases, FunctionOf
 from chasles.vocabulary.measure import Measure
 from chasles.vocabulary.parts import Submatrix
 
@@ -25,7 +26,7 @@ VERDICTS = (Holds, HoldsUnder, Fails, IllFormed, Contradictory, Posed, Counterex
 NODES = tuple(
     each for each in vars(vocabulary).values() if isinstance(each, type) and issubclass(each, vocabulary.Node)
 )
-WORDS = (Dimension, Measure, Family, Index, Submatrix, *NODES)
+WORDS = (Dimension, Measure, Family, Index, Submatrix, FunctionOf, Cases, *NODES)
 CLASSES: dict[str, type] = {each.__name__: each for each in (*VERDICTS, *WORDS)}
 IN_PI = " pi"
 """Behind a coordinate of a point that pi measures."""

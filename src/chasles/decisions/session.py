@@ -8,10 +8,11 @@ from functools import cached_property, partial
 from time import perf_counter
 from typing import Any
 
+from chasles.deciding import decided
 from chasles.decisions.decision import Correction, Decision, DoesNotStand, Sentence, Used, key_of
 from chasles.decisions.kept_answers import repairs_stand, verdict_stands
 from chasles.decisions.memory import Memory
-from chasles.prover.decide import BUDGET, decide_problem, determining, pose
+from chasles.prover.decide import BUDGET, determining, pose
 from chasles.repairs.repair import Repair, repair
 from chasles.statements import (
     Chapter,
@@ -143,7 +144,7 @@ class Session:
         """The verdict on a problem; `own` are the hypotheses whose use it reports."""
         key = self.memory.key_of_verdict(problem, own)
         stands = partial(verdict_stands, problem)
-        found: Verdict = self.memory.answer(key, stands, lambda: decide_problem(problem, own, self.budget))
+        found: Verdict = self.memory.answer(key, stands, lambda: decided(problem, own, self.budget))
         return found
 
     def _form(self, sentence: Statement | Theorem) -> Verdict:

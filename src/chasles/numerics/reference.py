@@ -16,8 +16,10 @@ from typing import Any
 from chasles.evaluation.interpreter import Interpreter
 from chasles.evaluation.matrices import Matrix, each
 from chasles.numerics.enclosures import ends, exactly, interval_context, is_narrow, middle
+from chasles.numerics.functions import Undetermined, function_of, sign_of
 from chasles.vocabulary import PI, At, Call, Determinant, Group, Inverse, Misfit, Node, Norm, Rate, Symbol
 from chasles.vocabulary.differentiation import rate_of
+from chasles.vocabulary.functions import Cases, FunctionOf
 
 __all__ = ["Matrix", "MissingValue", "Singular", "evaluate"]
 
@@ -54,6 +56,9 @@ def evaluate(
             enclosures = _Enclosures(precision, values, rules or {})(node)
             if last or all(is_narrow(entry, digits) for row in enclosures for entry in row):
                 return [[middle(entry, precision) for entry in row] for row in enclosures]
+        except Undetermined:
+            if last:
+                raise
         except _TooWide as wide:
             if last:
                 raise Singular(str(wide)) from None
@@ -109,8 +114,18 @@ class _Enclosures(Interpreter):
                 return [[self.context.sqrt(reduce(add, (row[0] ** 2 for row in self(of))))]]
             case Call("sin" | "cos" as function, argument):
                 return [[getattr(self.context, function)(self.scalar(argument))]]
+            case FunctionOf(function, arguments):
+                return [[function_of(function, self.context)(*map(self.scalar, arguments))]]
+            case Cases(values, left, right, signs):
+                told = zip(values, left, signs, right, strict=False)
+                chosen = (value for value, a, sign, b in told if self._holds(a, sign, b))
+                return self(next(chosen, values[-1]))
             case _:
                 raise TypeError(f"{node} ({type(node).__name__}) has no numeric value here")
+
+    def _holds(self, left: Node, sign: str, right: Node) -> bool:
+        relation = sign_of(self.scalar(left) - self.scalar(right))
+        return {"<": relation < 0, "<=": relation <= 0, ">": relation > 0, ">=": relation >= 0}[sign]
 
     def _rate(self, node: Node, of: Node) -> Matrix:
         """A rate that has no value of its own is made of the rates of what the symbol stands for."""

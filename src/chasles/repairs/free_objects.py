@@ -13,7 +13,7 @@ from fractions import Fraction
 from itertools import combinations
 
 from chasles.algebra.modular import MODULUS, combination
-from chasles.prover.decide import decide_problem
+from chasles.deciding import decided
 from chasles.repairs.modular_testing import REFUSED, ModularTest, modular_test
 from chasles.repairs.one_term import Change, distinct_terms, instead, rescaled
 from chasles.rewriting.coefficients import AngleFunction, added, spelled, times
@@ -138,7 +138,7 @@ def _allowed(freedom: Freedom, other: Node, statement: Statement, accepted: Acce
     given = tuple(dict.fromkeys((*freedom.claim.given, *statement.given)))
     claim = with_fields(freedom.claim.saying(left, replace(right, {freedom.symbol: other})), given=given)
     try:
-        return decide_problem(problem_of(claim, "printed", accepted)).true
+        return decided(problem_of(claim, "printed", accepted)).true
     except (Misfit, TypeError):
         return False
 

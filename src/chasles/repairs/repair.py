@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from dataclasses import replace as with_fields
 
 from chasles.algebra.work_limit import OutOfTime, within
+from chasles.deciding import decided
 from chasles.display import Displayed
-from chasles.prover.decide import decide_problem
 from chasles.repairs.one_term import Change
 from chasles.repairs.ranking import Nearest, given_sides
 from chasles.repairs.well_formed import WellFormedRepair, fitting
@@ -172,7 +172,7 @@ def _rank(change: Change, known: Container[Node]) -> tuple[int, int, int, int, s
 def _verdict(near: Nearest, claim: Statement) -> Holds | HoldsUnder | None:
     """The verdict on a claim if it is proved."""
     try:
-        verdict = decide_problem(problem_of(claim, "printed", near.accepted), claim.assuming)
+        verdict = decided(problem_of(claim, "printed", near.accepted), claim.assuming)
     except (Misfit, TypeError):
         return None
     return verdict if isinstance(verdict, Holds | HoldsUnder) else None

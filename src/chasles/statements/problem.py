@@ -35,6 +35,7 @@ from chasles.vocabulary import (
     members_of,
     plain,
     replace,
+    walk,
 )
 from chasles.vocabulary.families import indices_of
 from chasles.vocabulary.measure import added
@@ -75,6 +76,13 @@ class Problem:
     presupposed: tuple[Hypothesis, ...] = ()
     cases: tuple[Goal, ...] = ()
     nonnegative: tuple[Symbol, ...] = ()
+
+    @property
+    def has_functions(self) -> bool:
+        """Whether functions of scalars occur that have no polynomial form."""
+        said = [equation for h in self.hypotheses for equation in h.equations]
+        sides = (*_sides(self), *(side for pair in (*self.rules, *said) for side in pair))
+        return any(part.has_no_polynomial_form for side in sides for part in walk(side))
 
 
 def default_form(statement: Statement) -> str:

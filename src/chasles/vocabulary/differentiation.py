@@ -70,5 +70,7 @@ def _rate_of_scalar_or_vector(node: Node) -> Node:
             return Scale(Rate(argument), Call("cos", argument))
         case Call("cos", argument):
             return Negative(Scale(Rate(argument), Call("sin", argument)))
+        case _ if (own := node.rate_by_parts()) is not None:
+            return own
         case _:
             raise NoRule(f"the rate of {plain(node)} follows no rule: state it in the rates of symbols")

@@ -6,15 +6,21 @@ Equality is equality of spelling. A node has no truth value: whether an equation
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import fields
 from fractions import Fraction
 from functools import cache
 from itertools import pairwise
+from typing import TYPE_CHECKING, ClassVar
 
 from chasles.display import Displayed
 from chasles.vocabulary.dimension import NO_DIMENSION
 from chasles.vocabulary.fitting import SCALAR, Fitted, measured, square_measure, word
 from chasles.vocabulary.measure import Measure, Misfit, added, contracted, scaled, uniform
+
+if TYPE_CHECKING:
+    from chasles.vocabulary.functions import Relation
+    from chasles.vocabulary.spelling import Piece, Style
 
 __all__ = [
     "Contract",
@@ -31,14 +37,27 @@ __all__ = [
 ]
 
 
+HOLDING = ("Node", "tuple[Node, ...]")
+
+
 class Node(Displayed, Fitted):
     """A word with the operators that combine it with others."""
 
     __slots__ = ()
+    has_no_polynomial_form: ClassVar[bool] = False
     __iter__ = None  # places are counted from 1, which Python's own way through them is not
 
     def _parts(self) -> tuple[Node, ...]:
-        return tuple(getattr(self, name) for name in node_fields(type(self)))  # type: ignore[arg-type]
+        held = [getattr(self, name) for name in node_fields(type(self))]  # type: ignore[arg-type]
+        return tuple(part for each in held for part in (each if isinstance(each, tuple) else (each,)))
+
+    def spelled(self, style: Style, spell: Callable[[Node], Piece]) -> Piece | None:
+        """How it is printed, where the word says so itself."""
+        return None
+
+    def rate_by_parts(self) -> Node | None:
+        """Its time derivative by the rates of its parts, where the word says so itself."""
+        return None
 
     @property
     def T(self) -> Transpose:
@@ -76,6 +95,28 @@ class Node(Displayed, Fitted):
 
     def __rtruediv__(self, other: int | Fraction) -> Quotient:
         return Quotient(lifted(other), self)
+
+    def __abs__(self) -> Node:
+        from chasles.vocabulary.functions import FunctionOf
+
+        return FunctionOf("abs", (self,))
+
+    def __lt__(self, other: Node | int | Fraction) -> Relation:
+        return self._compared("<", other)
+
+    def __le__(self, other: Node | int | Fraction) -> Relation:
+        return self._compared("<=", other)
+
+    def __gt__(self, other: Node | int | Fraction) -> Relation:
+        return self._compared(">", other)
+
+    def __ge__(self, other: Node | int | Fraction) -> Relation:
+        return self._compared(">=", other)
+
+    def _compared(self, sign: str, other: Node | int | Fraction) -> Relation:
+        from chasles.vocabulary.functions import Relation
+
+        return Relation(self, sign, lifted(other))
 
     def __matmul__(self, other: Node) -> Node:
         if isinstance(self, Negative):
@@ -121,8 +162,8 @@ class Node(Displayed, Fitted):
 
 @cache
 def node_fields(kind: type[Node]) -> tuple[str, ...]:
-    """The fields of a word that hold expressions."""
-    return tuple(each.name for each in fields(kind) if each.type in ("Node", Node))  # type: ignore[arg-type]
+    """The fields of a word that hold expressions, or tuples of them."""
+    return tuple(each.name for each in fields(kind) if each.type in HOLDING)  # type: ignore[arg-type]
 
 
 @word
@@ -160,9 +201,6 @@ class Sum(Node):
     """Terms added in the author's order; a subtracted term is a `Negative`."""
 
     terms: tuple[Node, ...]
-
-    def _parts(self) -> tuple[Node, ...]:
-        return self.terms
 
     def _measured(self) -> Measure:
         total = measured(self.terms[0])
@@ -229,9 +267,6 @@ class Contract(Node):
     """Matrices multiplied in the author's order."""
 
     factors: tuple[Node, ...]
-
-    def _parts(self) -> tuple[Node, ...]:
-        return self.factors
 
     def _measured(self) -> Measure:
         total = measured(self.factors[0])

@@ -59,6 +59,16 @@ class _Plain:
     def function(self, name: str, argument: Piece) -> Piece:
         return Piece(f"{name}({argument.text})", Precedence.ATOM, argument.depth)
 
+    def called(self, name: str, in_latex: str) -> str:
+        return "|#|" if name == "abs" else name
+
+    def compared(self, sign: str) -> str:
+        return sign
+
+    def cases(self, values: list[str], where: list[str]) -> str:
+        said = [f"{value} if {condition}" for value, condition in zip(values, where, strict=False)]
+        return f"({', '.join((*said, values[-1]))} otherwise)"
+
     def norm(self, of: Piece) -> Piece:
         inner = self._grouped(of) if "|" in of.text else of
         return Piece(f"|{inner.text}|", Precedence.ATOM, inner.depth)

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import lru_cache
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.letters import Symbol
 from chasles.vocabulary.measure import Measure
 from chasles.vocabulary.nodes import Node
 from chasles.vocabulary.tree import children, rebuilt
-
-if TYPE_CHECKING:
-    from chasles.vocabulary.spelling import Piece, Style
 
 __all__ = ["Shorthand", "opened"]
 
@@ -31,10 +27,6 @@ class Shorthand(Node):
     def definition(self) -> Node:
         """The same in simpler words. Raises `Misfit` for parts that do not fit together."""
         raise NotImplementedError(type(self).__name__)
-
-    def spelled(self, style: Style, spell: Callable[[Node], Piece]) -> Piece | None:
-        """How it is printed where that is not as a function of its parts."""
-        return None
 
     def _measured(self) -> Measure:
         return measured(self.definition)

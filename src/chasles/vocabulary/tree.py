@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace as with_fields
+from itertools import islice
 from typing import Any
 
 from chasles.vocabulary.body import Integral
 from chasles.vocabulary.layout import Block, Rate
 from chasles.vocabulary.letters import Symbol
-from chasles.vocabulary.nodes import Contract, Node, Sum, node_fields
+from chasles.vocabulary.nodes import Node, node_fields
 
 __all__ = ["children", "rebuilt", "replace", "symbols_of", "undotted", "walk"]
 
@@ -22,16 +23,14 @@ def children(node: Node) -> tuple[Node, ...]:
 def rebuilt(node: Node, parts: tuple[Node, ...]) -> Node:
     """The same kind of node over other parts, measured anew."""
     match node:
-        case Sum():
-            return Sum(parts)
-        case Contract():
-            return Contract(parts)
         case Block(rows):
             taken = iter(parts)
             return Block(tuple(tuple(next(taken) for _ in row) for row in rows))
         case _:
-            names = node_fields(type(node))  # type: ignore[arg-type]
-            changes: dict[str, Any] = dict(zip(names, parts, strict=True))
+            taken, changes = iter(parts), dict[str, Any]()
+            for name in node_fields(type(node)):  # type: ignore[arg-type]
+                held = getattr(node, name)
+                changes[name] = tuple(islice(taken, len(held))) if isinstance(held, tuple) else next(taken)
             return with_fields(node, **changes) if changes else node  # type: ignore[type-var]
 
 

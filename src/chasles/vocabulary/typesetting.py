@@ -75,6 +75,17 @@ class Latex:
             return Piece(f"{command} {argument.text}", Precedence.PRODUCT)
         return Piece(f"{command}{self.brackets(argument.text, argument.depth)}", Precedence.POWER, argument.depth + 1)
 
+    def called(self, name: str, in_latex: str) -> str:
+        return in_latex
+
+    def compared(self, sign: str) -> str:
+        return {"<=": r"\leq", ">=": r"\geq"}.get(sign, sign)
+
+    def cases(self, values: list[str], where: list[str]) -> str:
+        lines = [f"{value} & {said}" for value, said in zip(values, where, strict=False)]
+        lines.append(rf"{values[-1]} & \text{{otherwise}}")
+        return r"\begin{cases} " + r" \\ ".join(lines) + r" \end{cases}"
+
     def norm(self, of: Piece) -> Piece:
         if r"\|" in of.text:
             of = Piece(self.brackets(of.text, of.depth), Precedence.ATOM, of.depth + 1)

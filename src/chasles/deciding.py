@@ -1,0 +1,60 @@
+"""The verdict on any problem: by polynomials, or as a question of scalars where functions without such a form occur."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+
+from chasles.prover.decide import BUDGET, decide_problem
+from chasles.statements import Hypothesis, Problem
+from chasles.verdict import Contradictory, Counterexample, Fails, Holds, HoldsUnder, Undecided, Verdict
+
+__all__ = ["decided"]
+
+
+def decided(problem: Problem, own: tuple[Hypothesis, ...] = (), budget: float = BUDGET) -> Verdict:
+    """The verdict on a problem; `own` are the hypotheses whose use it reports."""
+    if not problem.has_functions:
+        return decide_problem(problem, own, budget)
+    # SymPy is loaded where it is needed only.
+    from chasles.checker.scalars import scalar_question
+    from chasles.prove import Rejected, Untreatable, prove
+
+    try:
+        question = scalar_question(problem)
+        assert question is not None
+        verdict = prove(*question.asked)
+    except (Rejected, Untreatable, TypeError) as error:
+        return Undecided(str(error))
+    match verdict:
+        case Fails(found):
+            label, entry = question.places[found.entry[0] - 1]
+            if question.partial:
+                return Undecided("a counterexample was found, which may not satisfy all that is assumed")
+            return Fails(Counterexample(found.at, entry, found.left, found.right, label))
+        case Contradictory(hypotheses, certificate):
+            return Contradictory(_said(hypotheses, question.sources), certificate)
+        case Holds() | HoldsUnder():
+            return _proved(verdict, problem, own, question.sources)
+        case _:
+            return verdict
+
+
+def _proved(
+    verdict: Holds | HoldsUnder, problem: Problem, own: tuple[Hypothesis, ...], sources: Mapping[str, str]
+) -> Verdict:
+    """The proof of the question as one of the problem; that quantities are positive counts among what it needs."""
+    certificate = {"scalars": verdict.certificate, "needs": list(verdict.needs)}
+    if all(type(value) is Fraction for value in verdict.witness.values()):
+        certificate["point"] = {name: str(value) for name, value in verdict.witness.items()}
+    positive = (h.text for h in problem.hypotheses if h.kind == "positive")
+    needs = tuple(dict.fromkeys((*positive, *_said(verdict.needs, sources))))
+    unused = tuple(h.text for h in own if h.text not in needs)
+    if not needs:
+        return Holds(certificate, verdict.witness, unused)
+    return HoldsUnder(needs, certificate, verdict.witness, unused)
+
+
+def _said(texts: tuple[str, ...], sources: Mapping[str, str]) -> tuple[str, ...]:
+    """Who says what SymPy spells; what nobody says is spelled as in the chapter."""
+    return tuple(sources.get(text) or text.replace("**", "^").replace("*", " ") for text in texts)

@@ -1,0 +1,249 @@
+"""Functions of scalars beside sine and cosine, and what is defined by cases.
+
+They have no polynomial form: a statement with one of them is decided as a question of scalars, and stands where each of
+them is real.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TYPE_CHECKING, ClassVar
+
+from chasles.vocabulary.arguments import Declared, declaring
+from chasles.vocabulary.dimension import NO_DIMENSION, Dimension
+from chasles.vocabulary.fitting import SCALAR, measured, word
+from chasles.vocabulary.layout import Rate
+from chasles.vocabulary.measure import Measure, Misfit, added, uniform
+from chasles.vocabulary.nodes import Node, Sum, lifted
+
+if TYPE_CHECKING:
+    from chasles.vocabulary.spelling import Piece, Style
+
+__all__ = [
+    "Cases",
+    "Relation",
+    "FunctionOf",
+    "arccos",
+    "arcsin",
+    "arctan",
+    "atan2",
+    "cases",
+    "cosh",
+    "exp",
+    "log",
+    "maximum",
+    "minimum",
+    "sign",
+    "sinh",
+    "sqrt",
+    "tanh",
+]
+
+Scalar = Node | int | Fraction
+PRINTED = {
+    "sqrt": r"\sqrt{#}",
+    "abs": "|#|",
+    **{name: rf"\{name}" for name in ("exp", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "max", "min")},
+    "log": r"\ln",
+    "atan2": r"\operatorname{atan2}",
+    "sign": r"\operatorname{sign}",
+}
+"""In LaTeX: a form with a place for the argument, or a name that stands before it."""
+OF_ANY, RESULT_LIKE = ("sign", "atan2"), ("abs", "max", "min")
+
+
+@word
+class FunctionOf(Node):
+    """A function of scalars, called by its `function`: "sqrt", "atan2", "max"."""
+
+    function: str
+    arguments: tuple[Node, ...]
+    has_no_polynomial_form: ClassVar[bool] = True
+
+    def _measured(self) -> Measure:
+        first = measured(self.arguments[0])
+        for argument in self.arguments:
+            if not argument.is_scalar:
+                raise Misfit(f"{self.function} takes scalars, and {argument} is none")
+            first = added(first, measured(argument), (self.arguments[0], argument), f"take {self.function} of")
+        dimension = first.grid[0][0]
+        if self.function in RESULT_LIKE:
+            return uniform(SCALAR, dimension)
+        if self.function == "sqrt":
+            return uniform(SCALAR, dimension and self._root(dimension))
+        if dimension not in (None, NO_DIMENSION) and self.function not in OF_ANY:
+            raise Misfit(f"{self.function} takes a number without dimension, and {self.arguments[0]} is in {dimension}")
+        return uniform(SCALAR)
+
+    def _root(self, dimension: Dimension) -> Dimension:
+        powers = dimension.length, dimension.mass, dimension.time
+        if any(power % 2 for power in powers):
+            raise Misfit(f"the square root of {self.arguments[0]}, which is in {dimension}, has no dimension")
+        return Dimension(*(power // 2 for power in powers))
+
+    def rate_by_parts(self) -> Node | None:
+        if self.function not in DERIVATIVES:
+            return None
+        slopes = DERIVATIVES[self.function](*self.arguments)
+        return Sum(tuple(slope * Rate(argument) for slope, argument in zip(slopes, self.arguments, strict=True)))
+
+    def spelled(self, style: Style, spell: Callable[[Node], Piece]) -> Piece:
+        from chasles.vocabulary.spelling import Piece, Precedence
+
+        inner = [spell(argument) for argument in self.arguments]
+        text, depth = ", ".join(piece.text for piece in inner), max(piece.depth for piece in inner)
+        form = style.called(self.function, PRINTED[self.function])
+        if "#" in form:
+            return Piece(form.replace("#", text), Precedence.ATOM, depth)
+        return Piece(f"{form}{style.brackets(text, depth)}", Precedence.POWER, depth + 1)
+
+
+@dataclass(frozen=True, slots=True)
+class Relation(Declared):
+    """A relation between scalars: `x < 1`, as it is written; it is a condition of a case, or is assumed."""
+
+    left: Node
+    sign: str
+    right: Node
+
+    def __bool__(self) -> bool:
+        raise TypeError("a comparison has no truth value: it is the condition of a case, or is assumed")
+
+    def __str__(self) -> str:
+        return f"{self.left} {self.sign} {self.right}"
+
+
+@word
+class Cases(Node):
+    """The first of the `values` whose condition holds: a comparison of `left` and `right`; the last has none."""
+
+    values: tuple[Node, ...]
+    left: tuple[Node, ...]
+    right: tuple[Node, ...]
+    signs: tuple[str, ...]
+    has_no_polynomial_form: ClassVar[bool] = True
+
+    def _measured(self) -> Measure:
+        total = measured(self.values[0])
+        for value in self.values[1:]:
+            total = added(total, measured(value), (self.values[0], value), "take by cases")
+        for left, right in zip(self.left, self.right, strict=True):
+            if not (left.is_scalar and right.is_scalar):
+                raise Misfit(f"only scalars are compared: {left} and {right}")
+            added(measured(left), measured(right), (left, right), "compare")
+        return total
+
+    def spelled(self, style: Style, spell: Callable[[Node], Piece]) -> Piece:
+        from chasles.vocabulary.spelling import Piece, Precedence
+
+        shown = zip(self.left, self.signs, self.right, strict=True)
+        where = [f"{spell(left).text} {style.compared(sign)} {spell(right).text}" for left, sign, right in shown]
+        return Piece(style.cases([spell(value).text for value in self.values], where), Precedence.ATOM, 2)
+
+
+def _function(name: str, *arguments: Scalar) -> FunctionOf:
+    return FunctionOf(name, tuple(map(lifted, arguments)))
+
+
+@declaring
+def sqrt(of: Scalar) -> FunctionOf:
+    """The nonnegative square root."""
+    return _function("sqrt", of)
+
+
+@declaring
+def exp(of: Scalar) -> FunctionOf:
+    """The exponential function."""
+    return _function("exp", of)
+
+
+@declaring
+def log(of: Scalar) -> FunctionOf:
+    """The natural logarithm."""
+    return _function("log", of)
+
+
+@declaring
+def arcsin(of: Scalar) -> FunctionOf:
+    """The angle between -pi/2 and pi/2 that has this sine."""
+    return _function("arcsin", of)
+
+
+@declaring
+def arccos(of: Scalar) -> FunctionOf:
+    """The angle between 0 and pi that has this cosine."""
+    return _function("arccos", of)
+
+
+@declaring
+def arctan(of: Scalar) -> FunctionOf:
+    """The angle between -pi/2 and pi/2 that has this tangent."""
+    return _function("arctan", of)
+
+
+@declaring
+def atan2(sine: Scalar, cosine: Scalar) -> FunctionOf:
+    """The angle above -pi and at most pi whose sine and cosine have the ratio of the two, and their signs."""
+    return _function("atan2", sine, cosine)
+
+
+@declaring
+def sinh(of: Scalar) -> FunctionOf:
+    """The hyperbolic sine."""
+    return _function("sinh", of)
+
+
+@declaring
+def cosh(of: Scalar) -> FunctionOf:
+    """The hyperbolic cosine."""
+    return _function("cosh", of)
+
+
+@declaring
+def tanh(of: Scalar) -> FunctionOf:
+    """The hyperbolic tangent."""
+    return _function("tanh", of)
+
+
+@declaring
+def sign(of: Scalar) -> FunctionOf:
+    """1, 0 or -1, as the scalar is positive, zero or negative."""
+    return _function("sign", of)
+
+
+@declaring
+def maximum(*of: Scalar) -> FunctionOf:
+    """The largest of several scalars."""
+    return _function("max", *of)
+
+
+@declaring
+def minimum(*of: Scalar) -> FunctionOf:
+    """The smallest of several scalars."""
+    return _function("min", *of)
+
+
+DERIVATIVES: dict[str, Callable[..., tuple[Node, ...]]] = {
+    "sqrt": lambda x: (1 / (2 * sqrt(x)),),
+    "abs": lambda x: (sign(x),),
+    "exp": lambda x: (exp(x),),
+    "log": lambda x: (1 / x,),
+    "arcsin": lambda x: (1 / sqrt(1 - x**2),),
+    "arccos": lambda x: (-(1 / sqrt(1 - x**2)),),
+    "arctan": lambda x: (1 / (1 + x**2),),
+    "atan2": lambda y, x: (x / (x**2 + y**2), -(y / (x**2 + y**2))),
+    "sinh": lambda x: (cosh(x),),
+    "cosh": lambda x: (sinh(x),),
+    "tanh": lambda x: (1 / cosh(x) ** 2,),
+}
+"""The partial derivatives of each function."""
+
+
+@declaring
+def cases(*rows: tuple[Scalar, Relation], otherwise: Scalar) -> Cases:
+    """The value of the first row whose comparison holds, else that `otherwise`."""
+    values = (*(lifted(value) for value, _ in rows), lifted(otherwise))
+    left, right, signs = zip(*((c.left, c.right, c.sign) for _, c in rows), strict=True)
+    return Cases(values, left, right, signs)

@@ -1,0 +1,242 @@
+"""Functions of scalars: printed, measured, decided, checked, refuted, differentiated and evaluated."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import mpmath
+import pytest
+
+from chasles.checker.certificate import Rejected, check
+from chasles.checker.refutation import check_counterexample
+from chasles.decisions.memory import Memory
+from chasles.decisions.session import Session
+from chasles.numerics.reference import evaluate
+from chasles.statements import Chapter, Claim, Definition, Entry, Section, definite, positive, rotation, unit
+from chasles.statements.problem import problem_of
+from chasles.verdict import Fails, Holds, HoldsUnder
+from chasles.vocabulary import (
+    CPM,
+    LENGTH,
+    Identity,
+    Misfit,
+    Node,
+    column,
+    cos,
+    det,
+    dot,
+    latex,
+    norm,
+    number,
+    plain,
+    rate,
+    scalar,
+    sin,
+    square,
+    tr,
+    vector,
+)
+from chasles.vocabulary.differentiation import rate_of
+from chasles.vocabulary.functions import (
+    FunctionOf,
+    arccos,
+    arcsin,
+    arctan,
+    atan2,
+    cases,
+    cosh,
+    exp,
+    log,
+    maximum,
+    minimum,
+    sign,
+    sinh,
+    sqrt,
+    tanh,
+)
+from chasles.vocabulary.nodes import lifted
+from chasles.vocabulary.tree import rebuilt
+
+x, y, p, phi = (scalar(name, letter, "a number") for name, letter in zip("xypf", ("x", "y", "p", r"\phi"), strict=True))
+r = scalar("r", "r", "a length", LENGTH)
+v = vector("v", "v", "a vector", LENGTH)
+e = vector("e", "e", "an axis")
+Q, M = square("Q", "Q", "a rotation"), square("M", "M", "a matrix")
+a = scalar("a", r"\alpha", "an angle")
+angle = Definition("0.1", a, arccos((tr(Q) - 1) / 2))
+turn = Definition("0.2", Q, e @ e.T + cos(phi) * (Identity(3) - e @ e.T) + sin(phi) * CPM(e), assuming=(unit(e),))
+
+
+def claim(left: Any, right: Any, *assuming: Any, given: tuple[Any, ...] = ()) -> Claim:
+    return Claim("1", lifted(left), lifted(right), assuming=assuming, given=given)
+
+
+TRUE = [
+    claim(sqrt(x**2 + y**2) ** 2, x**2 + y**2),
+    claim(sin(arccos(x)), sqrt(1 - x**2)),
+    claim(norm(v), sqrt(v.x**2 + v.y**2 + v.z**2)),
+    claim(abs(x), x, positive(x)),
+    claim(abs(x), cases((x, x > 0), otherwise=-x)),
+    claim(cos(atan2(y, x)), x / sqrt(x**2 + y**2)),
+    claim(sin(atan2(y, x)) * sqrt(x**2 + y**2), y),
+    claim(cos(arccos((tr(Q) - 1) / 2)), (tr(Q) - 1) / 2, rotation(Q)),
+    claim(2 * cos(a) + 1, tr(Q), given=(angle,)),
+    claim(rate(sqrt(1 + x**2)), x * rate(x) / sqrt(1 + x**2)),
+    claim(rate(arctan(x)), rate(x) / (1 + x**2)),
+    claim(rate(atan2(y, x)), (x * rate(y) - y * rate(x)) / (x**2 + y**2)),
+    claim(exp(x) * exp(-x), 1),
+    claim(sqrt((1 + cos(phi)) / 2), abs(cos(phi / 2))),
+    claim(abs(x - y), maximum(x, y) - minimum(x, y)),
+    claim(cosh(x) ** 2 - sinh(x) ** 2, 1),
+    claim(tanh(x), sinh(x) / cosh(x)),
+    claim(log(p**2), 2 * log(p), positive(p)),
+    claim(arcsin(x) + arccos(x), arcsin(x) + arccos(x)),
+    claim(norm(v) * sign(p), norm(v), positive(p)),
+    claim(column(sqrt(x**2), y), column(abs(x), y)),
+    claim(sqrt(det(M) ** 2), abs(det(M))),
+    claim(sqrt(r**2), r, positive(r)),
+]
+FALSE = [
+    claim(norm(v), abs(v.x)),
+    claim(abs(x), x),
+    claim(2 * cos(a) + 2, tr(Q), given=(angle,)),
+    claim(sqrt((1 + cos(phi)) / 2), cos(phi / 2)),
+    claim(rate(arctan(x)), rate(x) / (1 - x**2)),
+    claim(cosh(x) ** 2 + sinh(x) ** 2, 1),
+    claim(exp(x) * exp(x), exp(x)),
+    claim(column(x, sqrt(x**2)), column(x, x)),
+    claim(cases((x, x >= 1), otherwise=y), x),
+    claim(arccos(x), arcsin(x)),
+    claim(maximum(x, y), x),
+    claim(sqrt(r**2), -r, positive(r)),
+]
+
+
+@pytest.mark.parametrize("said", TRUE, ids=lambda said: f"{said.left} = {said.right}")
+def test_what_is_true_is_proved_and_the_proof_is_checked(said: Claim) -> None:
+    verdict = Session().decide(said).verdict
+    assert isinstance(verdict, Holds | HoldsUnder), verdict
+    check(said, "printed", json.loads(json.dumps(verdict.certificate)))
+    if said.left != said.right:
+        with pytest.raises(Rejected):
+            check(replace(said, right=said.right + said.right + said.left), "printed", verdict.certificate)
+
+
+@pytest.mark.parametrize("said", FALSE, ids=lambda said: f"{said.left} = {said.right}")
+def test_what_is_false_is_refuted_and_the_point_is_checked(said: Claim) -> None:
+    verdict = Session().decide(said).verdict
+    assert isinstance(verdict, Fails), verdict
+    check_counterexample(problem_of(said), verdict.counterexample)
+    with pytest.raises(Rejected):
+        check_counterexample(problem_of(replace(said, right=said.left)), verdict.counterexample)
+
+
+def test_a_counterexample_names_the_entry_and_needs_name_hypotheses() -> None:
+    found = Session().decide(claim(column(x, sqrt(x**2)), column(x, x))).verdict
+    assert isinstance(found, Fails)
+    assert found.counterexample.entry == (2, 1)
+    needs = Session().decide(claim(abs(x), x, positive(x), rotation(Q))).verdict
+    assert isinstance(needs, HoldsUnder)
+    assert (needs.needs, needs.unused) == (("x > 0",), ("Q is a rotation",))
+
+
+def test_a_point_that_may_not_be_definite_refutes_nothing() -> None:
+    said = claim(abs(M[1, 1]), -M[1, 1], definite(M))
+    assert Session().decide(said).verdict.name == "undecided"
+
+
+def test_answers_are_kept_and_checked_again() -> None:
+    wrong = claim(sqrt(x**2 + y**2), sqrt(x**2 - y**2))
+    book = Chapter("Roots", (Entry("wrong", Section("1", "One"), wrong),), "roots")
+    memory = Memory()
+    first = Session(book=book, memory=memory).decide(wrong)
+    assert first.correction is not None
+    assert first.correction.sides[1] == sqrt(x**2 + y**2)
+    again = Memory(json.loads(json.dumps(memory.as_data(1000))))
+    second = Session(book=book, memory=again).decide(wrong)
+    assert (second.verdict, second.correction) == (first.verdict, first.correction)
+    assert again.has_recalled
+
+
+@pytest.mark.parametrize(
+    ("node", "in_latex", "text"),
+    [
+        (2 * sqrt(x**2 + y**2), r"2 \sqrt{x^2 + y^2}", "2 sqrt(x^2 + y^2)"),
+        (abs(x - y) ** 2, "|x - y|^2", "|x - y|^2"),
+        (atan2(v.y, v.x), r"\operatorname{atan2}\left( v_y, v_x \right)", "atan2(v_y, v_x)"),
+        (arccos((tr(Q) - 1) / 2), r"\arccos\left[ \frac{\text{tr}\left( \mathbf{Q} \right) - 1}{2} \right]", None),
+        (
+            cases((x, x > 0), (y, x <= -1), otherwise=0),
+            r"\begin{cases} x & x > 0 \\ y & x \leq -1 \\ 0 & \text{otherwise} \end{cases}",
+            "(x if x > 0, y if x <= -1, 0 otherwise)",
+        ),
+    ],
+)
+def test_they_are_printed(node: Node, in_latex: str, text: str | None) -> None:
+    assert latex(node) == in_latex
+    assert text is None or plain(node) == text
+    assert rebuilt(node, node._parts()) == node
+
+
+@pytest.mark.parametrize(
+    ("write", "reason"),
+    [
+        (lambda: sqrt(r), "the square root of r, which is in m, has no dimension"),
+        (lambda: exp(r), "exp takes a number without dimension"),
+        (lambda: atan2(r, x), "cannot take atan2 of r [m] and x"),
+        (lambda: sqrt(v), "sqrt takes scalars, and v is none"),
+        (lambda: cases((x, r > x), otherwise=x), "cannot compare r [m] and x"),
+        (lambda: cases((x, x > 0), otherwise=r), "cannot take by cases x"),
+    ],
+)
+def test_what_does_not_fit_is_told(write: Callable[[], Node], reason: str) -> None:
+    with pytest.raises(Misfit, match=re.escape(reason)):
+        write()
+
+
+def test_a_comparison_is_not_true_or_false_by_itself() -> None:
+    with pytest.raises(TypeError, match="no truth value"):
+        bool(x < y)
+
+
+FUNCTIONS: list[tuple[Callable[..., FunctionOf], Callable[..., Any], tuple[str, ...]]] = [
+    (sqrt, mpmath.sqrt, ("0.7",)),
+    (abs, abs, ("-0.7",)),
+    (exp, mpmath.exp, ("-1.3",)),
+    (log, mpmath.log, ("0.2",)),
+    (arcsin, mpmath.asin, ("-0.9",)),
+    (arccos, mpmath.acos, ("-0.3",)),
+    (arctan, mpmath.atan, ("5",)),
+    (atan2, mpmath.atan2, ("-2", "-3")),
+    (sinh, mpmath.sinh, ("0.4",)),
+    (cosh, mpmath.cosh, ("0.4",)),
+    (tanh, mpmath.tanh, ("0.4",)),
+]
+
+
+@pytest.mark.parametrize(("word", "function", "at"), FUNCTIONS, ids=[row[1].__name__ for row in FUNCTIONS])
+def test_values_and_rates_have_fifty_digits(
+    word: Callable[..., FunctionOf], function: Callable[..., Any], at: tuple[str, ...]
+) -> None:
+    arguments = (x, y)[: len(at)]
+    with mpmath.workdps(70):
+        values = dict(zip(arguments, map(mpmath.mpf, at), strict=True))
+        rates = {rate(x): mpmath.mpf(3), rate(y): mpmath.mpf(-2)}
+        node = word(*arguments)
+        ((found,),) = evaluate(node, values)
+        ((moved,),) = evaluate(rate_of(node), {**values, **rates})
+        true = function(*values.values())
+        along = mpmath.diff(lambda t: function(*(values[s] + t * rates[rate(s)] for s in arguments)), 0)
+        assert mpmath.almosteq(found, true, rel_eps=mpmath.mpf(10) ** -49)
+        assert mpmath.almosteq(moved, along, rel_eps=mpmath.mpf(10) ** -30)
+
+
+def test_cases_take_the_first_that_holds() -> None:
+    node = cases((1, x > y), (2, x >= y), otherwise=dot(v, v) / dot(v, v))
+    values = {v: [1, 0, 0]}
+    assert [int(evaluate(node, {**values, x: k, y: 1})[0][0]) for k in (2, 1, 0)] == [1, 2, 1]
+    assert int(evaluate(maximum(x, y, 3) + sign(minimum(x, number(-1))), {x: 1, y: 7})[0][0]) == 6
