@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 
 __all__ = [
     "Cases",
-    "Relation",
     "FunctionOf",
+    "Relation",
     "arccos",
     "arcsin",
     "arctan",
