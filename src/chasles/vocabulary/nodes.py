@@ -163,7 +163,7 @@ class Node(Displayed, Fitted):
 @cache
 def node_fields(kind: type[Node]) -> tuple[str, ...]:
     """The fields of a word that hold expressions, or tuples of them."""
-    return tuple(each.name for each in fields(kind) if each.type in HOLDING)  # type: ignore[arg-type]
+    return tuple(each.name for each in fields(kind) if each.type in (*HOLDING, Node, tuple[Node, ...]))  # type: ignore[arg-type]
 
 
 @word
