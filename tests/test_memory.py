@@ -83,7 +83,7 @@ def remembered(left: Node, right: Node, *assuming: Hypothesis) -> Verdict:
     verdict = judge.decide(claim).verdict
     again = Session(memory=Memory(as_text(judge.memory.as_data(10))))
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("chasles.decisions.session.decide_problem", forbidden)
+        patch.setattr("chasles.decisions.session.decided", forbidden)
         assert again.decide(claim).verdict == verdict
     return again.decide(claim).verdict
 
@@ -121,7 +121,7 @@ def test_what_is_remembered_is_what_was_decided(decisions: tuple[Session, list[D
     kept = as_text(once.memory.as_data(10_000))
     again = Session(book=BOOK, memory=Memory(kept))
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("chasles.decisions.session.decide_problem", forbidden)
+        patch.setattr("chasles.decisions.session.decided", forbidden)
         patch.setattr("chasles.decisions.session.repair", forbidden)
         for entry, decision in zip(SOME, found, strict=True):
             assert as_text_of(again.decide(entry.statement)) == as_text_of(decision)
@@ -188,7 +188,7 @@ def test_inverses_are_foreseen(decisions: tuple[Session, list[Decision]], monkey
         for given in statement.relied_on:
             judge.decide(given)
     predict(judge, [statement for statement, _ in inverses])
-    monkeypatch.setattr("chasles.decisions.session.decide_problem", forbidden)
+    monkeypatch.setattr("chasles.decisions.session.decided", forbidden)
     assert len(inverses) >= 3
     for statement, decision in inverses:
         assert outcome(judge.decide(statement)) == outcome(decision)
@@ -283,7 +283,7 @@ def test_a_second_run_only_checks_again(folder: Path, monkeypatch: pytest.Monkey
     first, _ = decide(section("3.3"), BOOK)
     (kept,) = folder.iterdir()
     before = kept.read_bytes()
-    monkeypatch.setattr("chasles.decisions.session.decide_problem", forbidden)
+    monkeypatch.setattr("chasles.decisions.session.decided", forbidden)
     second, _ = decide(section("3.3"), BOOK)
     assert [outcome(d) for _, d in second.decided] == [outcome(d) for _, d in first.decided]
     assert second.rechecked is not None
@@ -343,6 +343,7 @@ def test_a_verdict_that_is_rejected_without_a_cache_is_a_failure(monkeypatch: py
 
 def test_what_is_kept_is_of_all_the_code_that_decides() -> None:
     """Whatever is loaded to decide is part of the engine, but what only displays."""
-    loaded = closure("chasles.decisions.session", "chasles.deriving", "chasles.points.search")
+    # `chasles.prove` is loaded where functions of scalars occur only.
+    loaded = closure("chasles.decisions.session", "chasles.deriving", "chasles.points.search", "chasles.prove")
     rooms = {name.split(".")[1] for name in loaded if "." in name}
     assert rooms - {"display", "several", "nearest"} == set(recalled.ENGINE)

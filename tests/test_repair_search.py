@@ -205,7 +205,7 @@ def test_what_rests_on_a_statement_that_does_not_stand_is_not_repaired() -> None
 def test_nothing_is_given_that_was_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
     claim, _ = SLIPS["number"]
     assert repair(claim)
-    monkeypatch.setattr(searching, "decide_problem", lambda *_: Undecided("the prover is asleep"))
+    monkeypatch.setattr(searching, "decided", lambda *_: Undecided("the prover is asleep"))
     assert repair(claim) == ()
 
 
@@ -218,7 +218,7 @@ def test_only_what_the_prover_confirms_is_given(monkeypatch: pytest.MonkeyPatch)
         right = problem.goals[0].right
         return Undecided("not this one") if right == first.right else decide_problem(problem, own)
 
-    monkeypatch.setattr(searching, "decide_problem", not_the_first)
+    monkeypatch.setattr(searching, "decided", not_the_first)
     assert [each.right for each in repair(claim)][: len(others)] == [each.right for each in others]
 
 

@@ -37,7 +37,7 @@ from .sampling import WHOLE, sample
 ROOT = Path(__file__).resolve().parents[1]
 CHAPTER, ROADS, SHIPPED = load(), roads(), shipped(BOOK)
 SEARCHES = (
-    "chasles.decisions.session.decide_problem",
+    "chasles.decisions.session.decided",
     "chasles.decisions.session.repair",
     "chasles.deriving.state.combined",
 )

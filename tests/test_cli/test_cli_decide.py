@@ -139,7 +139,7 @@ def test_a_wrong_correction_fails(run, chapter_is) -> None:
 
 def test_undecided_fails_in_both_outputs(run, chapter_is, monkeypatch: pytest.MonkeyPatch) -> None:
     chapter_is(sure=Definition("9.1", x, y), unsure=Claim("9.2", x + y, y + x, says="Who knows."))
-    monkeypatch.setattr(judge, "decide_problem", lambda *_: Undecided("no idea"))
+    monkeypatch.setattr(judge, "decided", lambda *_: Undecided("no idea"))
     for flag in ([], ["--json"], ["--brief"]):
         done = run("decide", *flag)
         assert done.exit_code == 1
@@ -150,13 +150,13 @@ def test_undecided_fails_in_both_outputs(run, chapter_is, monkeypatch: pytest.Mo
 def test_a_forged_certificate_fails(run, chapter_is, monkeypatch: pytest.MonkeyPatch) -> None:
     chapter_is(long=Claim("9.1", dot(a, a) * dot(a, b), dot(a, b), assuming=(unit(a),), says="A unit vector."))
     assert run("decide").exit_code == 0
-    decide = judge.decide_problem
+    decide = judge.decided
 
     def forged(*of: object):
         verdict = decide(*of)
         return replace(verdict, certificate=verdict.certificate | {"division": []})
 
-    monkeypatch.setattr(judge, "decide_problem", forged)
+    monkeypatch.setattr(judge, "decided", forged)
     done = run("decide")
     assert done.exit_code == 1
     assert done.stderr.startswith("chasles: checked again, the verdict on (9.1) is rejected: ")

@@ -185,7 +185,7 @@ def test_polynomials_that_are_not_known_are_refused_in_one_line(monkeypatch: pyt
 @pytest.fixture
 def undecided(monkeypatch: pytest.MonkeyPatch) -> None:
     """Nothing can be decided."""
-    monkeypatch.setattr("chasles.decisions.session.decide_problem", lambda *_: Undecided("it is beyond the prover"))
+    monkeypatch.setattr("chasles.decisions.session.decided", lambda *_: Undecided("it is beyond the prover"))
     monkeypatch.setattr("chasles.decisions.session.repair", lambda *_, **__: ())
     judge = Session(book=load())
     monkeypatch.setattr("chasles.exercises.decided._session", lambda: judge)

@@ -25,7 +25,7 @@ __all__ = ["forget", "retained", "session_of"]
 
 ENGINE = (
     *("vocabulary", "evaluation", "statements", "rewriting", "algebra", "verdict", "checker", "problems", "points"),
-    *("prover", "repairs", "decisions", "deriving"),
+    *("prover", "from_sympy", "prove", "deciding", "repairs", "decisions", "deriving"),
 )
 """The packages and modules on which a verdict depends."""
 LIBRARIES = ("sympy", "python-flint")
