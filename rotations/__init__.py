@@ -38,6 +38,9 @@ SECTIONS = (
     "s5_euler_angles",
     "s6_motions",
     "s7_denavit_hartenberg",
+    "s8_twists",
+    "s9_motion_vectors",
+    "s10_arms",
 )
 NOTATION = Notation(
     {

@@ -6,8 +6,11 @@ a twist has the angular velocity on top, a wrench the moment; angles are in radi
 
 from chasles.vocabulary import (
     CPM,
+    FORCE,
     FREQUENCY,
     LENGTH,
+    MOMENT,
+    VELOCITY,
     Identity,
     Node,
     Zero,
@@ -109,6 +112,42 @@ link = scalar("a", "a", "length of a link", LENGTH, constant=True)
 offset = scalar("b", "b", "offset of a joint", LENGTH, constant=True)
 twist_of_link = scalar("alpha", r"\alpha", "twist of a link: angle between the axes of its joints", constant=True)
 zero_row = Zero(1, 3, r"\mathbf{0}^T")
+
+# Twists and wrenches
+velocity = vector("v", "v", "velocity of the point at the origin", VELOCITY)
+omega_u = vector("omega_u", r"\omega_u", "angular velocity of another twist", FREQUENCY)
+velocity_u = vector("v_u", "v_u", "velocity of the other twist", VELOCITY)
+moment = vector("n", "n", "moment about the origin", MOMENT)
+force = vector("f", "f", "force", FORCE)
+t_a = array("t", "t", "twist: angular velocity, velocity of the point at the origin", column(omega, velocity))
+t_b = array("u", "u", "another twist", column(omega, velocity))
+t_c = array("s", "s", "a third twist", column(omega, velocity))
+t_space = array("t_S", r"\mathbf{t}_{\mathcal{S}}", "twist of the body in the fixed frame", column(omega, velocity))
+t_body = array("t_B", r"\mathbf{t}_{\mathcal{B}}", "twist of the body in its own frame", column(omega, velocity))
+w_a = array("w", "w", "wrench: moment about the origin, force", column(moment, force))
+zero_block = Zero(3, 3)
+zero_6 = Zero(6, 1, r"\mathbf{0}")
+one_6 = Identity(6)
+
+# The exponential of a twist
+rho = vector("rho", r"\rho", "translation of an exponential, before the Jacobian", LENGTH)
+
+# Arms
+theta_1, theta_2, theta_3, theta_4 = (scalar(f"theta_{k}", rf"\theta_{k}", f"angle of joint {k}") for k in range(1, 5))
+a_1, a_2, a_3 = (scalar(f"a_{k}", f"a_{k}", f"length of link {k}", LENGTH, constant=True) for k in range(1, 4))
+h_1 = scalar("h", "h", "height of the shoulder", LENGTH, constant=True)
+b_3 = scalar("b_3", "b_3", "stroke of the sliding joint", LENGTH)
+e_1, e_2, e_3 = (vector(f"e_{k}", f"e_{k}", f"unit vector along the axis of joint {k}") for k in range(1, 4))
+r_1, r_2, r_3 = (
+    vector(f"r_{k}", f"r_{k}", f"from the axis of joint {k} to the end of the arm", LENGTH) for k in range(1, 4)
+)
+f_x = scalar("f_x", "f_x", "component x of a force at the end of the arm", FORCE)
+f_y = scalar("f_y", "f_y", "component y of that force", FORCE)
+p_2R = array("p_2", "p", "end of the planar arm with two joints", uniform((2, 1), LENGTH))
+J_2R = array("J_2", "J", "Jacobian of the planar arm with two joints", uniform((2, 2), LENGTH))
+p_3R = array("p_3", "p", "end of the planar arm with three joints, and its direction", column(a_1, a_1, 1))
+p_RRR = vector("p", "p", "end of the arm with waist, shoulder and elbow", LENGTH)
+J_RRR = square("J", "J", "Jacobian of the arm with waist, shoulder and elbow", LENGTH)
 
 
 def along(of: Node) -> Node:

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from scipy.linalg import expm
 from scipy.spatial.transform import Rotation
 
 from chasles.decisions.session import Session
@@ -46,6 +47,11 @@ from chasles.vocabulary import (
     square,
     uniform,
     vector,
+)
+from chasles.vocabulary.motion_vectors import (
+    exp_of_motion_vector,
+    left_jacobian_of_motion,
+    right_jacobian_of_motion,
 )
 from chasles.vocabulary.motions import adjoint_of_motion, adjoint_of_twist, inverse_motion, twist_matrix
 from chasles.vocabulary.products import direct_sum, kronecker_product, outer
@@ -141,6 +147,14 @@ def of_twists(carried: Callable[[Array], Array]) -> Array:
     return np.column_stack([[x[2, 1], x[0, 2], x[1, 0], *x[:3, 3]] for x in images])
 
 
+def mean_adjoint(x: Array) -> Array:
+    """The mean of the exponentials of parts of the adjoint of a twist, by Gauss and Legendre."""
+    ad = of_twists(lambda y: bracket(hat(x[:3], x[3:]), hat(*y)))
+    points, weights = np.polynomial.legendre.leggauss(20)
+    mean: Array = np.tensordot(weights / 2, np.array([expm((point + 1) / 2 * ad) for point in points]), 1)
+    return mean
+
+
 def mean_rotation(x: Array) -> Array:
     """The mean of the rotations through parts of a rotation vector, by Gauss and Legendre."""
     points, weights = np.polynomial.legendre.leggauss(20)
@@ -171,6 +185,9 @@ WORDS: dict[str, tuple[Node, Callable[..., Any]]] = {
     "matrix of a twist": (twist_matrix(t), lambda x: hat(x[:3], x[3:])),
     "adjoint of a motion": (adjoint_of_motion(T), lambda y: of_twists(lambda x: y @ hat(*x) @ np.linalg.inv(y))),
     "adjoint of a twist": (adjoint_of_twist(t), lambda y: of_twists(lambda x: bracket(hat(y[:3], y[3:]), hat(*x)))),
+    "exponential of a motion": (exp_of_motion_vector(t), lambda x: expm(hat(x[:3], x[3:]))),
+    "left Jacobian of motions": (left_jacobian_of_motion(t), mean_adjoint),
+    "right Jacobian of motions": (right_jacobian_of_motion(t), lambda x: mean_adjoint(-x)),
     "outer product": (outer(p, q), np.outer),
     "Kronecker product": (kronecker_product(A, B), np.kron),
     "direct sum": (
@@ -300,9 +317,11 @@ def test_words_that_divide_by_a_length_take_any_vector(word: Callable[[Node], No
 # Twists with either part first.
 
 
-@pytest.mark.parametrize("word", [adjoint_of_twist, adjoint_of_motion])
+@pytest.mark.parametrize(
+    "word", [adjoint_of_twist, adjoint_of_motion, left_jacobian_of_motion, right_jacobian_of_motion]
+)
 def test_the_velocity_may_come_first(word: Callable[..., Node]) -> None:
-    of = t if word is adjoint_of_twist else T
+    of = T if word is adjoint_of_motion else t
     x = np.arange(1.0, 1 + of.shape[0] * of.shape[1]).reshape(of.shape)
     turned = np.roll(x, 3, axis=0) if of is t else x
     first = np.array(evaluate(word(of), {of: x}, digits=20), dtype=float)
@@ -312,7 +331,8 @@ def test_the_velocity_may_come_first(word: Callable[..., Node]) -> None:
 
 def test_the_matrix_of_a_twist_is_the_same_in_either_order() -> None:
     x = np.array([[1.0], [2.0], [3.0], [4.0], [5.0], [6.0]])
-    assert evaluate(twist_matrix(t), {t: x}) == evaluate(twist_matrix(t, linear_first=True), {t: np.roll(x, 3, axis=0)})
+    for word in (twist_matrix, exp_of_motion_vector):
+        assert evaluate(word(t), {t: x}) == evaluate(word(t, linear_first=True), {t: np.roll(x, 3, axis=0)})
 
 
 @pytest.mark.parametrize("word", [twist_matrix, adjoint_of_twist, adjoint_of_motion, inverse_motion])

@@ -24,8 +24,10 @@ __all__ = [
     "TwistMatrix",
     "adjoint_of_motion",
     "adjoint_of_twist",
+    "halves",
     "homogeneous",
     "inverse_motion",
+    "triangular",
     "twist_matrix",
 ]
 
@@ -45,17 +47,20 @@ def _pose(of: Node) -> tuple[Node, Node]:
     return of[1:3, 1:3], of[1:3, 4]
 
 
-def _halves(of: Node, linear_first: bool) -> tuple[Node, Node]:
+def halves(of: Node, linear_first: bool) -> tuple[Node, Node]:
     """The angular and the linear part; raises `Misfit` for what is no column of six."""
     if measured(of).shape != (6, 1):
         raise Misfit(f"a twist is a column of six numbers, and {of} is {of.shape[0]} x {of.shape[1]}")
     match of:
+        case Negative(term):
+            angular, linear = halves(term, linear_first)
+            return Negative(angular), Negative(linear)
         case Block(((one,), (other,))) if one.shape == (3, 1):
             return (other, one) if linear_first else (one, other)
     return (of[4:6], of[1:3]) if linear_first else (of[1:3], of[4:6])
 
 
-def _triangular(diagonal: Node, across: Node, linear_first: bool) -> Node:
+def triangular(diagonal: Node, across: Node, linear_first: bool) -> Node:
     """The matrix that adds to the linear part what the angular part is mapped to."""
     zero = Zero(3, 3)
     rows = ((diagonal, across), (zero, diagonal)) if linear_first else ((diagonal, zero), (across, diagonal))
@@ -84,7 +89,7 @@ class TwistMatrix(Shorthand):
 
     @property
     def definition(self) -> Node:
-        angular, linear = _halves(self.of, self.linear_first)
+        angular, linear = halves(self.of, self.linear_first)
         return Block(((Skew(angular), linear), (Zero(1, 3), Zero(1, 1))))
 
 
@@ -99,7 +104,7 @@ class AdjointOfMotion(Shorthand):
     @property
     def definition(self) -> Node:
         rotation, position = _pose(self.of)
-        return _triangular(rotation, Contract((Skew(position), rotation)), self.linear_first)
+        return triangular(rotation, Contract((Skew(position), rotation)), self.linear_first)
 
 
 @word
@@ -112,8 +117,8 @@ class AdjointOfTwist(Shorthand):
 
     @property
     def definition(self) -> Node:
-        angular, linear = _halves(self.of, self.linear_first)
-        return _triangular(Skew(angular), Skew(linear), self.linear_first)
+        angular, linear = halves(self.of, self.linear_first)
+        return triangular(Skew(angular), Skew(linear), self.linear_first)
 
 
 @declaring
