@@ -9,6 +9,7 @@ from chasles.display import Displayed
 from chasles.repairs.repair import Repair
 from chasles.several import Several
 from chasles.statements import Inverse, Statement, Theorem
+from chasles.statements.elsewhere import chapter_of, other_chapter
 from chasles.statements.problem import default_sides
 from chasles.statements.statement import Equation
 from chasles.verdict import (
@@ -120,7 +121,7 @@ class Decision(Displayed):
 
     def accepted(self, given: Statement) -> Equation:
         """The sides with which the decision used a given statement."""
-        used = self.given.get(key_of(given))
+        used = self.given.get(key_of(given, self.statement))
         return default_sides(given) if used is None else used.sides
 
 
@@ -152,6 +153,7 @@ def _certainty(verdict: Verdict) -> int:
     return _LEAST_CERTAIN_FIRST.index(type(verdict))
 
 
-def key_of(statement: Sentence) -> str:
-    """The number and the part: "3.96a/1"."""
-    return f"{statement.number}/{statement.part}"
+def key_of(statement: Sentence, citing: Sentence | None = None) -> str:
+    """The number and the part, "3.96a/1", after the chapter's package where that is not the one of who cites it."""
+    home = other_chapter(statement, chapter_of(citing)) if citing is not None else ""
+    return f"{home} {statement.number}/{statement.part}".lstrip()

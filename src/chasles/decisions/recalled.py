@@ -20,6 +20,8 @@ from chasles.decisions.memory import Memory
 from chasles.decisions.session import Session
 from chasles.decisions.shipped import shipped
 from chasles.statements import Chapter
+from chasles.statements.chapter import bases
+from chasles.statements.elsewhere import chapter_of
 
 __all__ = ["forget", "retained", "session_of"]
 
@@ -35,7 +37,11 @@ MOST = 4096
 
 def session_of(book: Chapter, anew: bool = False) -> Session:
     """A session that knows what the chapter brings and what earlier runs decided; nothing where all is `anew`."""
-    return Session(book=book, memory=None if anew else Memory(_recalled(), shipped(book.package)))
+    if anew:
+        return Session(book=book)
+    packages = dict.fromkeys([*(chapter_of(basis) for entry in book for basis in bases(entry.statement)), book.package])
+    answers = {key: answer for package in filter(None, packages) for key, answer in shipped(package).items()}
+    return Session(book=book, memory=Memory(_recalled(), answers))
 
 
 def _recalled() -> dict[str, Any]:

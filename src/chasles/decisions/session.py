@@ -26,8 +26,11 @@ from chasles.statements import (
     Problem,
     Statement,
     Theorem,
+    load,
     problem_of,
 )
+from chasles.statements.chapter import bases
+from chasles.statements.elsewhere import chapter_of
 from chasles.statements.inversion import problems_of_inverse
 from chasles.statements.problem import default_form, default_sides
 from chasles.statements.statement import Equation
@@ -53,11 +56,26 @@ class Session:
         self._decisions: dict[int, Decision] = {}
         self.searches = book is not None
         self._given_book = book
+        self._others: dict[str, Session] = {}
+
+    @cached_property
+    def _chapter(self) -> Chapter | None:
+        return self._given_book() if callable(self._given_book) else self._given_book
 
     @cached_property
     def _book(self) -> tuple[Statement, ...]:
-        book = self._given_book() if callable(self._given_book) else self._given_book
-        return tuple(entry.statement for entry in book or () if isinstance(entry.statement, Statement))
+        return tuple(entry.statement for entry in self._chapter or () if isinstance(entry.statement, Statement))
+
+    @cached_property
+    def package(self) -> str:
+        """The package of the chapter; empty without one."""
+        return self._chapter.package if self._chapter else ""
+
+    def _of(self, package: str) -> Session:
+        """The session of another chapter on which this one rests: it finds what is right by what that chapter says."""
+        if package not in self._others:
+            self._others[package] = Session(self.budget, partial(load, package), self.memory)
+        return self._others[package]
 
     @cached_property
     def _place(self) -> dict[int, int]:
@@ -95,8 +113,7 @@ class Session:
     def _decide(self, sentence: Sentence) -> Decision:
         started = perf_counter()
         try:
-            relied_on = sentence.given if isinstance(sentence, Theorem) else sentence.relied_on
-            given = {key_of(statement): self._used(statement) for statement in relied_on}
+            given = {key_of(statement, sentence): self._used(statement) for statement in bases(sentence)}
         except TypeError as error:
             if not isinstance(sentence, Definition):
                 return Decision(sentence, Undecided(str(error)), milliseconds=(perf_counter() - started) * 1000)
@@ -131,6 +148,9 @@ class Session:
         A claim is repaired by what comes before it, so that it never waits for itself. Raises DoesNotStand for what
         it rests on.
         """
+        home = chapter_of(sentence)
+        if home not in ("", self.package):
+            return self._of(home).search(sentence)
         before = self._book[: None if isinstance(sentence, Definition) else self._place.get(id(sentence))]
         used = [self.accepted(given) for given in sentence.relied_on]
         key = self.memory.key_of_repairs(sentence, used, before)

@@ -15,12 +15,13 @@ from chasles.problems.variables import Untreatable
 from chasles.rewriting.products import without_brackets
 from chasles.statements import Claim, Condition, Goal, Problem, Statement, problem_of
 from chasles.statements.derivation import Ansatz, Derivation
+from chasles.statements.elsewhere import cited
 from chasles.statements.statement import is_rule
 from chasles.verdict import Holds, IllFormed, Undecided, Verdict
 from chasles.vocabulary import Misfit, Node, number
 from chasles.vocabulary.families import indices_of
 
-__all__ = ["Equation", "State", "cited", "rules_behind", "usable"]
+__all__ = ["Equation", "State", "rules_behind", "usable"]
 
 Equation = tuple[Node, Node]
 Rules = tuple[tuple[Node, Node], ...]
@@ -48,8 +49,12 @@ class State:
         if isinstance(statement, Claim):
             decision = self.session.decide(statement)
             if not decision.stands:
-                raise ValueError(f"{cited(statement)} is used, and it {decision.verdict.name}")
+                raise ValueError(f"{self.cited(statement)} is used, and it {decision.verdict.name}")
         return self.session.accepted(statement)
+
+    def cited(self, statement: Statement) -> str:
+        """The statement's number as a reader looks for it."""
+        return cited(statement, self.session.package)
 
     def environment(self, using: Iterable[Statement] = (), rules: Rules = ()) -> Problem:
         """What may be used: rules of the statements that are given, and all that is assumed."""
@@ -84,12 +89,6 @@ class State:
         key = memory.key_of_combination(node, terms, problem)
         found: Node = memory.answer(key, fits, lambda: combined(node, terms, problem))
         return found
-
-
-def cited(statement: Statement) -> str:
-    """The statement's number as a reader looks for it."""
-    number = f"({statement.number})" if statement.number[:1].isdecimal() else statement.number
-    return f"{number} part {statement.part}" if statement.part > 1 else number
 
 
 def usable(statement: Statement) -> bool:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from chasles.deriving.solving import solve_by_moving, solve_by_multiplying, solve_linear_system
-from chasles.deriving.state import Equation, State, cited, usable
+from chasles.deriving.state import Equation, State, usable
 from chasles.rewriting.isolate import CannotIsolate, alone, before
 from chasles.rewriting.matching import occurs, put_for
 from chasles.rewriting.products import multiplied_out, without_brackets
@@ -66,7 +66,7 @@ def _take(step: Take, state: State) -> StepResult:
     decisions = [state.session.decide(statement) for statement in step.statements]
     verdicts = [d.correction.verdict if d.correction and not d.verdict.true else d.verdict for d in decisions]
     verdict = next((v for v in verdicts if not v.true), verdicts[0])
-    said = "; ".join(f"{cited(s)} {s.says}" for s in step.statements)
+    said = "; ".join(f"{state.cited(s)} {s.says}" for s in step.statements)
     return StepResult(tuple(map(state.sides, step.statements)), verdict, said)
 
 
@@ -82,11 +82,11 @@ def _substitute(step: Substitute, state: State) -> StepResult:
     equations, verdict = state.equations, None
     for statement in step.statements:
         if not any(occurs(state.sides(statement)[0], side) for side in _worked_on(equations, step.both)):
-            raise ValueError(f"the left side of {cited(statement)}, {state.sides(statement)[0]}, does not occur")
+            raise ValueError(f"the left side of {state.cited(statement)}, {state.sides(statement)[0]}, does not occur")
         equations, decided = _put(state, equations, state.sides(statement), step, usable(statement))
         verdict = decided if verdict is None or verdict.true else verdict
     assert verdict is not None
-    return StepResult(equations, verdict, ", ".join(map(cited, step.statements)))
+    return StepResult(equations, verdict, ", ".join(map(state.cited, step.statements)))
 
 
 def _worked_on(equations: Sequence[Equation], both: bool) -> list[Node]:
@@ -160,7 +160,7 @@ def _factor(step: Factor, state: State) -> StepResult:
     zero = all(str(right) == "0" for _, right in after)
     alone = "nothing is left" if zero else "a function of angles"
     said = f"in {', '.join(map(str, step.terms))}" if step.terms else alone
-    by = ", ".join(map(cited, step.using))
+    by = ", ".join(map(state.cited, step.using))
     return StepResult(
         after, state.decide(_unchanged(state.equations, after), problem), f"{said}, by {by}" if by else said
     )
@@ -193,7 +193,7 @@ def _solve(step: Solve, state: State) -> StepResult:
     said = ", ".join(map(str, step.unknowns))
     if step.by is not None:
         equation, verdict = solve_by_multiplying(state, step.unknowns[0], step.by, step.using)
-        return StepResult((equation,), verdict, f"for {said}, multiplied by {cited(step.by)}")
+        return StepResult((equation,), verdict, f"for {said}, multiplied by {state.cited(step.by)}")
     if step.terms or len(step.unknowns) > 1 or state.ansatz is not None or not _moves(step.unknowns[0], state):
         equations, verdict = solve_linear_system(state, step.unknowns, step.terms, step.using)
         return StepResult(equations, verdict, f"for {said}: a linear system, with one solution")

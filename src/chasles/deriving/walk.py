@@ -8,7 +8,7 @@ from dataclasses import replace as with_fields
 
 from chasles.decisions.session import Session
 from chasles.deriving.comparing import PrintComparison, compare
-from chasles.deriving.state import Equation, State, cited
+from chasles.deriving.state import Equation, State
 from chasles.deriving.steps import StepResult, carry_out
 from chasles.display import Displayed
 from chasles.problems.unfold import UndeclaredDivisor
@@ -131,7 +131,7 @@ def _compared(step: Compare, state: State) -> CheckedStep:
         before = dict(zip((left for left, _ in state.equations), state.equations, strict=True))
         before[comparison.found[0]] = comparison.found
         state.equations = tuple(before.values())
-    said = f"{cited(statement)}: {comparison.words}"
+    said = f"{state.cited(statement)}: {comparison.words}"
     return CheckedStep(step.kind, said, (comparison.found,), comparison.verdict, comparison)
 
 

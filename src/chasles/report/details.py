@@ -9,11 +9,12 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from chasles.decisions.decision import HOW, Correction, Decision
+from chasles.decisions.decision import HOW, Correction, Decision, key_of
 from chasles.report.equations import in_latex, in_words, signature_in_words, standing_in
 from chasles.report.records import certificate_hash
 from chasles.report.words import point_in_words, reason, said
 from chasles.statements import Entry, Inverse, Statement
+from chasles.statements.elsewhere import chapter_of, cited
 from chasles.verdict import Counterexample, Fails, Verdict
 
 __all__ = [
@@ -53,9 +54,9 @@ def printed(entry: Entry, latex: bool = False) -> Lines:
 def rests_on(entry: Entry, decision: Decision) -> Lines:
     """What is given and assumed, and which function is asked for."""
     for given in entry.statement.given:
-        used = decision.given.get(f"{given.number}/{given.part}")
+        used = decision.given.get(key_of(given, entry.statement))
         how = f" ({HOW[used.form]})" if used is not None and used.form != "printed" else ""
-        yield "given", f"{number_in_words(given.number, given.part)} {given.says}{how}"
+        yield "given", f"{cited(given, chapter_of(entry.statement))} {given.says}{how}"
     for hypothesis in entry.statement.assuming:
         yield "assuming", hypothesis.text
     if call := signature_in_words(entry):

@@ -21,6 +21,7 @@ from chasles.report.findings import (
 from chasles.report.markdown import code, displayed, escaped
 from chasles.report.words import point_in_words, said
 from chasles.statements import Chapter, Entry, Statement
+from chasles.statements.elsewhere import chapter_of, cited
 from chasles.verdict import Counterexample, Fails, IllFormed
 from chasles.vocabulary import latex, plain
 
@@ -104,25 +105,24 @@ def _in_vain(statement: Statement, form: str, verdict: Fails, decision: Decision
 def _by_hand(statement: Statement, decision: Decision, found: Counterexample) -> Iterator[str]:
     """The values, the left side and the right side there, and by which definitions."""
     row, column = found.entry
-    by_hand = worked_out(statement, decision, found)
+    by_hand, here = worked_out(statement, decision, found), chapter_of(decision.statement)
     so = f", so that {code(point_in_words(by_hand.values))}" if by_hand.values else ""
     if found.goal:
         yield f"- {escaped(found.goal)}:"
     yield f"- at {code(point_in_words(found.at) or 'every point')}{so}"
-    yield f"- the left side is {code(found.left)} in row {row}, column {column}{_by(by_hand.left)}"
-    yield f"- the right side is {code(found.right)}{_by(by_hand.right)}"
+    yield f"- the left side is {code(found.left)} in row {row}, column {column}{_by(by_hand.left, here)}"
+    yield f"- the right side is {code(found.right)}{_by(by_hand.right, here)}"
 
 
-def _by(definitions: Iterable[Statement]) -> str:
-    listed = ", ".join(map(_definition, definitions))
+def _by(definitions: Iterable[Statement], here: str) -> str:
+    listed = ", ".join(_definition(each, here) for each in definitions)
     return f", by {listed}" if listed else ""
 
 
-def _definition(given: Statement) -> str:
+def _definition(given: Statement, here: str) -> str:
     """The number of a definition; if the book does not number it, what it says."""
-    number = number_in_words(given.number, given.part)
     if given.number[0].isdigit():
-        return escaped(number)
+        return escaped(cited(given, here))
     left, right = given.printed
     return code(f"{plain(left)} = {plain(right)}")
 

@@ -10,6 +10,7 @@ from typing import Any
 from chasles.decisions.session import Decision
 from chasles.report.equations import in_latex, in_words, signature_in_words, standing_in
 from chasles.statements import Entry, Statement
+from chasles.statements.elsewhere import chapter_of, other_chapter
 from chasles.verdict import Counterexample
 
 __all__ = ["as_json", "certificate_hash", "described", "record"]
@@ -34,6 +35,12 @@ def record(entry: Entry, decision: Decision) -> dict[str, Any]:
     }
 
 
+def _cited(given: Statement, here: str) -> dict[str, Any]:
+    """A statement that is given, with its chapter where that is another."""
+    home = other_chapter(given, here)
+    return {"number": given.number, "part": given.part} | ({"chapter": home} if home else {})
+
+
 def described(entry: Entry, emitted: Mapping[str, Mapping[str, Any]] | None = None) -> dict[str, Any]:
     """What a statement says and what it rests on, nothing decided, and the records of kernels `emitted`."""
     statement = entry.statement
@@ -41,7 +48,7 @@ def described(entry: Entry, emitted: Mapping[str, Mapping[str, Any]] | None = No
         **_identity(entry),
         "says": statement.says,
         "text": list(in_words(statement)),
-        "given": [{"number": given.number, "part": given.part} for given in statement.given],
+        "given": [_cited(given, chapter_of(statement)) for given in statement.given],
         "assuming": [hypothesis.text for hypothesis in statement.assuming],
         "kernel": signature_in_words(entry),
         "kernels": [

@@ -19,7 +19,7 @@ from chasles.statements.packages import BOOK, DeclarationError, imported
 from chasles.statements.statement import Statement, Theorem
 from chasles.vocabulary.arguments import Declared
 
-__all__ = ["Chapter", "DeclarationError", "Entry", "Section", "load"]
+__all__ = ["Chapter", "DeclarationError", "Entry", "Section", "bases", "load"]
 
 Sentence = Statement | Theorem | Inverse
 
@@ -47,6 +47,11 @@ class Entry(Displayed):
     def number(self) -> str:
         """The number of the statement, as printed."""
         return self.statement.number
+
+    @property
+    def place(self) -> str:
+        """File and line of the declaration, as a message begins; empty where that is no file."""
+        return f"{self.statement.place}: " if self.statement.place else ""
 
     @property
     def key(self) -> tuple[str, int]:
@@ -80,19 +85,20 @@ class Chapter(Displayed):
             number, part = entry.key
             if entry.key in seen:
                 raise DeclarationError(
-                    f"{seen[entry.key]} and {entry.name} are both declared as ({number}), part {part}: "
+                    f"{entry.place}{seen[entry.key]} and {entry.name} are both declared as ({number}), part {part}: "
                     "give the second another `part`"
                 )
             seen[entry.key] = entry.name
             if entry.name in names:
                 raise DeclarationError(
-                    f"({names[entry.name]}) and ({number}) are both called {entry.name}: give one another name"
+                    f"{entry.place}({names[entry.name]}) and ({number}) are both called {entry.name}: give one "
+                    "another name"
                 )
             names[entry.name] = number
-            for basis in _bases(entry.statement):
+            for basis in bases(entry.statement):
                 if order.get(id(basis), -1) >= place:
                     raise DeclarationError(
-                        f"{entry.name} ({number}) rests on ({basis.number}), which does not come before it"
+                        f"{entry.place}{entry.name} ({number}) rests on ({basis.number}), which does not come before it"
                     )
 
     def __repr__(self) -> str:
@@ -132,7 +138,7 @@ class Chapter(Displayed):
         )
 
 
-def _bases(sentence: Sentence) -> Iterator[Statement]:
+def bases(sentence: Sentence) -> Iterator[Statement]:
     """The statements that a sentence names: what is given, and what it restates, solves or inverts."""
     yield from sentence.given if isinstance(sentence, Theorem) else sentence.relied_on
 
@@ -156,13 +162,16 @@ def load(package: str | PathLike[str] = BOOK) -> Chapter:
     Raises `DeclarationError` for contradictory declarations, for none at all and for a folder that is no package, and
     ModuleNotFoundError if there is no package of the name.
     """
-    from chasles.statements.sections import in_own_sections  # of no use to the checker, which loads no chapter
+    # Of no use to the checker, which loads no chapter.
+    from chasles.statements.elsewhere import is_of_another
+    from chasles.statements.sections import in_own_sections
 
     book = imported(package)
     entries: list[Entry] = []
     seen: set[int] = set()
     for module in _modules(book):
-        entries += in_own_sections(module.__name__, list(_entries(module, seen)))
+        own = [each for each in _entries(module, seen) if not is_of_another(each.statement, book.__name__)]
+        entries += in_own_sections(module.__name__, own)
         seen.update(id(entry.statement) for entry in entries)
     if not entries:
         raise DeclarationError(f"{book.__name__} has no statements: none of its SECTIONS declares one")
@@ -193,9 +202,7 @@ def _entries(module: ModuleType, seen: set[int]) -> Iterator[Entry]:
         if isinstance(value, Section):
             section = value
         elif isinstance(value, Statement | Theorem | Inverse) and id(value) not in seen:
-            if section is None:
-                raise DeclarationError(f"{module.__name__}.{name} is declared before any Section")
-            yield Entry(name, section, value)
+            yield Entry(name, section or Section("", ""), value)
 
 
 def _named(variables: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:

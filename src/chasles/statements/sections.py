@@ -13,6 +13,9 @@ __all__ = ["in_own_sections"]
 
 def in_own_sections(module: str, entries: Sequence[Entry]) -> Sequence[Entry]:
     """The entries; raises `DeclarationError` for a number that is among those of an earlier section of the module."""
+    for entry in entries:
+        if not entry.section.number:
+            raise DeclarationError(f"{entry.place}{module}.{entry.name} is declared before any Section")
     numbered: dict[Section, list[tuple[list[int], Entry]]] = {}
     for entry in entries:
         kind, place, _ = place_of(entry.statement.number)
@@ -25,7 +28,7 @@ def in_own_sections(module: str, entries: Sequence[Entry]) -> Sequence[Entry]:
         if strays and len(rest) > len(strays) and min(rest) > max(places):
             stray = strays[0]
             raise DeclarationError(
-                f"{module}.{stray.name} has the number ({stray.statement.number}), as in Section "
+                f"{stray.place}{module}.{stray.name} has the number ({stray.statement.number}), as in Section "
                 f"{earlier.number}, and is declared in Section {later.number}: move it there"
                 " or number it otherwise"
             )

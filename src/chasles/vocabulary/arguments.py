@@ -5,13 +5,14 @@ The message says where the author wrote it, what was written, what is expected t
 
 from __future__ import annotations
 
+import dataclasses
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cache, wraps
 from inspect import Parameter, isclass, signature
 from pathlib import Path
 from types import FrameType, UnionType
-from typing import Any, ParamSpec, Self, TypeVar, Union, get_args, get_origin, get_type_hints
+from typing import Any, ClassVar, ParamSpec, Self, TypeVar, Union, get_args, get_origin, get_type_hints
 
 __all__ = ["Declared", "WrongArgument", "declaring", "declaring_module", "fits", "require"]
 
@@ -31,15 +32,23 @@ class WrongArgument(TypeError):
 
 
 class Declared:
-    """What an author declares, made of what its fields are declared to hold; raises `WrongArgument` if it is not."""
+    """What an author declares, made of what its fields are declared to hold; raises `WrongArgument` if it is not.
+
+    `declared_in` is the module, and `place` file and line, where its class leaves room for them.
+    """
 
     __slots__ = ()
+    declared_in: ClassVar[str] = ""
+    place: ClassVar[str] = ""
 
     def __new__(cls, *args: Any, **named: Any) -> Self:
         # Copies are made without arguments, and filled afterwards.
         if args or named:
             require(cls, args, named)
-        return super().__new__(cls)
+        made = super().__new__(cls)
+        if (args or named) and hasattr(made, "__dict__"):
+            vars(made).update(declared_in=declaring_module(), place=_place())
+        return made
 
 
 def declaring(function: Callable[_P, _R]) -> Callable[_P, _R]:
@@ -133,6 +142,11 @@ def declaring_module() -> str:
 
 def _caller() -> FrameType | None:
     frame: FrameType | None = sys._getframe(1)
-    while frame and (frame.f_code.co_filename.startswith("<") or Path(frame.f_code.co_filename).parent in ROOMS):
+    while frame and _makes_words(frame.f_code.co_filename):
         frame = frame.f_back
     return frame
+
+
+@cache
+def _makes_words(file: str) -> bool:
+    return file.startswith("<") or file == dataclasses.__file__ or Path(file).parent in ROOMS

@@ -13,6 +13,8 @@ from chasles.report.details import number_in_words
 from chasles.report.equations import hypotheses_in_latex
 from chasles.report.html.formulas import math
 from chasles.statements import Chapter, Entry, Statement
+from chasles.statements.chapter import bases
+from chasles.statements.elsewhere import chapter_of, other_chapter
 
 __all__ = ["Book", "Link", "place_of_number", "slug"]
 
@@ -52,10 +54,15 @@ class Book:
 
     @staticmethod
     def bases(entry: Entry) -> tuple[Statement, ...]:
-        """What a statement rests on, each once."""
-        sentence = entry.statement
-        relied_on = sentence.relied_on if isinstance(sentence, Statement) else sentence.given
-        return tuple(dict.fromkeys(relied_on))
+        """What a statement rests on in its chapter, each once."""
+        other = Book.elsewhere(entry)
+        return tuple(basis for basis in dict.fromkeys(bases(entry.statement)) if basis not in other)
+
+    @staticmethod
+    def elsewhere(entry: Entry) -> tuple[Statement, ...]:
+        """What a statement rests on in other chapters, each once."""
+        here = chapter_of(entry.statement)
+        return tuple(basis for basis in dict.fromkeys(bases(entry.statement)) if other_chapter(basis, here))
 
     def links(self, keys: Iterable[tuple[str, int]]) -> tuple[Link, ...]:
         """References to statements, in the book's order, one for each number."""

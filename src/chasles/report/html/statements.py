@@ -20,6 +20,7 @@ from chasles.report.html.words import with_formulas
 from chasles.report.records import certificate_hash
 from chasles.report.words import point_in_words, reason
 from chasles.statements import Entry, Inverse, Statement, Theorem
+from chasles.statements.elsewhere import chapter_of, cited, other_chapter
 from chasles.verdict import Counterexample, Fails, IllFormed
 from chasles.vocabulary import Node, Rate, plain, symbols_of
 
@@ -110,17 +111,20 @@ def _by_hand(statement: Statement, decision: Decision, found: Counterexample) ->
     if by_hand.values:
         yield Fact("so that", with_formulas(point_in_words(by_hand.values), known, of_words=False))
     where = Markup("<code>{}</code> in row {}, column {}{}")
-    yield Fact("the left side is", where.format(found.left, row, column, _by(by_hand.left)))
-    yield Fact("the right side is", Markup("<code>{}</code>{}").format(found.right, _by(by_hand.right)))
+    here = chapter_of(decision.statement)
+    yield Fact("the left side is", where.format(found.left, row, column, _by(by_hand.left, here)))
+    yield Fact("the right side is", Markup("<code>{}</code>{}").format(found.right, _by(by_hand.right, here)))
 
 
-def _by(definitions: Iterable[Statement]) -> Markup:
-    listed = Markup(", ").join(map(_definition, definitions))
+def _by(definitions: Iterable[Statement], here: str) -> Markup:
+    listed = Markup(", ").join(_definition(each, here) for each in definitions)
     return Markup(", by {}").format(listed) if listed else Markup()
 
 
-def _definition(given: Statement) -> Markup:
+def _definition(given: Statement, here: str) -> Markup:
     """The number of a definition; if the book does not number it, what it says."""
+    if other_chapter(given, here):
+        return escape(cited(given, here))
     if given.number[0].isdigit():
         return Markup('<a href="#{}">{}</a>').format(
             place_of_number(given.number), number_in_words(given.number, given.part)
@@ -170,7 +174,10 @@ def _related(book: Book, entry: Entry, kernels: Sequence[KernelRow]) -> Iterator
 
 
 def _facts(book: Book, entry: Entry, decision: Decision) -> Iterator[Fact]:
-    """What is assumed, what of it is not needed, the certificate, an example, the name."""
+    """What of others it rests on, what is assumed, what of it is not needed, the certificate, an example, the name."""
+    here = chapter_of(entry.statement)
+    if other := Book.elsewhere(entry):
+        yield Fact("rests on", escape("; ".join(f"{cited(each, here)}: {each.says}" for each in other)))
     if assumed := Markup(", ").join(book.condition(h.text) for h in entry.statement.assuming):
         yield Fact("assuming", assumed)
     if unused := Markup(", ").join(book.condition(text) for text in getattr(decision.verdict, "unused", ())):

@@ -9,7 +9,8 @@ from itertools import groupby
 from chasles.decisions.decision import Sentence
 from chasles.report.details import number_in_words
 from chasles.report.html.citing import Book
-from chasles.statements import Chapter, Entry, Section, Statement, Theorem
+from chasles.statements import Chapter, Entry, Section, Statement
+from chasles.statements.chapter import bases
 from chasles.verdict import Verdict
 
 __all__ = ["Alone", "cited", "entry_of", "needs_of", "rests_on", "sections_of"]
@@ -46,8 +47,7 @@ def entry_of(sentence: Sentence) -> Entry:
 
 def rests_on(sentence: Sentence) -> tuple[Statement, ...]:
     """What the sentence names, each once."""
-    named = sentence.given if isinstance(sentence, Theorem) else sentence.relied_on
-    return tuple(dict.fromkeys(named))
+    return tuple(dict.fromkeys(bases(sentence)))
 
 
 def needs_of(verdict: Verdict) -> tuple[str, ...]:
