@@ -142,7 +142,7 @@ def problem_of(statement: Decidable, form: str = "printed", standing: AcceptedSi
             problem, presupposed=tuple(dict.fromkeys(_presupposed(statement, problem))), cases=tuple(_cases(statement))
         )
     else:
-        goals = tuple(_goals(statement, form, standing))
+        goals = tuple(_goals(statement, form, standing, problem))
     for goal in goals:
         added(measured(goal.left), measured(goal.right), (goal.left, goal.right), "equate")
     return with_directions(_with_simple_lengths(_in_simpler_words(with_fields(problem, goals=goals))))
@@ -256,11 +256,15 @@ def _agreeing(rules: Mapping[Node, Node]) -> Iterator[Hypothesis]:
 def _hypotheses(statement: Decidable) -> Iterator[Hypothesis]:
     """What the statement and all that it rests on assume, its own first."""
     yield from statement.assuming
+    if isinstance(statement, Claim) and (statement.left.expands or statement.right.expands):
+        from chasles.statements.expanding import presupposed  # of no use to most claims
+
+        yield from presupposed(statement.left, statement.right, statement.assuming)
     for given in statement.given:
         yield from _hypotheses(given)
 
 
-def _goals(statement: Statement, form: str, accepted: AcceptedSides) -> Iterator[Goal]:
+def _goals(statement: Statement, form: str, accepted: AcceptedSides, problem: Problem) -> Iterator[Goal]:
     left, right = statement.form(form)
     if fault := (statement.fault if form == "printed" else left.fault or right.fault):
         raise Misfit(fault)
@@ -279,6 +283,13 @@ def _goals(statement: Statement, form: str, accepted: AcceptedSides) -> Iterator
             if not isinstance(left, Symbol):
                 raise TypeError(f"({statement.number}) solves ({other.number}) for {left}, which is no symbol")
             yield Goal("it solves the equation", *(replace(side, {left: right}) for side in accepted(other)))
+        case _ if left.expands or right.expands:
+            from chasles.statements.expanding import coefficients_of  # of no use to most claims
+
+            if problem.conditions:
+                raise TypeError(f"({statement.number}) is expanded: what it is given has to be definitions")
+            rules = dict(problem.rules)
+            yield from (Goal(label, one, other) for label, one, other in coefficients_of(left, right, rules))
         case _:
             yield from _equations("", left, right)
 

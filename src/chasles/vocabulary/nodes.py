@@ -45,6 +45,7 @@ class Node(Displayed, Fitted):
 
     __slots__ = ()
     has_no_polynomial_form: ClassVar[bool] = False
+    expands: ClassVar[bool] = False
     __iter__ = None  # places are counted from 1, which Python's own way through them is not
 
     def _parts(self) -> tuple[Node, ...]:

@@ -1,0 +1,181 @@
+"""Claims up to terms of an order, and limits: what they say of each coefficient is decided."""
+
+from __future__ import annotations
+
+import re
+from fractions import Fraction
+from random import Random
+from typing import Any
+
+import mpmath
+import pytest
+
+from chasles.checker.certificate import Rejected, check
+from chasles.checker.refutation import check_counterexample
+from chasles.decisions.session import Session
+from chasles.numerics.reference import evaluate
+from chasles.statements import Claim, Condition, Definition, nonzero, positive, unit
+from chasles.statements.expanding import coefficients_of
+from chasles.statements.problem import problem_of
+from chasles.verdict import Fails, Holds, HoldsUnder, IllFormed, Undecided
+from chasles.vocabulary import (
+    CPM,
+    Identity,
+    Misfit,
+    Node,
+    column,
+    cos,
+    cross,
+    dot,
+    latex,
+    norm,
+    plain,
+    scalar,
+    sin,
+    tan,
+    vector,
+)
+from chasles.vocabulary.expansions import limit, up_to
+from chasles.vocabulary.functions import arcsin, arctan, exp, log, sqrt
+from chasles.vocabulary.nodes import lifted
+
+t, y, a = scalar("t", r"\theta", "an angle"), scalar("y", "y", "a number"), scalar("a", "a", "a number")
+e, v, w = vector("e", "e", "an axis"), vector("v", r"\phi", "a rotation vector"), vector("w", "w", "a vector")
+size = norm(v)
+Exp = Identity(3) + sin(size) / size * CPM(v) + (1 - cos(size)) / size**2 * CPM(v) @ CPM(v)
+about_e = Identity(3) + sin(t) * CPM(e) + (1 - cos(t)) * CPM(e) @ CPM(e)
+
+
+def claim(left: Any, right: Any, *assuming: Any, given: tuple[Any, ...] = ()) -> Claim:
+    return Claim("1", lifted(left), lifted(right), assuming=assuming, given=given)
+
+
+TRUE = [
+    claim(sin(t), up_to(t - t**3 / 6 + t**5 / 120, t, 7)),
+    claim(cos(t / 2), up_to(1 - t**2 / 8 + t**4 * Fraction(1, 384), t, 6, "...")),
+    claim(sin(t) / t, up_to(1 - t**2 / 6 + t**4 / 120, t, 6)),
+    claim(t / sin(t), up_to(1 + t**2 / 6 + t**4 * Fraction(7, 360), t, 6)),
+    claim((1 - cos(t)) / t**2, up_to(Fraction(1, 2) - t**2 / 24 + t**4 / 720, t, 6)),
+    claim((cos(t) - sin(t) / t) / t**2, up_to(-lifted(Fraction(1, 3)) + t**2 / 30 - t**4 / 840, t, 6)),
+    claim(arctan(t / y) / t, up_to(1 / y - t**2 / (3 * y**3) + t**4 / (5 * y**5), t, 6), nonzero(y)),
+    claim(Exp, up_to(Identity(3) + CPM(v), v, 2)),
+    claim(Exp, up_to(Identity(3) + CPM(v) + CPM(v) @ CPM(v) / 2, v, 3)),
+    claim(about_e, up_to(Identity(3) + t * CPM(e), t, 2), unit(e)),
+    claim(limit(sin(t) / t, t), 1),
+    claim(limit((1 - cos(t)) / t**2, t), Fraction(1, 2)),
+    claim(limit((Exp - Identity(3)) @ w, v), column(0, 0, 0)),
+    claim(sqrt(1 + t), up_to(1 + t / 2 - t**2 / 8, t, 3)),
+    claim(exp(t) * exp(-t), up_to(1, t, 5)),
+    claim(log(1 + t), up_to(t - t**2 / 2, t, 3)),
+    claim(arcsin(t), up_to(t + t**3 / 6 + t**5 * Fraction(3, 40), t, 7)),
+    claim(sin(y + t), up_to(sin(y) + t * cos(y), t, 2)),
+    claim(sqrt(y + t), up_to(sqrt(y) + t / (2 * sqrt(y)), t, 2), positive(y)),
+    claim(t / tan(t), up_to(1 - t**2 / 3, t, 4)),
+    claim(size / sin(size), up_to(1 + dot(v, v) / 6, v, 4)),
+    claim(cross(v, e + v), up_to(cross(v, e), v, 5)),
+    claim(a, up_to(t**2, t, 4), given=(Definition("0", a, sin(t) ** 2),)),
+]
+FALSE = [
+    claim(cos(t / 2), up_to(1 - t**2 / 8 + t**4 * Fraction(1, 46080), t, 6, "...")),
+    claim(sin(t), up_to(t - t**3 / 6, t, 6)),
+    claim(Exp, up_to(Identity(3) - CPM(v), v, 2)),
+    claim(Exp, up_to(Identity(3) + CPM(v), v, 3)),
+    claim(limit((1 - cos(t)) / t**2, t), Fraction(1, 3)),
+    claim(limit(1 / t, t), 0),
+    claim(exp(t), up_to(1 + t, t, 3)),
+    claim(about_e, up_to(Identity(3) - t * CPM(e), t, 2), unit(e)),
+    claim(a, up_to(t**2, t, 5), given=(Definition("0", a, sin(t) ** 2),)),
+]
+
+
+@pytest.mark.parametrize("said", TRUE, ids=lambda said: f"{said.left} = {said.right}")
+def test_what_is_true_is_proved_and_checked(said: Claim) -> None:
+    verdict = Session().decide(said).verdict
+    assert isinstance(verdict, Holds | HoldsUnder), verdict
+    check(said, "printed", verdict.certificate)
+
+
+@pytest.mark.parametrize("said", FALSE, ids=lambda said: f"{said.left} = {said.right}")
+def test_what_is_false_is_refuted_and_checked(said: Claim) -> None:
+    verdict = Session().decide(said).verdict
+    assert isinstance(verdict, Fails), verdict
+    check_counterexample(problem_of(said), verdict.counterexample)
+
+
+def test_a_proof_of_fewer_terms_proves_no_more() -> None:
+    few, many = claim(sin(t), up_to(t, t, 3)), claim(sin(t), up_to(t, t, 4))
+    verdict = Session().decide(few).verdict
+    assert isinstance(verdict, Holds)
+    with pytest.raises(Rejected):
+        check(many, "printed", verdict.certificate)
+
+
+@pytest.mark.parametrize(
+    ("said", "reason"),
+    [
+        (claim(norm(t * e), up_to(t, t, 2)), "no multiple of what is small"),
+        (claim(sqrt(t), up_to(t, t, 2)), re.escape("sqrt(t) is not expanded")),
+        (claim(sin(1 / t), up_to(t, t, 2)), "grows without bound"),
+        (claim(up_to(t, t, 2) + 1, t), "cannot stand beside"),
+        (claim(sin(v.x), up_to(v.x, v, 2), unit(v)), "goes to zero, and it is assumed"),
+        (claim(y, up_to(t, t, 2), given=(Condition("0", y, t, on=(y,)),)), "has to be definitions"),
+        (claim(y, up_to(t, t, 2), given=(Definition("0", t, sin(y)),)), "a given statement says what it is"),
+    ],
+)
+def test_what_is_not_expanded_is_told(said: Claim, reason: str) -> None:
+    verdict = Session().decide(said).verdict
+    assert isinstance(verdict, IllFormed | Undecided), verdict
+    assert re.search(reason, verdict.reason), verdict.reason
+
+
+def test_what_goes_to_zero_is_a_symbol() -> None:
+    with pytest.raises(Misfit, match="is a symbol"):
+        up_to(t, t / 2, 3)
+    with pytest.raises(Misfit, match="at least 1"):
+        up_to(t, t, 0)
+
+
+def test_they_are_printed() -> None:
+    assert latex(up_to(1 - t, t, 2)) == r"1 - \theta + O\left( \theta^2 \right)"
+    assert latex(up_to(Identity(3), v, 12, "...")) == r"\mathbf{1} + \cdots"
+    assert latex(up_to(t, v, 2)) == r"\theta + O\left( \|\boldsymbol{\phi}\|^2 \right)"
+    assert latex(up_to(t, t, 2, "")) == r"\theta"
+    assert latex(limit(sin(t) / t, t)) == r"\lim_{\theta \to 0} \frac{\sin \theta}{\theta}"
+    assert plain(limit(sin(t) + t, t)) == "lim t -> 0 (sin(t) + t)"
+    assert plain(up_to(t, v, 2)) == "t + O(|v|^2)"
+
+
+def expression(random: Random, depth: int) -> Node:
+    """A scalar expression that is analytic at t = 0 for y = 2/3."""
+    if depth == 0:
+        return random.choice((t, t, y, lifted(Fraction(random.randint(-3, 3) or 1, random.randint(1, 3)))))
+    one, other = expression(random, depth - 1), expression(random, depth - 1)
+    made = (
+        lambda: one + other,
+        lambda: one - other,
+        lambda: one * other,
+        lambda: one / (2 + t * other),
+        lambda: sin(one),
+        lambda: cos(one),
+        lambda: exp(one),
+        lambda: sqrt(1 + t**2 * other),
+        lambda: log(1 + t * one),
+        lambda: arctan(t * one) / t,
+        lambda: sin(t * one) / t,
+    )
+    return random.choice(made)()
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_coefficients_are_those_of_the_taylor_series(seed: int) -> None:
+    """Against differences of values of 60 digits near zero, for expressions made at random."""
+    random, order = Random(seed), 4
+    node = expression(random, 3)
+    with mpmath.workdps(60):
+        near, values = mpmath.mpf(10) ** -12, {y: Fraction(2, 3)}
+        total = mpmath.mpf(0)
+        for label, left, _ in coefficients_of(node, up_to(0, t, order), {}):
+            total += evaluate(left, values, digits=60)[0][0] * near ** int(label.split()[-1])
+        true = evaluate(node, {**values, t: near}, digits=60)[0][0]
+        assert abs(true - total) < near**order * 10**6
+        assert abs(true) < 10**6
