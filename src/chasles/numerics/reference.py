@@ -20,6 +20,7 @@ from chasles.numerics.functions import Undetermined, function_of, sign_of
 from chasles.vocabulary import PI, At, Call, Determinant, Group, Inverse, Misfit, Node, Norm, Rate, Symbol
 from chasles.vocabulary.differentiation import rate_of
 from chasles.vocabulary.functions import Cases, FunctionOf
+from chasles.vocabulary.partial import PartialDerivative, with_derivatives
 
 __all__ = ["Matrix", "MissingValue", "Singular", "evaluate"]
 
@@ -116,6 +117,8 @@ class _Enclosures(Interpreter):
                 return [[getattr(self.context, function)(self.scalar(argument))]]
             case FunctionOf(function, arguments):
                 return [[function_of(function, self.context)(*map(self.scalar, arguments))]]
+            case PartialDerivative():
+                return self(with_derivatives(node, self.rules))
             case Cases(values, left, right, signs):
                 told = zip(values, left, signs, right, strict=False)
                 chosen = (value for value, a, sign, b in told if self._holds(a, sign, b))

@@ -169,12 +169,25 @@ def _angle_rules(
 
 def _in_simpler_words(problem: Problem) -> Problem:
     """The same problem without defined words and inverses, under the hypotheses that there are such inverses."""
+    if problem.has_functions:
+        problem = _differentiated(problem)
     problem = _rewritten(problem, opened, lambda said: said.rewritten(opened))
     inverses = Inverses(problem.hypotheses, dict(problem.rules))
     at_work = reached(_sides(problem), dict(problem.rules))
     found = _rewritten(problem, inverses, inverses.hypothesis, at_work)
     presupposed = tuple(dict.fromkeys((*problem.presupposed, *inverses.used)))
     return with_fields(found, hypotheses=(*inverses.needed, *found.hypotheses), presupposed=presupposed)
+
+
+def _differentiated(problem: Problem) -> Problem:
+    """The same problem with partial derivatives carried out; TypeError where it has conditions too."""
+    from chasles.vocabulary.partial import with_derivatives  # of no use to most claims
+
+    rules = dict(problem.rules)
+    found = _rewritten(problem, lambda side: with_derivatives(side, rules), lambda said: said)
+    if problem.conditions and found != problem:
+        raise TypeError("a derivative is taken: what a statement with one is given has to be definitions")
+    return found
 
 
 def _sides(problem: Problem) -> list[Node]:

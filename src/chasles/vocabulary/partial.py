@@ -1,0 +1,155 @@
+"""Partial derivatives: of an expression by a scalar, Jacobians of a column by a column, gradients."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from typing import TYPE_CHECKING, ClassVar
+
+from chasles.vocabulary.arguments import declaring
+from chasles.vocabulary.differentiation import NoRule, rate_of
+from chasles.vocabulary.fitting import measured, word
+from chasles.vocabulary.layout import Block, Rate
+from chasles.vocabulary.letters import Symbol, Zero
+from chasles.vocabulary.measure import Measure, Misfit
+from chasles.vocabulary.nodes import Contract, Negative, Node, Number
+from chasles.vocabulary.parts import Submatrix
+from chasles.vocabulary.shorthand import opened
+from chasles.vocabulary.spatial import Inverse
+from chasles.vocabulary.tree import children, rebuilt, replace, undotted
+
+if TYPE_CHECKING:
+    from chasles.vocabulary.spelling import Piece, Style
+
+__all__ = ["PartialDerivative", "gradient", "partial", "with_derivatives"]
+
+
+@word
+class PartialDerivative(Node):
+    """The derivative by a scalar, entry by entry, or the Jacobian of a column by a column.
+
+    What it is taken `by` is a symbol, an entry of one, or the rate of one, which is independent of the symbol.
+    """
+
+    of: Node
+    by: Node
+    has_no_polynomial_form: ClassVar[bool] = True
+
+    def _measured(self) -> Measure:
+        _place_of(self.by)
+        of, by = measured(self.of), measured(self.by)
+        if by.shape[1] != 1 or (by.shape != (1, 1) and of.shape[1] != 1):
+            raise Misfit(f"a derivative is by a scalar, or of a column by a column: {self.of} by {self.by} is neither")
+        if by.shape == (1, 1):
+            return Measure(tuple(tuple(d and by.grid[0][0] and d / by.grid[0][0] for d in row) for row in of.grid))
+        return Measure(tuple(tuple(d and e and d / e for (e,) in by.grid) for (d,) in of.grid))
+
+    def spelled(self, style: Style, spell: Callable[[Node], Piece]) -> Piece:
+        from chasles.vocabulary.spelling import Piece, Precedence
+
+        above, below = spell(self.of), spell(self.by)
+        sign = style.called("d", r"\partial ")
+        if above.level < Precedence.POWER:
+            above = Piece(style.brackets(above.text, above.depth), Precedence.ATOM, above.depth + 1)
+        return style.fraction(
+            Piece(f"{sign}{above.text}", Precedence.PRODUCT, above.depth),
+            Piece(f"{sign}{below.text}", Precedence.POWER, below.depth),
+        )
+
+
+def _place_of(by: Node) -> tuple[Node, Node | None]:
+    """What varies, and the entry of it that does; raises `Misfit` for anything but a symbol or the rate of one."""
+    whole = by.of if isinstance(by, Submatrix) and by.is_scalar else by
+    base, _ = undotted(whole)
+    if not isinstance(base, Symbol) or base.stands_for is not None:
+        raise Misfit(f"a derivative is by a symbol, an entry of one, or the rate of one, and {by} is none")
+    return whole, by if whole is not by else None
+
+
+def with_derivatives(node: Node, rules: Mapping[Node, Node]) -> Node:
+    """The expression with every derivative carried out; `rules` say what symbols stand for.
+
+    Raises `Misfit` for what has no rule of differentiation.
+    """
+    parts = children(node)
+    changed = tuple(with_derivatives(part, rules) for part in parts)
+    node = node if changed == parts else rebuilt(node, changed)
+    if isinstance(node, Symbol) and node.stands_for is not None:
+        inner = with_derivatives(node.stands_for, rules)
+        return node if inner == node.stands_for else inner
+    if not isinstance(node, PartialDerivative):
+        return node
+    whole, entry = _place_of(node.by)
+    of = opened(node.of)
+    while (told := opened(replace(of, {key: with_derivatives(value, rules) for key, value in rules.items()}))) != of:
+        of = told
+    rates: dict[Node, Node] = {}
+    of, moved = _at_rest(of, rates), _at_rest(whole, rates)
+    directions = [_unit(whole.shape, i) for i in range(whole.shape[0])] if entry is None else [_at(whole.shape, entry)]
+    if node.by.is_scalar and entry is None:
+        directions = [Number(Fraction(1))]
+    columns = tuple(_along(of, moved, direction) for direction in directions)
+    back = {quantity: rate for rate, quantity in rates.items()}
+    return replace(columns[0] if len(columns) == 1 else Block((columns,)), back)
+
+
+def _at_rest(node: Node, rates: dict[Node, Node]) -> Node:
+    """The expression with a quantity of its own for each rate of a symbol, which does not depend on the symbol."""
+    if isinstance(node, Rate):
+        if not isinstance(undotted(node)[0], Symbol):
+            return _at_rest(_ruled(node.of), rates)
+        if node not in rates:
+            rates[node] = Symbol(f"{node}", f"{node}", measured(node), constant=True)
+        return rates[node]
+    parts = children(node)
+    changed = tuple(_at_rest(part, rates) for part in parts)
+    return node if changed == parts else rebuilt(node, changed)
+
+
+def _along(node: Node, by: Node, direction: Node) -> Node:
+    """The derivative of an expression where one quantity moves in a direction, and everything else rests."""
+    match node:
+        case Symbol():
+            return direction if node == by else Zero(*node.shape)
+        case Inverse(of):
+            return Negative(Contract((node, _along(of, by, direction), node)))
+        case _:
+            return _resolved(_ruled(node), by, direction)
+
+
+def _resolved(node: Node, by: Node, direction: Node) -> Node:
+    """What a rule of differentiation says, with derivatives for rates."""
+    if isinstance(node, Rate):
+        return _along(node.of, by, direction)
+    parts = children(node)
+    return rebuilt(node, tuple(_resolved(part, by, direction) for part in parts)) if parts else node
+
+
+def _ruled(node: Node) -> Node:
+    try:
+        return rate_of(node)
+    except NoRule as error:
+        raise Misfit(str(error)) from None
+
+
+def _unit(shape: tuple[int, int], row: int) -> Node:
+    return Block(tuple((Number(Fraction(1)) if i == row else Zero(1, 1),) for i in range(shape[0])))
+
+
+def _at(shape: tuple[int, int], entry: Node) -> Node:
+    assert isinstance(entry, Submatrix)
+    row, column = entry.rows[0] - 1, entry.columns[0] - 1
+    places = [[(i, j) == (row, column) for j in range(shape[1])] for i in range(shape[0])]
+    return Block(tuple(tuple(Number(Fraction(1)) if here else Zero(1, 1) for here in line) for line in places))
+
+
+@declaring
+def partial(of: Node, by: Node) -> PartialDerivative:
+    """The partial derivative; of a column by a column its Jacobian, a row for each entry of the first."""
+    return PartialDerivative(of, by)
+
+
+@declaring
+def gradient(of: Node, by: Node) -> Node:
+    """The gradient of a scalar: a column of its derivatives by the entries of a column."""
+    return PartialDerivative(of, by).T

@@ -1,0 +1,177 @@
+"""Partial derivatives, Jacobians and gradients: decided, checked, printed, evaluated; refused where they are none."""
+
+from __future__ import annotations
+
+from random import Random
+from typing import Any
+
+import mpmath
+import pytest
+
+from chasles.checker.certificate import check
+from chasles.checker.refutation import check_counterexample
+from chasles.decisions.session import Session
+from chasles.numerics.reference import evaluate
+from chasles.statements import Claim, Condition, Definition, nonzero, rotation
+from chasles.statements.problem import problem_of
+from chasles.verdict import Fails, Holds, HoldsUnder, IllFormed, Undecided
+from chasles.vocabulary import (
+    ACCELERATION,
+    CPM,
+    LENGTH,
+    MASS,
+    MOMENT,
+    Identity,
+    Misfit,
+    Node,
+    column,
+    cos,
+    cross,
+    det,
+    dot,
+    inverse,
+    latex,
+    norm,
+    plain,
+    rate,
+    scalar,
+    sin,
+    square,
+    tr,
+    vector,
+)
+from chasles.vocabulary.functions import exp, sqrt
+from chasles.vocabulary.nodes import lifted
+from chasles.vocabulary.partial import gradient, partial, with_derivatives
+
+x, y, t = scalar("x", "x", "a number"), scalar("y", "y", "a number"), scalar("t", r"\theta", "an angle")
+v, w, A, R = vector("v", "v", ""), vector("w", "w", ""), square("A", "A", ""), square("R", "R", "")
+m, g = scalar("m", "m", "", MASS, constant=True), scalar("g", "g", "", ACCELERATION, constant=True)
+length, L = scalar("l", "l", "", LENGTH, constant=True), scalar("L", "L", "the Lagrangian", MOMENT)
+pendulum = Definition("0.1", L, m * length**2 * rate(t) ** 2 / 2 + m * g * length * cos(t))
+circle = Definition("0.2", v, column(x * cos(y), x * sin(y), x))
+
+
+def claim(left: Any, right: Any, *assuming: Any, given: tuple[Any, ...] = ()) -> Claim:
+    return Claim("1", lifted(left), lifted(right), assuming=assuming, given=given)
+
+
+TRUE = [
+    claim(partial(sin(t) * x, t), x * cos(t)),
+    claim(partial(cross(v, w), v), -CPM(w)),
+    claim(partial(dot(v, v), v), 2 * v.T),
+    claim(gradient(dot(v, A @ v), v), (A + A.T) @ v),
+    claim(partial(norm(v), v), v.T / norm(v), nonzero(norm(v))),
+    claim(partial(v / norm(v), v), (Identity(3) - v @ v.T / norm(v) ** 2) / norm(v), nonzero(norm(v))),
+    claim(partial(L, rate(t)), m * length**2 * rate(t), given=(pendulum,)),
+    claim(
+        rate(partial(L, rate(t))) - partial(L, t),
+        m * length**2 * rate(rate(t)) + m * g * length * sin(t),
+        given=(pendulum,),
+    ),
+    claim(partial(v, y), column(-x * sin(y), x * cos(y), 0), given=(circle,)),
+    claim(partial(A @ v, v[2]), A[1:3, 2]),
+    claim(partial(tr(A @ A), A[1, 2]), 2 * A[2, 1]),
+    claim(partial(rate(t) * t, t), rate(t)),
+    claim(partial(rate(x * y), rate(x)), y),
+    claim(rate(v), partial(v, x) * rate(x) + partial(v, y) * rate(y), given=(circle,)),
+    claim(partial(sqrt(x**2 + y**2), x), x / sqrt(x**2 + y**2)),
+    claim(partial(exp(x * y), x), y * exp(x * y)),
+    claim(partial(x, y), 0),
+    claim(partial(partial(x**2 * y**3, x), y), 6 * x * y**2),
+    claim(partial(gradient(dot(v, A @ v), v), v), A + A.T),
+    claim(partial(R @ v, v), R, rotation(R)),
+    claim(partial(inverse(A) @ w, A[1, 1]), -(inverse(A) @ partial(A, A[1, 1]) @ inverse(A) @ w), nonzero(det(A))),
+]
+FALSE = [
+    claim(partial(cross(v, w), v), CPM(w)),
+    claim(partial(dot(v, A @ v), v), 2 * v.T @ A),
+    claim(partial(x**2 * y, x), x * y),
+    claim(partial(L, t), m * g * length * sin(t), given=(pendulum,)),
+    claim(partial(v, x), column(0, 0, 0), given=(circle,)),
+    claim(partial(rate(t) * t, rate(t)), 2 * t),
+]
+
+
+@pytest.mark.parametrize("said", TRUE, ids=lambda said: f"{said.left} = {said.right}")
+def test_what_is_true_is_proved_and_checked(said: Claim) -> None:
+    verdict = Session().decide(said).verdict
+    assert isinstance(verdict, Holds | HoldsUnder), verdict
+    check(said, "printed", verdict.certificate)
+
+
+@pytest.mark.parametrize("said", FALSE, ids=lambda said: f"{said.left} = {said.right}")
+def test_what_is_false_is_refuted_and_checked(said: Claim) -> None:
+    verdict = Session().decide(said).verdict
+    assert isinstance(verdict, Fails), verdict
+    check_counterexample(problem_of(said), verdict.counterexample)
+
+
+def test_what_conditions_determine_is_not_differentiated_as_if_it_were_free() -> None:
+    verdict = Session().decide(claim(partial(y, x), 0, given=(Condition("0", 2 * y, x, on=(y,)),))).verdict
+    assert isinstance(verdict, Undecided | IllFormed)
+    assert "definition" in verdict.reason
+
+
+@pytest.mark.parametrize("write", [lambda: partial(A, v), lambda: partial(x, x + y), lambda: partial(v, A)])
+def test_what_is_no_derivative_is_refused(write: Any) -> None:
+    with pytest.raises(Misfit, match="a derivative is"):
+        write()
+
+
+def test_a_derivative_without_a_rule_is_told() -> None:
+    verdict = Session().decide(claim(partial(det(A), A[1, 1]), 0)).verdict
+    assert isinstance(verdict, IllFormed)
+    assert "follows no rule" in verdict.reason
+
+
+def test_dimensions_are_those_of_the_quotient() -> None:
+    assert partial(L, t).measure == L.measure
+    with pytest.raises(Misfit, match="cannot add"):
+        partial(L, t) + partial(L, rate(t))
+
+
+def test_they_are_printed() -> None:
+    assert latex(partial(L, rate(t))) == r"\frac{\partial L}{\partial \dot{\theta}}"
+    assert latex(partial(x + y, v.x)) == r"\frac{\partial \left( x + y \right)}{\partial v_x}"
+    assert plain(partial(dot(v, w), v)) == "d(v . w) / dv"
+
+
+def expression(random: Random, depth: int) -> Node:
+    """A scalar expression in x, y and the vector v."""
+    if depth == 0:
+        return random.choice((x, y, v.x, dot(v, w), lifted(random.randint(1, 3))))
+    one, other = expression(random, depth - 1), expression(random, depth - 1)
+    made = (
+        lambda: one + other,
+        lambda: one * other,
+        lambda: one / (other**2 + 1),
+        lambda: sin(one) - cos(other),
+        lambda: sqrt(one**2 + 2),
+        lambda: norm(v * one + w),
+        lambda: dot(cross(v, w * one), A @ v),
+        lambda: tr(CPM(v) @ A) * other,
+    )
+    return random.choice(made)()
+
+
+@pytest.mark.parametrize("seed", range(25))
+def test_they_are_the_slopes(seed: int) -> None:
+    """Against differences of values of 60 digits, for expressions made at random."""
+    random = Random(seed)
+    node = expression(random, 3)
+    values: dict[Node, Any] = {s: random.random() for s in (x, y)}
+    values |= {v: [random.random() for _ in range(3)], w: [random.random() for _ in range(3)]}
+    values |= {A: [[random.random() for _ in range(3)] for _ in range(3)]}
+    with mpmath.workdps(60):
+        step = mpmath.mpf(10) ** -20
+        for by in (x, v):
+            found = evaluate(with_derivatives(partial(node, by), {}), values, digits=60)[0]
+            for place, slope in enumerate(found):
+                moved = [mpmath.mpf(number) for number in (values[by] if by is v else [values[by]])]
+                ends = []
+                for sign in (1, -1):
+                    at = [number + sign * step * (k == place) for k, number in enumerate(moved)]
+                    ends.append(evaluate(node, {**values, by: at if by is v else at[0]}, digits=60)[0][0])
+                true = (ends[0] - ends[1]) / (2 * step)
+                assert abs(true - slope) <= mpmath.mpf(10) ** -25 * max(1, abs(slope))
