@@ -142,6 +142,60 @@ def test_its_c_library_is_built_by_cmake(book: Path, hasty_compiler: str, tmp_pa
     assert (tmp_path / "prefix" / "include" / "mybook" / "chasles.h").is_file()
 
 
+# Its exercise.
+
+
+def test_its_exercise_is_solved_exactly_and_cites_its_statements(book: Path) -> None:
+    told = json.loads(run("--chapter", "mybook", "solve", "1", "--json", cwd=book))
+    assert (told["status"], told["answers"]) == ("ok", {"q": ["-49/9", "-40/9", "7/9"]})
+    assert "The point reflected.  (1.2)" in run("--chapter", "mybook", "solve", "1", cwd=book)
+    (book / "data.json").write_text('{"n": [1, 1, 0]}', "utf-8")
+    said = run("--chapter", "mybook", "solve", "1", "--json", "--data", "data.json", cwd=book)
+    assert json.loads(said)["status"] == "no unit vector"
+
+
+@pytest.mark.parametrize("seed", range(1, 8))
+def test_new_data_are_drawn_and_answers_graded(book: Path, seed: int) -> None:
+    code = (
+        f"import chasles; task = chasles.practice('1', {seed}, './mybook')\n"
+        "right = task.solution.as_data()['answers']\n"
+        "print(task.grade({'status': 'ok', **right}).passed, chasles.solve('1', './mybook', **task.drawn).answers == "
+        "task.solution.answers)\n"
+        "wrong = task.grade({'status': 'ok', 'q': [1, 2, 3]}); print(wrong.wrong, bool(wrong.violated))"
+    )
+    assert python(code, book).splitlines() == ["True True", "('q',) True"]
+
+
+def test_it_is_on_the_page_of_the_report(book: Path) -> None:
+    run("--chapter", "mybook", "report", "--out", "pages", cwd=book)
+    page = (book / "pages" / "index.html").read_text("utf-8")
+    assert "The image of a point" in page
+    assert "Rigid-Body" not in page
+
+
+MISTAKES_IN_EXERCISES = [
+    ('sheet["p"]', 'sheet["w"]', "x1.py, line 11: KeyError: 'w'"),
+    ('sheet.compute(reflection, "The reflection.")', "pass", "x1.py, line 15: NoValue: H has no value here"),
+    ("sheet.compute(reflection", "sheet.compute(reflektion", "x1.py, line 14: NameError: name 'reflektion'"),
+    ("vector_shape(), [3, 4, 5],", "[3, 4, 5],", "x1.py, line 32: Datum: `shape` is a list (3, 4, 5)"),
+    ('return "ok"', 'return "fine"', "`solve` of exercise 1 returns 'fine', and must return 'ok', 'no unit vector'"),
+    ('    "1",', '    "2",', "declares exercise 2: it must be 1"),
+    ("exercise = Exercise(", "exercize = Exercise(", "declares no `exercise`"),
+]
+
+
+@pytest.mark.parametrize(("right", "wrong", "said"), MISTAKES_IN_EXERCISES)
+def test_a_mistake_in_an_exercise_is_told_by_file_and_line(tmp_path: Path, right: str, wrong: str, said: str) -> None:
+    run("new", "mine", cwd=tmp_path)
+    module = tmp_path / "mine" / "exercises" / "x1.py"
+    text = module.read_text("utf-8")
+    assert right in text
+    module.write_text(text.replace(right, wrong), "utf-8")
+    told = run("--chapter", "./mine", "solve", "1", cwd=tmp_path, status=2)
+    assert said in told
+    assert told.count("\n") == 1
+
+
 # What is refused.
 
 

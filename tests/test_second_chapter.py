@@ -139,9 +139,10 @@ def test_commands_show_the_chapter_and_nothing_of_the_book(tmp_path: Path) -> No
     assert "n-3-18" not in page
 
 
-def test_exercises_are_those_of_the_book() -> None:
-    assert "the exercises are those of chasles.derivations alone" in refused("solve", "3.7", chapter=PLANAR)
-    assert "the exercises are those of chasles.derivations alone" in refused("practice", "3.7", chapter=PLANAR)
+def test_exercises_of_the_book_are_not_those_of_another_chapter() -> None:
+    said = "there is no exercise '3.7'; planar.exercises would hold it, in a module x3_7"
+    assert said in refused("solve", "3.7", chapter=PLANAR)
+    assert said in refused("practice", "3.7", chapter=PLANAR)
 
 
 # Its kernels.

@@ -14,7 +14,6 @@ from chasles.deriving import walk
 from chasles.report.waiting import progress
 from chasles.statements import Chapter
 from chasles.statements.exercises import sentences_of_exercises
-from chasles.statements.packages import BOOK
 
 __all__ = ["answers"]
 
@@ -47,6 +46,5 @@ def _asking(book: Chapter, session: Session) -> Iterator[tuple[str, Callable[[],
         yield f"({entry.number}) {entry.name}", partial(session.decide, entry.statement)
     for name, road in all_derivations(book).items():
         yield f"road {name}", partial(walk, road, session)
-    if book.package == BOOK:
-        for name, sentence in sentences_of_exercises().items():
-            yield f"exercise {name}", partial(session.decide, sentence)
+    for name, sentence in sentences_of_exercises(book.package).items():
+        yield f"exercise {name}", partial(session.decide, sentence)

@@ -23,7 +23,17 @@ from chasles.vocabulary.arguments import WrongArgument
 if TYPE_CHECKING:
     from chasles.decisions.session import Decision, Session
 
-__all__ = ["BOOK", "as_data", "chapter", "chosen", "decisions", "of_numbers", "of_sections", "only_of_the_book"]
+__all__ = [
+    "BOOK",
+    "as_data",
+    "chapter",
+    "chosen",
+    "decisions",
+    "of_numbers",
+    "of_sections",
+    "package_chosen",
+    "place",
+]
 
 
 def of_numbers(command: Callable[..., Any]) -> Callable[..., Any]:
@@ -60,9 +70,9 @@ def chapter() -> Chapter:
     except WrongArgument as error:
         raise Failure(str(error), BAD_INPUT) from error
     except Exception as error:
-        place = _place(error, package)
-        if place is not None:
-            raise Failure(f"{place}: {type(error).__name__}: {error}", BAD_INPUT) from error
+        found = _place(error, package)
+        if found is not None:
+            raise Failure(f"{found}: {type(error).__name__}: {error}", BAD_INPUT) from error
         if isinstance(error, ModuleNotFoundError) and _holds(error.name, package):
             raise Failure(
                 f"there is no chapter {package!r}: give the name of a package that can be imported, from {Path.cwd()} "
@@ -74,10 +84,14 @@ def chapter() -> Chapter:
         raise
 
 
-def only_of_the_book(what: str) -> None:
-    """Raises Failure where another chapter is chosen: `what` there is of the book alone."""
-    if _package() != BOOK:
-        raise Failure(f"{what} are those of {BOOK} alone: leave --chapter out", BAD_INPUT)
+def place(error: Exception) -> str | None:
+    """File and line of the chapter of `--chapter` in which the error arose, if it arose in one."""
+    return None if _package() == BOOK else _place(error, _package())
+
+
+def package_chosen() -> str:
+    """The package of the chapter, which is loaded if it is not the book."""
+    return BOOK if _package() == BOOK else chapter().package
 
 
 def _package() -> str:

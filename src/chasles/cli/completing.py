@@ -78,6 +78,7 @@ def kernels(before: Sequence[str]) -> Offered:
 @_offering
 def exercises(before: Sequence[str]) -> Offered:
     """The numbers of the exercises."""
+    from chasles.cli.book import package_chosen
     from chasles.statements.exercises import exercise_numbers
 
-    return [(number, "") for number in exercise_numbers()]
+    return [(number, "") for number in exercise_numbers(package_chosen())]

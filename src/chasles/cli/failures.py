@@ -59,6 +59,20 @@ class Guarded(click.Group):
             raise click.UsageError(f"there is no command {args[0]!r}{nearest(args[0], list(self._modules))}", ctx)
         return super().resolve_command(ctx, args)
 
+    def invoke(self, ctx: click.Context) -> Any:
+        try:
+            return super().invoke(ctx)
+        except (Failure, click.ClickException, click.exceptions.Exit, click.Abort, OSError):
+            raise
+        except Exception as error:
+            from chasles.cli.book import place
+
+            where = None if _is_of_a_declaration(error) or os.environ.get(DEBUG) else place(error)
+            if where is None:
+                raise
+            said = str(error) if getattr(error, "place", "") else f"{where}: {type(error).__name__}: {error}"
+            raise Failure(said, BAD_INPUT) from error
+
     def main(self, *args: Any, **kwargs: Any) -> Any:
         sys.exit(self._status(*args, **kwargs))
 

@@ -15,6 +15,7 @@ from chasles.exercises.formulas import note, stated
 from chasles.exercises.solution import Citation, SolutionStep
 from chasles.statements import Claim, Inverse, Statement, Theorem, load
 from chasles.statements.derivation import Derivation
+from chasles.statements.elsewhere import other_chapter
 from chasles.statements.packages import BOOK
 from chasles.verdict import Fails, Undecided
 from chasles.vocabulary import Node, plain, replace
@@ -46,7 +47,8 @@ def _decided(sentence: Sentence) -> Decision:
 class Decided:
     """Steps without numbers: statements, derivations and refutations, for all values."""
 
-    def __init__(self) -> None:
+    def __init__(self, chapter: str = "") -> None:
+        self.chapter = chapter
         self.steps: list[SolutionStep] = []
 
     def state(self, sentence: Statement | Theorem, says: str = "") -> None:
@@ -85,7 +87,7 @@ class Decided:
             stated("", claim.left, claim.right),
             note(f"not so at {point}, all else zero: entry {found.entry[0]} is {found.left}, and {found.right}"),
         )
-        citation = Citation(claim.number, claim.part, verdict.name)
+        citation = Citation(claim.number, claim.part, verdict.name, chapter=other_chapter(claim, self.chapter))
         self.steps.append(SolutionStep(f"{claim.says} {says}", (citation,), lines))
 
     def cite(self, sentence: Sentence) -> Citation:
@@ -93,7 +95,8 @@ class Decided:
         decision = _decided(sentence)
         correction = None if decision.verdict.true else decision.correction
         form, verdict = (correction.form, correction.verdict) if correction else ("printed", decision.verdict)
-        return Citation(sentence.number, sentence.part, verdict.name, tuple(getattr(verdict, "needs", ())), form)
+        needs, other = tuple(getattr(verdict, "needs", ())), other_chapter(sentence, self.chapter)
+        return Citation(sentence.number, sentence.part, verdict.name, needs, form, other)
 
     def sides(self, statement: Statement, moved: Mapping[Any, Node] | None = None) -> tuple[Node, Node]:
         """Both sides of a statement, repaired where it is wrong as printed; `moved` says it of other symbols."""

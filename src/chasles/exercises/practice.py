@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
+from os import PathLike
 from typing import Any
 
 from chasles.exact.spelling import as_data
@@ -17,6 +18,7 @@ from chasles.exercises.worksheet import Worksheet
 from chasles.statements.exercise import Exercise
 from chasles.statements.exercises import UnknownExercise
 from chasles.statements.exercises import exercise as find_exercise
+from chasles.statements.packages import BOOK, imported
 
 __all__ = ["Practice", "grade_lines", "practice"]
 
@@ -88,24 +90,26 @@ class Practice:
         return graded(self.exercise, self._solved, answers, nearness)
 
 
-def practice(exercise: str, seed: int = 1) -> Practice:
+def practice(exercise: str, seed: int = 1, chapter: str | PathLike[str] = BOOK) -> Practice:
     """An exercise with new data, drawn by the seed: `as_data()` is to be handed out, `grade(answers)` to be called.
+
+    `chapter` is the package or folder of another chapter than the book.
 
     Raises UnknownExercise, and DataError for an exercise without numbers.
     """
     if isinstance(seed, bool) or not isinstance(seed, int) or seed < 0:
         raise DataError(f"seed: expected an integer that is not negative, and got {seed!r}")
-    return _task(str(exercise), seed)
+    return _task(str(exercise), seed, imported(chapter).__name__)
 
 
 @lru_cache(maxsize=WARM)
-def _task(exercise: str, seed: int) -> Practice:
-    found = Practice(find_exercise(exercise), seed)
+def _task(exercise: str, seed: int, chapter: str) -> Practice:
+    found = Practice(find_exercise(exercise, chapter), seed)
     new_data(found.exercise, seed)
     return found
 
 
-def grade_lines(lines: Iterable[str], exercise: str) -> Iterator[dict[str, Any]]:
+def grade_lines(lines: Iterable[str], exercise: str, chapter: str = BOOK) -> Iterator[dict[str, Any]]:
     """The grade of each line of JSON, with whatever else the line holds; of one that is malformed, its `error`.
 
     A line has `answers`, and may have `seed`, `exercise`, `rtol` and `digits`.
@@ -118,7 +122,7 @@ def grade_lines(lines: Iterable[str], exercise: str) -> Iterator[dict[str, Any]]
             answers = given.get("answers")
             if not isinstance(answers, dict):
                 raise DataError("answers: expected an object with the answers by their names")
-            task = practice(given.get("exercise", exercise), given.get("seed", 1))
+            task = practice(given.get("exercise", exercise), given.get("seed", 1), chapter)
             yield kept | task.grade(answers, given.get("rtol"), given.get("digits")).as_data()
         except (DataError, UnknownExercise) as error:
             yield kept | {"error": str(error.args[0])}

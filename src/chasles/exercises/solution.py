@@ -34,11 +34,14 @@ class Citation:
     verdict: str
     needs: tuple[str, ...] = ()
     form: str = "printed"
+    chapter: str = ""
+    """Its package, where that is another than the exercise's."""
 
     @property
     def shown(self) -> str:
         """The number as it is cited."""
-        return self.number if self.number.startswith(("text", "Thm", "Cor", "Ex")) else f"({self.number})"
+        number = self.number if self.number.startswith(("text", "Thm", "Cor", "Ex")) else f"({self.number})"
+        return f"{number} of {self.chapter}" if self.chapter else number
 
 
 def cited(citations: Sequence[Citation]) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from os import PathLike
 from typing import Any
 
 from sympy.polys.polyerrors import BasePolynomialError
@@ -12,33 +13,34 @@ from chasles.exact.tower import TooManyRoots
 from chasles.exercises.data import DataError, read_data
 from chasles.exercises.solution import Solution
 from chasles.exercises.worksheet import Worksheet
+from chasles.statements.elsewhere import chapter_of
 from chasles.statements.exercise import Exercise
 from chasles.statements.exercises import exercise as find_exercise
-from chasles.statements.packages import DeclarationError
+from chasles.statements.packages import BOOK, DeclarationError, imported
 
 __all__ = ["solve", "solve_with", "solved_on_sheet"]
 
 
-def solve(exercise: str, /, **data: Any) -> Solution:
+def solve(exercise: str, chapter: str | PathLike[str] = BOOK, /, **data: Any) -> Solution:
     """The worked solution of an exercise, exact: steps, answers, checks, picture.
 
-    `exercise` is its number, "3.7". Data are integers, fractions, decimals, or text such as "sqrt(2)/2"; keys that are
-    left out keep their defaults. Raises UnknownExercise, DataError for data that are malformed, and DoesNotStand where
-    an equation that is used is not known to be true.
+    `exercise` is its number, "3.7"; `chapter` the package or folder of another chapter than the book. Data are numbers,
+    exact or decimal, or text such as "sqrt(2)/2"; keys that are left out keep their defaults. Raises UnknownExercise,
+    DataError for data that are malformed, and DoesNotStand where an equation that is used is not known to be true.
     """
-    return solve_with(exercise, data)
+    return solve_with(exercise, data, imported(chapter).__name__)
 
 
-def solve_with(number: str, data: Mapping[str, Any]) -> Solution:
+def solve_with(number: str, data: Mapping[str, Any], chapter: str = BOOK) -> Solution:
     """The same with the data in a dictionary."""
-    return solved_on_sheet(find_exercise(number), data)[0]
+    return solved_on_sheet(find_exercise(number, chapter), data)[0]
 
 
 def solved_on_sheet(exercise: Exercise, data: Mapping[str, Any]) -> tuple[Solution, Worksheet]:
     """The solution, and the sheet on which it was found."""
     try:
         values = read_data(exercise, data)
-        sheet = Worksheet(values)
+        sheet = Worksheet(values, chapter_of(exercise))
         status = exercise.solve(sheet)
     except NotDecided as error:
         raise DataError(f"{error}; give numbers that square roots express") from error

@@ -41,8 +41,8 @@ def equal(one: Any, other: Any) -> bool:
 class Worksheet(Decided):
     """What is known, step by step. `sheet["a"]` is a datum; `sheet.values` are the values of the book's symbols."""
 
-    def __init__(self, data: Mapping[str, Any]) -> None:
-        super().__init__()
+    def __init__(self, data: Mapping[str, Any], chapter: str = "") -> None:
+        super().__init__(chapter)
         self.data = data
         self.values: dict[Node, Any] = {}
         self.checks: list[SubstitutionCheck] = []

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from chasles.cli import completing
-from chasles.cli.book import as_data, only_of_the_book
+from chasles.cli.book import BOOK, as_data, package_chosen
 from chasles.cli.failures import BAD_INPUT, FAILED, Failure
 from chasles.cli.files import text_of_file
 
@@ -50,11 +50,11 @@ def command(
     from chasles.report.records import as_json
     from chasles.statements.exercises import UnknownExercise
 
-    only_of_the_book("the exercises")
+    package = package_chosen()
     try:
         if batch is not None:
-            return _graded_lines(grade_lines(text_of_file(batch).splitlines(), exercise))
-        task = practice(exercise, seed)
+            return _graded_lines(grade_lines(text_of_file(batch).splitlines(), exercise, package))
+        task = practice(exercise, seed, package)
         marks = None if check is None else task.grade(_answers(read_json(text_of_file(check))), rtol, digits)
     except (DataError, UnknownExercise) as error:
         raise Failure(str(error.args[0]), BAD_INPUT) from error
@@ -87,6 +87,8 @@ def _answers(read: dict[str, Any]) -> dict[str, Any]:
 
 
 def _task(task: Practice) -> Iterator[str]:
+    from chasles.statements.elsewhere import chapter_of
+
     whole = task.as_data()
     yield f"Exercise {whole['exercise']}  {whole['title']}, new data {task.seed}"
     yield from (f"  - {text}" for text in whole["asked"])
@@ -99,7 +101,9 @@ def _task(task: Practice) -> Iterator[str]:
     yield "As JSON, with ? replaced:"
     yield "{" + ",\n ".join(f"{dumps(name)}: {dumps(blank)}" for name, blank in whole["template"].items()) + "}"
     yield "Check an answer:"
-    yield f"  chasles practice {whole['exercise']} --seed {task.seed} --check answer.json"
+    package = chapter_of(task.exercise)
+    chapter = "" if package == BOOK else f" --chapter {package}"
+    yield f"  chasles{chapter} practice {whole['exercise']} --seed {task.seed} --check answer.json"
 
 
 def _marks(marks: Grade) -> Iterator[str]:

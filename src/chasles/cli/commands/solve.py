@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from chasles.cli import completing
-from chasles.cli.book import as_data, only_of_the_book
+from chasles.cli.book import as_data, package_chosen
 from chasles.cli.failures import BAD_INPUT, Failure
 from chasles.cli.files import text_of_file, write_whole
 from chasles.cli.quiet import is_quiet
@@ -22,7 +22,7 @@ __all__ = ["command"]
 @click.option("--hint", type=click.IntRange(1), metavar="N", help="Say the first N steps, without their values.")
 @as_data
 def command(exercise: str, data: Path | None, html: Path | None, hint: int | None, json: bool) -> None:
-    """Work an exercise of Section 3.9 for the book's data or for others, step by step, exactly.
+    """Work an exercise of the chapter for its own data or for others, step by step, exactly.
 
     Data that contradict themselves are answered as such and are no error. Data that are malformed are: exit status 2.
     """
@@ -34,10 +34,10 @@ def command(exercise: str, data: Path | None, html: Path | None, hint: int | Non
     from chasles.report.worked_page import hints_page, worked_page
     from chasles.statements.exercises import UnknownExercise
 
-    only_of_the_book("the exercises")
+    package = package_chosen()
     try:
         given = read_json(text_of_file(data)) if data is not None else {}
-        solution = solve_with(exercise.removeprefix("Ex").strip(), given)
+        solution = solve_with(exercise.removeprefix("Ex").strip(), given, package)
     except (DataError, UnknownExercise) as error:
         raise Failure(str(error.args[0]), BAD_INPUT) from error
     except DoesNotStand as error:

@@ -82,19 +82,19 @@ class WorkedView:
 
 
 def worked_exercises(chapter: Chapter) -> tuple[WorkedView, ...]:
-    """All exercises, if the chapter is the one to which they belong; none for another chapter."""
-    book = {id(entry.statement) for entry in load()}
+    """All exercises of the chapter; none where what it holds is not what its package declares."""
+    book = {id(entry.statement) for entry in load(chapter.package)}
     if not all(id(entry.statement) in book for entry in chapter):
         return ()
     _ready_to_draw()
-    return tuple(spread(lambda number: worked_view(chapter, number), exercise_numbers(), AN_EXERCISE))
+    return tuple(spread(lambda number: worked_view(chapter, number), exercise_numbers(chapter.package), AN_EXERCISE))
 
 
 def worked_view(chapter: Chapter, number: str) -> WorkedView:
     """The exercise of that number, solved for its default data, as far as what it rests on is known to be true."""
-    asked = exercise(number)
+    asked = exercise(number, chapter.package)
     try:
-        solution, unsolved = solve_with(number, {}), ""
+        solution, unsolved = solve_with(number, {}, chapter.package), ""
     except DoesNotStand as error:
         solution, unsolved = _unsolved(asked), str(error)
     place = f"exercise-{slug(number)}"
@@ -169,8 +169,9 @@ def _line(line: Formula) -> Equation:
 def _cites(known: frozenset[str], citations: Sequence[Citation]) -> Iterator[Link]:
     """A reference for each number that the page has."""
     for number, group in groupby(citations, lambda citation: citation.number):
-        if number in known:
-            yield Link(f"#{place_of_number(number)}", cited(tuple(group)))
+        here = tuple(citation for citation in group if not citation.chapter)
+        if here and number in known:
+            yield Link(f"#{place_of_number(number)}", cited(here))
 
 
 def _decimals(text: str) -> str:
