@@ -10,7 +10,7 @@ from __future__ import annotations
 import sys
 from argparse import ArgumentParser
 from collections import defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Hashable, Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -134,30 +134,33 @@ def _says(found: Repair, case: Planted) -> bool:
     meaning, sides = case.meaning.of_words, case.original.printed
     if all(meaning(a) == meaning(b) for a, b in zip((found.left, found.right), sides, strict=True)):
         return True
-    ratios = [_ratio(meaning(found.left), meaning(sides[0])), _ratio(meaning(found.right), meaning(sides[1]))]
-    if ratios[0] is not None and ratios[0] == ratios[1]:
-        return True
     try:
         one, other = (Sum((left, Negative(right))) for left, right in ((found.left, found.right), sides))
     except Misfit:
         return False
-    return _ratio(meaning(one), meaning(other)) is not None
+    return _multiples([(meaning(one), meaning(other))]) or _multiples(
+        [(meaning(found.left), meaning(sides[0])), (meaning(found.right), meaning(sides[1]))]
+    )
 
 
-def _ratio(values: object, wanted: object) -> Fraction | None:
-    """How many times the one expression is the other; None if it is no multiple, or if that is zero."""
-    one, other = _flat(values), _flat(wanted)
-    k = next((k for k, value in enumerate(other or []) if value), None)
-    if one is None or other is None or k is None or not one[k]:
-        return None
-    return one[k] / other[k] if all(v * other[k] == w * one[k] for v, w in zip(one, other, strict=True)) else None
+def _multiples(pairs: list[tuple[Hashable, Hashable]]) -> bool:
+    """Whether each entry of the first expressions is a number times that of the second, at all points the same one."""
+    if not all(isinstance(one, tuple) and isinstance(other, tuple) for one, other in pairs):
+        return False
+    entries: dict[tuple[int, int], list[tuple[Fraction, Fraction]]] = defaultdict(list)
+    for one, other in pairs:
+        for here, there in zip(one, other, strict=True):  # type: ignore[call-overload]
+            for i, row in enumerate(here):
+                for j, entry in enumerate(row):
+                    entries[i, j].append((entry, there[i][j]))
+    wanted = [values for values in entries.values() if any(there for _, there in values)]
+    return bool(wanted) and all(_ratio(values) for values in entries.values())
 
 
-def _flat(meaning: object) -> list[Fraction] | None:
-    """All entries at all points, of an expression that has values."""
-    if not isinstance(meaning, tuple):
-        return None
-    return [entry for matrix in meaning for row in matrix for entry in row]
+def _ratio(values: list[tuple[Fraction, Fraction]]) -> bool:
+    """Whether the first are one number times the second, or both zero."""
+    ratios = {here / there for here, there in values if there}
+    return all(not here for here, there in values if not there) and len(ratios) <= 1 and 0 not in ratios
 
 
 def table(outcomes: list[Outcome]) -> Iterator[str]:

@@ -12,15 +12,16 @@ from dataclasses import replace as with_fields
 from fractions import Fraction
 from itertools import islice
 
+from chasles.repairs.factors import Factors
 from chasles.repairs.free_objects import freedom_of, other_objects
 from chasles.repairs.inside_definitions import block_edits
 from chasles.repairs.local_edits import SingleEdit
 from chasles.repairs.modular_testing import REFUSED, ModularTest, modular_test
 from chasles.repairs.one_term import Change, new_coefficients, other_terms
 from chasles.repairs.residues import Unsampled
-from chasles.repairs.scalar_edits import Factors, scalar_edits
 from chasles.repairs.several_terms import combined_changes
-from chasles.repairs.single_edits import exchanged_letters, in_letters, single_edits
+from chasles.repairs.single_edits import exchanged_letters, in_letters
+from chasles.repairs.true_edits import true_edits
 from chasles.rewriting.term_basis import TermBasis, fit, term_basis
 from chasles.statements import Claim, Statement
 from chasles.statements.problem import AcceptedSides
@@ -70,7 +71,7 @@ class Nearest:
         """One change to the right side; in a second turn, with letters that it does not have."""
         for turn, (test, basis) in enumerate(islice(self._tests(left, right), turns)):
             changes = [*self._edits(test, turn), *other_terms(test, basis)]
-            if _symbol(left) is None and not isinstance(left, Inverse):
+            if not isinstance(left, Inverse):
                 turned = self._edits(test.turned, turn)
                 changes += [with_fields(change, left=change.right, right=change.left) for change in turned]
             found = [change for change in changes if self._holds(test, change)]
@@ -83,11 +84,12 @@ class Nearest:
         left, right = test.left, test.right
         if not turn:
             yield from new_coefficients(test)
-        edits = in_letters(right, self.letters) if turn else single_edits(right, scalars=False)
-        for new, words, effort in (*edits, *(() if turn else exchanged_letters(right))):
+        letters = () if test.exchanged and isinstance(right, Symbol) else self.letters
+        for new, words, effort in in_letters(right, letters) if turn else exchanged_letters(right):
             if fit(left, new):
                 yield Change(left, new, (words,), effort)
-        yield from scalar_edits(test, Factors(test, (right, left, *(self.given_sides if turn else ())), self.own))
+        without = frozenset((bare(left),)) if test.exchanged else self.own
+        yield from true_edits(test, Factors(test, (right, left, *(self.given_sides if turn else ())), without))
 
     def _misread_letters(self, left: Node, right: Node) -> Iterator[Change]:
         """Another letter for one that nothing introduces, and one change more if need be."""

@@ -145,8 +145,9 @@ def _marked(fitting: WellFormedRepair, change: Change) -> Change:
 
 def _proved(near: Nearest, changes: Iterable[Change]) -> Iterator[Repair]:
     """The candidates that the prover confirms: those of the least number of changes, the smallest changes first."""
-    known = {part for side in near.statement.printed for part in walk(side)}
-    ranked = sorted(changes, key=lambda change: _rank(change, known))
+    left, right = near.statement.printed
+    known = {*walk(left), *walk(right)}
+    ranked = sorted(changes, key=lambda change: _rank(change, left, known))
     best: Change | None = None
     seen: set[tuple[Node, Node]] = set()
     for change in ranked:
@@ -162,11 +163,11 @@ def _proved(near: Nearest, changes: Iterable[Change]) -> Iterator[Repair]:
             yield Repair(change.left, change.right, change.words, edits, verdict, change.modulo, marks=change.marks)
 
 
-def _rank(change: Change, known: Container[Node]) -> tuple[int, int, int, int, str, str]:
-    """The fewest changes first, then the smallest, then what keeps to the printed parts, then the shortest."""
+def _rank(change: Change, left: Node, known: Container[Node]) -> tuple[int, int, bool, int, int, str, str]:
+    """The fewest changes first, then the smallest, right before left, what keeps to printed parts, the shortest."""
     strange = sum(part not in known for side in (change.left, change.right) for part in walk(side))
     right = plain(change.right)
-    return len(change.words), change.effort, strange, len(right), right, plain(change.left)
+    return len(change.words), change.effort, change.left != left, strange, len(right), right, plain(change.left)
 
 
 def _verdict(near: Nearest, claim: Statement) -> Holds | HoldsUnder | None:

@@ -1,7 +1,7 @@
-"""The scalars of an expression at any depth, each with the values that it would have to have at the points of a test.
+"""The places of an expression at any depth, scalars with the values that they would have to have at points of a test.
 
 Where an equation is affine in a scalar at one place, its residual says which value there makes it true, if one does; so
-an edit there is tried by evaluating the scalar alone. A place where no value does is not looked into.
+an edit there is tried by evaluating the scalar alone. A scalar for which no value does is not looked into.
 """
 
 from __future__ import annotations
@@ -9,118 +9,119 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import partial
 
 from chasles.algebra.modular import MODULUS, Column
 from chasles.repairs.modular_testing import REFUSED, ModularTest
 from chasles.repairs.residues import Sampled, inverse
 from chasles.rewriting.coefficients import ONE
 from chasles.rewriting.places import Path, put
-from chasles.vocabulary import Block, Node, Number, Rate, Sum, children, printed
+from chasles.vocabulary import Block, Node, Number, Sum, children, printed
 
 __all__ = ["Required", "quotient", "required_values", "value"]
 
-NONE = Number(Fraction(0))
+TWO = Number(Fraction(2))
+_Values = Callable[[Node], Column | None]
 
 
 @dataclass(frozen=True, slots=True)
 class Required:
-    """A place, and the values `wanted` of the scalar `around` it, which is the place itself if its own are known.
-
-    A `term` stands in a sum, a block or by itself: a factor of it is not part of a longer product.
-    """
+    """A place with the smallest part `around` it of which the values `wanted` are known: itself, or the whole side."""
 
     path: Path
     node: Node
+    parent: Node | None
     around: Node
     inner: Path
+    values: _Values
     wanted: Column
-    term: bool
 
     @property
     def known(self) -> bool:
         """Whether the values wanted are those of the place itself."""
-        return not self.inner
+        return not self.inner and self.node.is_scalar
 
-    def allows(self, at: Sampled, new: Node) -> bool:
+    @property
+    def term(self) -> bool:
+        """Whether it stands in a sum or in a block, or by itself."""
+        return self.parent is None or isinstance(self.parent, Sum | Block)
+
+    def allows(self, new: Node) -> bool:
         """Whether something else in the place gives the values wanted."""
-        whole = _with(self.around, self.inner, new)
-        return whole.fault is None and whole.is_scalar and value(at, whole) == self.wanted
+        whole = self.with_(new)
+        return whole.fault is None and whole.shape == self.around.shape and self.values(whole) == self.wanted
+
+    def with_(self, new: Node) -> Node:
+        """What is around the place, with something else in it."""
+        return printed(lambda: put(self.around, self.inner, new))
 
 
 def required_values(test: ModularTest, at: Sampled) -> Iterator[Required]:
-    """Every place in a scalar of the right side that some value would make the equation true."""
-    residual = test.residual_of(at, test.left, test.right)
+    """Every place of the right side but those in scalars of which no value makes the equation true."""
 
-    def with_value(path: Path, new: Node) -> Column:
-        return test.residual_of(at, test.left, _with(test.right, path, new))
+    def residual(right: Node) -> Column | None:
+        try:
+            return test.residual_of(at, test.left, right)
+        except REFUSED:
+            return None
 
-    def below(node: Node, path: Path) -> Iterator[Required]:
-        if node.is_scalar:
-            wanted = _wanted(at, node, residual, [0] * len(residual), lambda new: with_value(path, new))
-            if wanted is not None:
-                yield from _within(at, node, path, wanted, term=True)
-        elif not isinstance(node, Rate):
-            for k, part in enumerate(children(node)):
-                yield from below(part, (*path, k))
-
-    return below(test.right, ())
+    present = residual(test.right)
+    if present is not None:
+        whole = Required((), test.right, None, test.right, (), residual, [0] * len(present))
+        yield from _within(at, whole, present)
 
 
-def _within(at: Sampled, node: Node, path: Path, wanted: Column, *, term: bool) -> Iterator[Required]:
-    """The scalar and all in it, each with its own values where the scalar is affine in it."""
-    yield Required(path, node, node, (), wanted, term)
-    present = value(at, node)
+def _within(at: Sampled, place: Required, present: Column) -> Iterator[Required]:
+    """The place and those in it; `present` are the values of what is around it."""
+    node = place.node
+    if node.is_scalar and (place.inner or place.parent is None):
+        own, wanted = value(at, node), None
+        if own is not None and (ends := _ends(place)) is not None:
+            lines = [*zip(*ends, strict=True)]
+            if _affine(lines, own, present):
+                wanted = _solved(lines, place.wanted, len(own))
+                if wanted is None:
+                    return
+                present = own
+                place = Required(place.path, node, place.parent, node, (), lambda new: value(at, new), wanted)
+    yield place
     for k, part in enumerate(children(node)):
-        inner = None
-        if part.is_scalar and present is not None:
-            inner = _wanted(at, part, present, wanted, partial(_value_with, at, node, k))
-        if inner is not None:
-            yield from _within(at, part, (*path, k), inner, term=isinstance(node, Sum | Block))
-        else:
-            yield from _under(node, path, part, (k,), wanted)
+        inner = Required((*place.path, k), part, node, place.around, (*place.inner, k), place.values, place.wanted)
+        yield from _within(at, inner, present)
 
 
-def _under(around: Node, path: Path, node: Node, inner: Path, wanted: Column) -> Iterator[Required]:
-    """A part of a scalar of which only the scalar's values are known, and all in it."""
-    yield Required((*path, *inner), node, around, inner, wanted, term=False)
-    for k, part in enumerate(children(node)):
-        yield from _under(around, path, part, (*inner, k), wanted)
+def _ends(place: Required) -> tuple[Column, Column] | None:
+    """The values of what is around a scalar, with one and with two in its place."""
+    one, two = place.values(place.with_(ONE)), place.values(place.with_(TWO))
+    return None if one is None or two is None else (one, two)
 
 
-def _wanted(
-    at: Sampled, node: Node, present: Column, wanted: Column, of: Callable[[Node], Column | None]
-) -> Column | None:
-    """The values of a scalar with which what is affine in it has the values wanted; None if there are none."""
-    own = value(at, node)
-    try:
-        zero, one = of(NONE), of(ONE)
-    except REFUSED:
-        return None
-    if own is None or zero is None or one is None:
-        return None
-    size = len(present) // len(own)
+_Lines = list[tuple[int, int]]
+
+
+def _affine(lines: _Lines, own: Column, present: Column) -> bool:
+    """Whether what is around depends on the scalar along the lines."""
+    size = len(lines) // len(own)
+    return all(
+        (a + (b - a) * (own[k // size] - 1) - y) % MODULUS == 0
+        for k, ((a, b), y) in enumerate(zip(lines, present, strict=True))
+    )
+
+
+def _solved(lines: _Lines, wanted: Column, count: int) -> Column | None:
+    """The scalar at so many points with which what is around has the values wanted; None if there is none."""
+    size = len(lines) // count
     found = []
-    for k, x in enumerate(own):
-        here = slice(k * size, (k + 1) * size)
-        slopes = [(b - a) % MODULUS for a, b in zip(zero[here], one[here], strict=True)]
-        lead = next((i for i, slope in enumerate(slopes) if slope), None)
+    for k in range(0, len(lines), size):
+        here = list(zip(lines[k : k + size], wanted[k : k + size], strict=True))
+        lead = next(((a, (b - a) % MODULUS, y) for (a, b), y in here if (b - a) % MODULUS), None)
         if lead is None:
             return None
-        y = (wanted[here][lead] - zero[here][lead]) * inverse(slopes[lead]) % MODULUS
-        for a, slope, now, then in zip(zero[here], slopes, present[here], wanted[here], strict=True):
-            if (a + slope * x - now) % MODULUS or (a + slope * y - then) % MODULUS:
-                return None
-        found.append(y)
+        a, slope, y = lead
+        x = (1 + (y - a) * inverse(slope)) % MODULUS
+        if any((a + (b - a) * (x - 1) - y) % MODULUS for (a, b), y in here):
+            return None
+        found.append(x)
     return found
-
-
-def _value_with(at: Sampled, node: Node, k: int, new: Node) -> Column | None:
-    return value(at, _with(node, (k,), new))
-
-
-def _with(node: Node, path: Path, new: Node) -> Node:
-    return printed(lambda: put(node, path, new))
 
 
 def value(at: Sampled, node: Node) -> Column | None:

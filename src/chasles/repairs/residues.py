@@ -121,10 +121,15 @@ def generic_points(context: Context, solved: tuple[Solved, ...], count: int) -> 
         bare = {name: residue(value) for name, value in point.items()}
         # Small numbers coincide and vanish too often to tell one letter from another.
         bare |= {name: draw.randrange(1, MODULUS) for name in free if name in bare}
-        pair = [bare | dict(_turned(context, tangents)) for tangents in (_tangents(context, draw), same)]
-        if all(not any(_value(g, p) for g in generators) and all(_value(a, p) for a in nonzero) for p in pair):
-            varied.append(pair[0])
-            fixed.append(pair[1])
+        pairs = [[bare | dict(_turned(context, tangents)) for tangents in (_tangents(context, draw), same)], [bare] * 2]
+        # A length that depends on angles holds them: then they differ at the fixed points too.
+        for pair in pairs:
+            if not any(_value(g, p) for g in generators for p in pair) and all(
+                _value(a, p) for a in nonzero for p in pair
+            ):
+                varied.append(pair[0])
+                fixed.append(pair[1])
+                break
         if len(varied) == count:
             break
     return varied, fixed

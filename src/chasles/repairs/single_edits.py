@@ -11,7 +11,7 @@ from itertools import combinations
 from chasles.repairs.local_edits import FORM, SingleEdit, edits_at
 from chasles.repairs.one_term import instead
 from chasles.rewriting.places import Path, everywhere, linear_places, put
-from chasles.vocabulary import Block, Node, Symbol, children, plain, printed, rebuilt
+from chasles.vocabulary import Node, Symbol, children, plain, printed, rebuilt
 
 __all__ = ["exchanged_letters", "in_letters", "placed", "single_edits"]
 
@@ -21,17 +21,10 @@ def placed(node: Node, path: Path, new: Node) -> Node:
     return printed(lambda: put(node, path, new))
 
 
-def single_edits(node: Node, *, scalars: bool = True) -> Iterator[SingleEdit]:
-    """The expression with one slip of form undone, in every place where what comes out fits together.
-
-    Without `scalars`, those in the scalars are left out, but for those whose rate is taken.
-    """
+def single_edits(node: Node) -> Iterator[SingleEdit]:
+    """The expression with one slip of form undone, in every place where what comes out fits together."""
     parts, linear = dict(everywhere(node)), {place.path for place in linear_places(node)}
-    within: set[Path] = set()
     for path, part in parts.items():
-        if not scalars and (path[:-1] in within or part.is_scalar) and not isinstance(part, Block):
-            within.add(path)
-            continue
         parent = parts[path[:-1]] if path else None
         for new, words, effort in edits_at(part, parent, turned=path not in linear):
             whole = placed(node, path, new)

@@ -91,7 +91,7 @@ class TermBasis:
         if like.measure not in self._terms:
             dimension = dimension_of(like)
             found: Iterator[Node]
-            if dimension is None or like.shape[0] not in (1, 3) or like.shape[1] not in (1, 3):
+            if dimension is None:
                 found = (node for node in self._products(like.shape) if fit(node, like))
             else:
                 found = self.of_dimension(like.shape, dimension)
@@ -138,6 +138,8 @@ class TermBasis:
                 yield ONE
                 for one, square, other in product(self.vectors, self.squares, self.vectors):
                     yield from _fitting(_contracted, Transpose(one), Contract((square, other)))
+            case _:
+                yield from self._products(shape)
 
     def _columns(self) -> Iterator[Node]:
         yield from self.vectors

@@ -1,0 +1,93 @@
+"""What an equation is written with, by values at points: scalars and their products, letters, matrices."""
+
+from __future__ import annotations
+
+from collections.abc import Container, Iterable, Iterator, Mapping
+from functools import cached_property
+from itertools import combinations_with_replacement, islice
+
+from chasles.algebra.modular import Column, normalized
+from chasles.repairs.modular_testing import ModularTest
+from chasles.repairs.required_values import quotient, value
+from chasles.repairs.residues import Sampled
+from chasles.rewriting.coefficients import ONE
+from chasles.rewriting.coefficients import product as product_of
+from chasles.vocabulary import Call, Node, Number, Power, Rate, Skew, Sum, Symbol, Transpose, walk
+
+__all__ = ["Factors"]
+
+MOST_FACTORS = 48
+"""So many scalars are multiplied with each other to find a term that is missing."""
+SCOUTS = 3
+"""Points at which edits are tried first."""
+_Named = Mapping[tuple[int, ...], list[Node]]
+
+
+class Factors:
+    """The scalars, letters and matrices that expressions are written with, but for those `without`."""
+
+    def __init__(self, test: ModularTest, nodes: Iterable[Node], without: Container[Node]) -> None:
+        self.at = Sampled(test.varied.context, test.varied.points[:SCOUTS])
+        parts = dict.fromkeys(part for node in nodes for part in walk(node))
+        found = [part for part in parts if not any(inner in without for inner in walk(part))]
+        self.letters = tuple(part for part in found if isinstance(part, Symbol))
+        squares = [part for part in found if _is_named(part) and _is_square(part)]
+        self.matrices = (*squares, *map(Transpose, squares))
+        scalars = [part for part in found if part.is_scalar]
+        both = [Call(f, node.argument) for node in scalars if isinstance(node, Call) for f in ("cos", "sin")]
+        moving = [s for s in self.letters if s.is_scalar and not s.constant and s.stands_for is None]
+        rates = [Rate(s) for s in moving] if any(isinstance(part, Rate) for part in parts) else []
+        self.columns: dict[Node, Column] = {}
+        for node in (ONE, *scalars, *both, *rates):
+            column = value(self.at, node)
+            if column is not None and all(column) and (node == ONE or not isinstance(node, Number)):
+                self.columns.setdefault(node, column)
+
+    def of_values(self, column: Column, most: int) -> Iterator[Node]:
+        """The products of at most so many factors that have these values, up to a number; one if there are several."""
+        direction = normalized(column)
+        found = self._single.get(direction, []) or (self._pairs.get(direction, []) if most > 1 else [])
+        yield from found
+        if found or most < 3:
+            return
+        for factor in (*self.simple, *(pair[0] for pair in self._pairs.values())):
+            own = self.columns.get(factor) or value(self.at, factor)
+            rest = None if own is None else quotient(column, own)
+            if rest is not None and (pair := self._pairs.get(normalized(rest))):
+                yield product_of(factor, pair[0])
+                return
+
+    @cached_property
+    def _single(self) -> _Named:
+        return _by_direction(self.columns.items())
+
+    @cached_property
+    def _pairs(self) -> _Named:
+        pairs = combinations_with_replacement(self.simple, 2)
+        return _by_direction((_times(one, other), self.at.times(one, self.columns[other])) for one, other in pairs)
+
+    @cached_property
+    def simple(self) -> tuple[Node, ...]:
+        """The scalars that are no products."""
+        kinds = Symbol | Call | Rate | Power | Sum
+        return tuple(islice((node for node in self.columns if isinstance(node, kinds)), MOST_FACTORS))
+
+
+def _times(one: Node, other: Node) -> Node:
+    return one**2 if one == other else product_of(one, other)
+
+
+def _is_named(node: Node) -> bool:
+    return isinstance(node.of if isinstance(node, Rate | Skew) else node, Symbol)
+
+
+def _is_square(node: Node) -> bool:
+    return node.shape[0] == node.shape[1] > 1
+
+
+def _by_direction(columns: Iterable[tuple[Node, Column]]) -> _Named:
+    """Expressions by their values up to a number."""
+    found: dict[tuple[int, ...], list[Node]] = {}
+    for node, column in columns:
+        found.setdefault(normalized(column), []).append(node)
+    return found

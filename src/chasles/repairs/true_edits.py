@@ -1,0 +1,145 @@
+"""The right sides that are true with one edit at any depth: in a term, an entry, an argument, an exponent or a factor.
+
+Where the scalar that a place needs is known at the points of the test, a number, a factor or a term that is missing is
+looked up by its values among the products of what the equation is written with.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from chasles.algebra.modular import MODULUS, Column, minus, multiple, rational
+from chasles.repairs.factors import Factors
+from chasles.repairs.local_edits import FORM, SingleEdit, edits_at
+from chasles.repairs.modular_testing import ModularTest
+from chasles.repairs.one_term import FACTOR, Change, instead, missing, new_term, other_number, rescaled
+from chasles.repairs.required_values import Required, quotient, required_values, value
+from chasles.repairs.single_edits import placed
+from chasles.rewriting.coefficients import AngleFunction, scaled, times
+from chasles.rewriting.places import linear_places, with_term
+from chasles.rewriting.term_basis import fit
+from chasles.vocabulary import (
+    Call,
+    Contract,
+    Negative,
+    Node,
+    Number,
+    Power,
+    Rate,
+    Symbol,
+    Transpose,
+    Zero,
+    plain,
+    printed,
+)
+
+__all__ = ["true_edits"]
+
+
+def true_edits(test: ModularTest, factors: Factors) -> Iterator[Change]:
+    """The right sides that are true with one edit, or with one more scalar factor."""
+    yield from _lost_factors(test, factors)
+    linear = {place.path for place in linear_places(test.right)}
+    for place in required_values(test, factors.at):
+        node = place.node
+        turned = not place.known and place.path not in linear
+        edits = [*edits_at(place.node, place.parent, turned=turned), *_multiplied(place.node, place.parent, factors)]
+        if place.path or not test.exchanged:
+            edits += () if place.known else _unknown(place.node, factors)
+        found = [edit for edit in edits if place.allows(edit.node)]
+        if place.known and (place.path or not test.exchanged):
+            found += _by_value(place, factors)
+        for new, words, effort in found:
+            right = placed(test.right, place.path, new)
+            if right.fault is None and fit(test.left, right):
+                yield Change(test.left, right, (words or instead(new, node),), effort)
+
+
+def _lost_factors(test: ModularTest, factors: Factors) -> Iterator[Change]:
+    """The right sides that are true with one more scalar factor of a vector, a matrix or a block."""
+    residual = test.residual(factors.at)
+    size = len(residual) // len(factors.at.points)
+    for place in linear_places(test.right):
+        if not place.term or place.inside or place.node.is_scalar or (test.exchanged and not place.path):
+            continue
+        term = test.contribution(factors.at, place)
+        ratios = [multiple(residual[k : k + size], term[k : k + size]) for k in range(0, len(residual), size)]
+        wanted = [(ratio + 1) % MODULUS for ratio in ratios if ratio is not None]
+        for factor in factors.of_values(wanted, most=1) if len(wanted) == len(ratios) else ():
+            new = times(factor, place.node)
+            right = placed(test.right, place.path, new)
+            if factors.columns[factor] == wanted and right.fault is None and fit(test.left, right):
+                yield Change(test.left, right, (instead(new, place.node),), FACTOR + 1)
+
+
+def _multiplied(node: Node, parent: Node | None, factors: Factors) -> Iterator[SingleEdit]:
+    """A vector or a matrix with one more matrix as a factor."""
+    parts = node.factors if isinstance(node, Contract) else (node,)
+    if isinstance(parent, Contract | Transpose) or (
+        parts == (node,) and not isinstance(node, Symbol | Rate | Transpose)
+    ):
+        return
+    for k in range(len(parts) + 1):
+        for factor in factors.matrices:
+            size = parts[k].shape[0] if k < len(parts) else parts[-1].shape[1]
+            if factor.shape[0] == size:
+                made = (*parts[:k], factor, *parts[k:])
+                yield SingleEdit(printed(lambda: Contract(made)), f"the factor {plain(factor)} is added", FORM + 1)  # noqa: B023
+
+
+def _unknown(node: Node, factors: Factors) -> Iterator[SingleEdit]:
+    """Other letters, other numbers and more terms, where the values wanted of the place itself are not known."""
+    if isinstance(node, Symbol):
+        yield from (SingleEdit(other, "") for other in factors.letters if other != node and other.shape == node.shape)
+    if isinstance(node, Number):
+        others = (node.value + 1, node.value - 1, 2 * node.value, node.value / 2)
+        yield from (SingleEdit(Number(number), "") for number in others if number > 0)
+    elif node.is_scalar:
+        for factor in factors.simple:
+            if not isinstance(factor, Number) and fit(factor, node):
+                yield from (SingleEdit(with_term(node, t), missing(t), FORM + 1) for t in (factor, Negative(factor)))
+
+
+def _by_value(place: Required, factors: Factors) -> Iterator[SingleEdit]:
+    """What has the values wanted: a multiple of what is there, another factor or one more, one more term."""
+    node, wanted = place.node, place.wanted
+    present = value(factors.at, node)
+    if present is None:
+        return
+    zero = not any(present)
+    number = None if zero else _number(wanted, present)
+    if number is not None:
+        if place.term or isinstance(node, Number):
+            new, words = rescaled(node, number)
+            yield SingleEdit(Zero(1, 1) if new is None else new, words, other_number(number))
+        return
+    ratio = quotient(wanted, present)
+    if ratio is not None and place.term:
+        for factor in factors.of_values(ratio, most=1):
+            if factors.columns[factor] == ratio:
+                yield SingleEdit(times(factor, node), f"the factor {plain(factor)} is added", FACTOR + 1)
+    most = 4 if place.term else 1
+    if zero or isinstance(node, Symbol | Call | Power | Rate | Number):
+        for other, number in _multiples(factors, wanted, most):
+            yield SingleEdit(other, instead(other, node), FORM + (abs(number) != 1))
+    if not zero:
+        for term, number in _multiples(factors, minus(wanted, present), most):
+            effort = new_term([(number, AngleFunction(term))]) + (abs(number) != 1) + 2 * (not place.term)
+            yield SingleEdit(with_term(node, term), missing(term), effort)
+
+
+def _multiples(factors: Factors, column: Column, most: int) -> Iterator[tuple[Node, Fraction]]:
+    """Rational multiples of products with these values, and the numbers."""
+    for node in factors.of_values(column, most):
+        own = value(factors.at, node)
+        number = None if own is None else _number(column, own)
+        new = None if number is None else scaled(node, number)
+        if number is not None and new is not None:
+            yield new, number
+
+
+def _number(column: Column, of: Column) -> Fraction | None:
+    """The rational number that one scalar is of another."""
+    ratio = multiple(column, of)
+    return None if ratio is None else rational(ratio)
