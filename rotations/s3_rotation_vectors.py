@@ -24,6 +24,7 @@ rotation_by_vector = Definition(
     says="The rotation about the direction of a vector through its length: the exponential of a rotation vector.",
     sign="=",
     assuming=(v_turns,),
+    kernel=Kernel(of=(v,), form=one + sin(v_length) / v_length * V + 2 * (sin(v_length / 2) / v_length) ** 2 * V**2),
 )
 
 exponential_by_axis_and_angle = Claim(
@@ -133,6 +134,7 @@ quaternion_from_vector = Definition(
     says="The quaternion of a rotation vector, the scalar last.",
     sign="=",
     assuming=(v_turns,),
+    kernel=Kernel(of=(v,)),
 )
 
 quaternion_from_vector_is_unit = Claim(
@@ -148,6 +150,7 @@ jacobian_on_the_left = Definition(
     says="The left Jacobian of rotations.",
     sign="=",
     assuming=(v_turns,),
+    kernel=Kernel(of=(v,), name="left_jacobian"),
 )
 
 jacobian_on_the_right = Claim(
@@ -155,6 +158,7 @@ jacobian_on_the_right = Claim(
     right_jacobian(v), left_jacobian(-v),
     says="The right Jacobian is the left one of the opposite vector.",
     assuming=(v_turns,),
+    kernel=Kernel(of=(v,), name="right_jacobian"),
 )
 
 jacobians_are_transposes = Claim(
@@ -212,6 +216,7 @@ inverse_of_left_jacobian = Claim(
     one - over(1, 2) * V + (1 - v_length / 2 * (cos(v_length / 2) / sin(v_length / 2))) / v_length**2 * V**2,
     says="The inverse of the left Jacobian, where the angle is no whole number of turns.",
     assuming=(v_turns, nonzero(sin(v_length / 2))),
+    kernel=Kernel(of=(v,)),
 )
 
 inverse_of_left_jacobian_by_whole_angle = Claim(
@@ -242,6 +247,7 @@ angular_velocity_by_rotation_vector = Claim(
     omega, left_jacobian(v) @ rate(v),
     says="The left Jacobian gives the angular velocity in the fixed frame from the rate of the rotation vector.",
     given=(angular_velocity, rotation_by_vector),
+    kernel=Kernel(of=(v, rate(v))),
 )
 
 angular_velocity_in_body_by_rotation_vector = Claim(
@@ -249,6 +255,7 @@ angular_velocity_in_body_by_rotation_vector = Claim(
     omega_body, right_jacobian(v) @ rate(v),
     says="The right Jacobian gives the angular velocity in the frame of the body.",
     given=(angular_velocity_in_body, rotation_by_vector),
+    kernel=Kernel(of=(v, rate(v))),
 )
 
 rate_of_rotation_vector = Claim(
@@ -259,6 +266,7 @@ rate_of_rotation_vector = Claim(
     says="Bortz's equation: the rate of a rotation vector by the angular velocity in the fixed frame.",
     given=(angular_velocity_by_rotation_vector,),
     assuming=(v_turns, nonzero(sin(v_length / 2))),
+    kernel=Kernel(of=(v, omega)),
 )
 
 rate_of_rotation_about_fixed_axis = Claim(

@@ -5,7 +5,7 @@ from chasles.rotations.s1_rotations import angular_velocity, angular_velocity_in
 from chasles.rotations.s3_rotation_vectors import v_turns
 from chasles.rotations.s8_twists import twist_in_body_frame, twist_in_fixed_frame
 
-from chasles.statements import Claim, Definition, Section, nonzero
+from chasles.statements import Claim, Definition, Kernel, Section, nonzero
 from chasles.vocabulary import (
     column,
     cos,
@@ -38,6 +38,7 @@ exponential_of_motion = Claim(
     Exp, homogeneous(exp_of_vector(v), left_jacobian(v) @ rho),
     says="The exponential of a motion, in blocks.",
     assuming=(v_turns,),
+    kernel=Kernel(of=(v, rho)),
 )
 
 exponential_as_polynomial = Claim(

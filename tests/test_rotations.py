@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cache
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,7 @@ from scipy.linalg import expm
 from scipy.spatial.transform import Rotation
 
 from chasles.decisions.session import Session
-from chasles.numerics import evaluate
+from chasles.numerics import draw, evaluate, specification_of
 from chasles.statements import (
     Claim,
     Entry,
@@ -214,11 +215,11 @@ def _walked(node: Node) -> list[Node]:
 @pytest.mark.parametrize("name", WORDS)
 def test_a_word_means_what_others_mean_by_it(name: str) -> None:
     word, other = WORDS[name]
-    draw = np.random.default_rng(7)
+    draws = np.random.default_rng(7)
     for _ in range(20):
-        values = {symbol: draw.standard_normal(symbol.shape) for symbol in symbols_in(word)}
+        values = {symbol: draws.standard_normal(symbol.shape) for symbol in symbols_in(word)}
         if T in values:
-            values[T][:3, :3] = Rotation.random(rng=draw).as_matrix()
+            values[T][:3, :3] = Rotation.random(rng=draws).as_matrix()
             values[T][3] = [0, 0, 0, 1]
         found = np.array(evaluate(word, values, digits=20), dtype=float)
         expected = np.atleast_2d(other(*(x[:, 0] if x.shape[1] == 1 else x for x in values.values())))
@@ -339,3 +340,12 @@ def test_the_matrix_of_a_twist_is_the_same_in_either_order() -> None:
 def test_what_is_no_twist_or_motion_is_refused(word: Callable[..., Node]) -> None:
     with pytest.raises(Misfit, match=r"a (twist is a column of six numbers|motion is a 4 x 4 matrix), and .* is 3 x 3"):
         word(C)
+
+
+@pytest.mark.parametrize("height", [1, *HEIGHTS])
+@pytest.mark.parametrize("strategy", ["generic", "simple", "near"])
+def test_units_of_every_height_are_drawn(height: int, strategy: str) -> None:
+    x = array("x", "x", "a column", uniform((height, 1)))
+    asked = specification_of("projected", Claim("1", x @ x.T @ x, x, assuming=(unit(x),), kernel=Kernel(of=(x,))))
+    for sample in islice(draw(asked, strategy, np.random.default_rng(3)), 5):
+        assert np.linalg.norm(sample.arrays[x]) == pytest.approx(1)

@@ -82,8 +82,10 @@ def _point(asked: Specification, draws: Draws) -> dict[Node, Matrix]:
 def _free(node: Node, point: dict[Node, Matrix], asked: Specification, draws: Draws) -> Matrix:
     """A value that no hypothesis binds; it may be drawn close to that of an earlier input of the same kind."""
     rows, columns = node.shape
-    if node in asked.angles:
-        return [[draws.angle()]]
+    if node in asked.angles and columns == 1:
+        # An array is a rotation vector: its length is the angle.
+        angle = draws.angle()
+        return [[angle * x] for x in _unit(rows, draws)] if rows > 1 else [[angle]]
     relatives = [other for other in point if other.measure == node.measure]
     if relatives and columns == 1:
         related = draws.related([row[0] for row in point[draws.pick(relatives)]])
@@ -121,6 +123,11 @@ def _bound(hypothesis: Hypothesis, point: dict[Node, Matrix], asked: Specificati
 
 
 def _unit(size: int, draws: Draws) -> list[object]:
+    if size < 3:
+        angle = draws.angle()
+        return (
+            [CONTEXT.cos(angle), CONTEXT.sin(angle)] if size == 2 else [draws.pick((CONTEXT.mpf(1), CONTEXT.mpf(-1)))]
+        )
     if size == 3:
         return draws.direction()
     return unit_of([*draws.direction(), *draws.vector(size - 3)])

@@ -20,7 +20,7 @@ from chasles.vocabulary import Call, Dot, Integral, Node, Norm, Number, Rate, Sc
 if TYPE_CHECKING:
     from chasles.statements.problem import Problem
 
-__all__ = ["with_directions"]
+__all__ = ["length_and_direction", "with_directions"]
 
 
 def with_directions(problem: Problem) -> Problem:
@@ -50,13 +50,19 @@ def _is_free(vector: Symbol, problem: Problem) -> bool:
     )
 
 
-def _with_direction(problem: Problem, vector: Symbol) -> Problem:
+def length_and_direction(vector: Symbol) -> tuple[Symbol, Symbol]:
+    """The symbols by which a rotation vector is said: its length, an angle, and its direction."""
     name, letter = f"|{vector.name}|", rf"\|{vector.letter}\|"
     angle = Symbol(name, letter, uniform((1, 1)), f"length of {vector.name}", vector.constant)
     direction = Symbol(
         f"{vector.name}/{name}", rf"{vector.letter}/{letter}", uniform((3, 1)), f"direction of {vector.name}",
         vector.constant,
     )  # fmt: skip
+    return angle, direction
+
+
+def _with_direction(problem: Problem, vector: Symbol) -> Problem:
+    angle, direction = length_and_direction(vector)
     values: dict[Node, Node] = {Norm(vector): angle, vector: Scale(angle, direction)}
 
     def said(hypothesis: Hypothesis) -> Hypothesis:

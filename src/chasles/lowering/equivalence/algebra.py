@@ -14,8 +14,10 @@ from chasles.algebra.groebner import Basis, completed, stated
 from chasles.algebra.localization import Ratio
 from chasles.algebra.rings import Polynomial
 from chasles.lowering.divisors import divisors_of
+from chasles.lowering.equivalence.rotation_vectors import by_directions
 from chasles.lowering.equivalence.units import Units, quotient
 from chasles.lowering.request import Request
+from chasles.points.rational import root_of
 from chasles.problems.context import Context, build
 from chasles.statements import Goal, Problem, nonzero
 from chasles.vocabulary import Node, Norm, Symbol
@@ -29,7 +31,8 @@ COMPLETION = 2e7
 class Algebra:
     """Fractions in the entries of a request's arguments, modulo its hypotheses, with some rules added to its own.
 
-    The `positive` symbols are further variables, of which nothing else is known.
+    The `positive` symbols are further variables, of which nothing else is known. `turning` are the lengths of arguments
+    of which cosines and sines are taken.
     """
 
     def __init__(
@@ -46,7 +49,9 @@ class Algebra:
         seen: dict[Node, None] = {}
         divisors = dict.fromkeys(divisor for node in nodes for divisor in divisors_of(node, table, seen))
         hypotheses = (*request.hypotheses, *map(nonzero, (*divisors, *positive)))
-        self.context: Context = build(Problem(goals, tuple(table.items()), hypotheses=tuple(dict.fromkeys(hypotheses))))
+        problem = Problem(goals, tuple(table.items()), hypotheses=tuple(dict.fromkeys(hypotheses)))
+        problem, self._said, self.turning = by_directions(problem, request.of)
+        self.context: Context = build(problem)
         self._completed: Basis | None = None
         self._remainders: dict[object, list[tuple[Polynomial, Polynomial]]] = {}
         self._roots: list[tuple[Ratio, Ratio | None]] = []
@@ -61,7 +66,7 @@ class Algebra:
 
     def entry(self, node: Node, row: int = 0, column: int = 0) -> Ratio:
         """An entry of an expression."""
-        ratio: Ratio = self.context.unfold(node)[row][column]
+        ratio: Ratio = self.context.unfold(self._said(node))[row][column]
         return ratio
 
     def number(self, ratio: Ratio) -> Fraction | None:
@@ -90,6 +95,16 @@ class Algebra:
             return bool(self._completed.reduce(numerator)[1] == 0)
         return False
 
+    def multiple(self, ratio: Ratio, of: Ratio) -> Fraction | None:
+        """The number by which a fraction is a multiple of another; None where it is not seen to be one."""
+        ring, product = self.context.field.ring, self.context.field.power_product
+        sides = ratio.numerator * product(of.denominator), of.numerator * product(ratio.denominator)
+        one, other = map(self._remainder, sides)
+        if one == 0 or other == 0:
+            return None
+        (mine, c), (theirs, d) = ring.leading(one), ring.leading(other)
+        return c / d if mine == theirs and self.vanishes(ratio - of * self.constant(c / d)) else None
+
     def root(self, ratio: Ratio) -> Ratio | None:
         """The norm whose square the fraction is, or that over a positive symbol, if the request has such a norm."""
         for known, answer in self._roots:
@@ -101,9 +116,17 @@ class Algebra:
             root = size and self.quotient(size, over)
         else:
             sizes = map(self.entry, self._norms)
-            root = next((size for size in sizes if self.vanishes(ratio - size * size)), None)
+            root = next((size for size in sizes if self.vanishes(ratio - size * size)), self._turn(ratio))
         self._roots.append((ratio, root))
         return root
+
+    def _turn(self, ratio: Ratio) -> Ratio | None:
+        """The multiple of the length of a rotation vector whose square the fraction is."""
+        for length in map(self.entry, self.turning):
+            square = self.multiple(ratio, length * length)
+            if square is not None and (times := root_of(square)) is not None:
+                return length * self.constant(times)
+        return None
 
     def _times(self, ratio: Ratio, divisor: Ratio) -> Ratio | None:
         """The fraction times the square of the divisor, a unit, if it is written with just that below the line."""

@@ -7,7 +7,7 @@ as any positive number.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from typing import Any
 
@@ -18,11 +18,12 @@ from chasles.lowering.equivalence.signs import Signs
 from chasles.lowering.program import Op, Program, Step
 from chasles.lowering.request import Request
 from chasles.lowering.scales import is_scale
-from chasles.vocabulary import Call, Node, Number, Scale, Sum, Symbol, uniform
+from chasles.vocabulary import Call, Node, Norm, Number, Scale, Sum, Symbol, uniform
 
 __all__ = ["ProgramReading", "Settled", "Unreadable", "angles_of", "scale_symbols"]
 
-Linear = dict[Symbol, Fraction]
+Linear = dict[Node, Fraction]
+"""An angle as a sum of multiples of scalar arguments, and of lengths of others."""
 UNSETTLED = (Op.SELECT, Op.LESS, Op.EQUAL, Op.DIVIDE, Op.SQUARE_ROOT)
 
 
@@ -76,7 +77,8 @@ class ProgramReading(Operators):
                 return self._input(step.argument, step.entry)
             case Op.SINE | Op.COSINE:
                 name = "sin" if step.op is Op.SINE else "cos"
-                return self._algebra.entry(_call(name, _linear(self._program, self._request, step.operands[0])))
+                angle = _linear(self._program, self._request, step.operands[0], self._length)
+                return self._algebra.entry(_call(name, angle))
             case Op.SELECT:
                 return self.value(step.operands[1 if self.value(step.operands[0]) else 2])
         operands = []
@@ -126,6 +128,15 @@ class ProgramReading(Operators):
     def equal(self, left: Ratio, right: Ratio) -> bool:  # type: ignore[override]
         return self._signs.truth("equal", left - right)
 
+    def _length(self, number: int) -> Linear:
+        """A step as a multiple of the length of a rotation vector; empty where it is not seen to be one."""
+        value = self.value(number)
+        for node in self._algebra.turning if isinstance(value, Ratio) else ():
+            times = self._algebra.multiple(value, self._algebra.entry(node))
+            if times is not None:
+                return {node: times}
+        return {}
+
     def _input(self, argument: int, entry: int) -> Ratio:
         node, row, column = self._request.place(argument, entry)
         try:
@@ -142,9 +153,19 @@ def scale_symbols(program: Program) -> dict[int, Symbol]:
 
 def angles_of(program: Program, request: Request) -> Iterator[Node]:
     """The cosines that the program takes, as expressions; with them its sines are known too."""
+
+    def length(number: int) -> Linear:
+        """A multiple of the length of the one argument that a step is made of; the reading sees whether it is that."""
+        of, waiting = set(), [number]
+        while waiting:
+            step = program.steps[waiting.pop()]
+            waiting += step.operands
+            of |= {request.place(step.argument, step.entry)[0]} if step.op is Op.INPUT else set()
+        return {Norm(of.pop()): _factor(program, number)} if len(of) == 1 else {}
+
     for step in program.steps:
         if step.op in (Op.SINE, Op.COSINE):
-            yield _call("cos", _linear(program, request, step.operands[0]))
+            yield _call("cos", _linear(program, request, step.operands[0], length))
 
 
 def _call(function: str, angle: Linear) -> Call:
@@ -154,23 +175,38 @@ def _call(function: str, angle: Linear) -> Call:
     return Call(function, terms[0] if len(terms) == 1 else Sum(terms))
 
 
-def _linear(program: Program, request: Request, number: int) -> Linear:
-    """A step as a sum of rational multiples of scalar arguments."""
+def _linear(program: Program, request: Request, number: int, length: Callable[[int], Linear]) -> Linear:
+    """A step as a sum of rational multiples of scalar arguments and of lengths."""
     step = program.steps[number]
     match step.op:
         case Op.INPUT if isinstance(symbol := request.place(step.argument, step.entry)[0], Symbol) and symbol.is_scalar:
             return {symbol: Fraction(1)}
         case Op.ADD | Op.SUBTRACT:
-            one, other = (_linear(program, request, operand) for operand in step.operands)
+            one, other = (_linear(program, request, operand, length) for operand in step.operands)
             sign = 1 if step.op is Op.ADD else -1
             return {s: one.get(s, Fraction(0)) + sign * other.get(s, Fraction(0)) for s in {**one, **other}}
         case Op.NEGATE:
-            return {s: -q for s, q in _linear(program, request, step.operands[0]).items()}
+            return {s: -q for s, q in _linear(program, request, step.operands[0], length).items()}
         case Op.MULTIPLY | Op.DIVIDE:
             first, second = (program.steps[operand] for operand in step.operands)
             if second.op is Op.CONSTANT and second.value:
                 factor = second.value if step.op is Op.MULTIPLY else 1 / second.value
-                return {s: q * factor for s, q in _linear(program, request, step.operands[0]).items()}
+                return {s: q * factor for s, q in _linear(program, request, step.operands[0], length).items()}
             if first.op is Op.CONSTANT and step.op is Op.MULTIPLY:
-                return {s: q * first.value for s, q in _linear(program, request, step.operands[1]).items()}
+                return {s: q * first.value for s, q in _linear(program, request, step.operands[1], length).items()}
+    if step.op is not Op.INPUT and (found := length(number)):
+        return found
     raise Unreadable(f"step {number} is no sum of multiples of angles, and a cosine or sine is taken of it")
+
+
+def _factor(program: Program, number: int) -> Fraction:
+    """The product of the constants in a product."""
+    step = program.steps[number]
+    match step.op:
+        case Op.CONSTANT:
+            return step.value
+        case Op.MULTIPLY:
+            one, other = (_factor(program, operand) for operand in step.operands)
+            return one * other
+        case _:
+            return Fraction(1)
