@@ -4,10 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 from chasles.prover.decide import BUDGET, decide_problem
 from chasles.statements import Hypothesis, Problem
 from chasles.verdict import Contradictory, Counterexample, Fails, Holds, HoldsUnder, Undecided, Verdict
+
+if TYPE_CHECKING:
+    from chasles.checker.scalars import ScalarQuestion
 
 __all__ = ["decided"]
 
@@ -24,6 +28,11 @@ def decided(problem: Problem, own: tuple[Hypothesis, ...] = (), budget: float = 
         question = scalar_question(problem)
         assert question is not None
         verdict = prove(*question.asked)
+        whole = scalar_question(problem, proving=False)
+        if isinstance(verdict, Fails | Undecided) and whole is not None and whole.given != question.given:
+            question, verdict = whole, prove(*whole.asked)
+            if isinstance(verdict, Holds | HoldsUnder):
+                return Undecided("a proof was found that rests on bounds of angles in two ways")
     except (Rejected, Untreatable, TypeError) as error:
         return Undecided(str(error))
     match verdict:
@@ -35,20 +44,20 @@ def decided(problem: Problem, own: tuple[Hypothesis, ...] = (), budget: float = 
         case Contradictory(hypotheses, certificate):
             return Contradictory(_said(hypotheses, question.sources), certificate)
         case Holds() | HoldsUnder():
-            return _proved(verdict, problem, own, question.sources)
+            return _proved(verdict, problem, own, question)
         case _:
             return verdict
 
 
 def _proved(
-    verdict: Holds | HoldsUnder, problem: Problem, own: tuple[Hypothesis, ...], sources: Mapping[str, str]
+    verdict: Holds | HoldsUnder, problem: Problem, own: tuple[Hypothesis, ...], question: ScalarQuestion
 ) -> Verdict:
     """The proof of the question as one of the problem; that quantities are positive counts among what it needs."""
     certificate = {"scalars": verdict.certificate, "needs": list(verdict.needs)}
     if all(type(value) is Fraction for value in verdict.witness.values()):
         certificate["point"] = {name: str(value) for name, value in verdict.witness.items()}
     positive = (h.text for h in problem.hypotheses if h.kind == "positive")
-    needs = tuple(dict.fromkeys((*positive, *_said(verdict.needs, sources))))
+    needs = tuple(dict.fromkeys((*positive, *question.used, *_said(verdict.needs, question.sources))))
     unused = tuple(h.text for h in own if h.text not in needs)
     if not needs:
         return Holds(certificate, verdict.witness, unused)

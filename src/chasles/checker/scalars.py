@@ -17,9 +17,10 @@ import sympy as sp
 from chasles import vocabulary as w
 from chasles.checker.expressions.counterexample import check_refutation
 from chasles.checker.expressions.proof import check_proof
+from chasles.checker.principal import Bounds, in_fewer_squares, principal
 from chasles.checker.refutation import Shown
 from chasles.checker.sparse import Rejected
-from chasles.statements import Problem
+from chasles.statements import Hypothesis, Problem
 from chasles.verdict import Counterexample, Holds, HoldsUnder
 from chasles.vocabulary.functions import Cases, FunctionOf
 
@@ -29,7 +30,7 @@ TIME = sp.Symbol("t", real=True)
 FUNCTIONS = {
     "sin": sp.sin, "cos": sp.cos, "sqrt": sp.sqrt, "abs": sp.Abs, "exp": sp.exp, "log": sp.log, "arcsin": sp.asin,
     "arccos": sp.acos, "arctan": sp.atan, "atan2": sp.atan2, "sinh": sp.sinh, "cosh": sp.cosh, "tanh": sp.tanh,
-    "sign": sp.sign, "max": sp.Max, "min": sp.Min,
+    "sign": lambda x: sp.Piecewise((1, x > 0), (-1, x < 0), (0, True)), "max": sp.Max, "min": sp.Min,
 }  # fmt: skip
 RELATIONS = {"<": sp.Lt, "<=": sp.Le, ">": sp.Gt, ">=": sp.Ge}
 BY_MORE = frozenset(("definite",))
@@ -40,8 +41,9 @@ BY_MORE = frozenset(("definite",))
 class ScalarQuestion:
     """Both sides of all goals, one entry below the other, what is given, and what does not vanish.
 
-    `places` are the goal, row and column of each entry; `sources` who says what is given, by its text in SymPy. If it
-    is `partial`, hypotheses say more than that: a proof counts, a counterexample does not.
+    `places` are the goal, row and column of each entry; `sources` who says what is given, by its text in SymPy; `used`
+    the hypotheses by which arguments of functions are said otherwise. If it is `partial`, hypotheses say more than
+    that: a proof counts, a counterexample does not.
     """
 
     left: Any
@@ -50,6 +52,7 @@ class ScalarQuestion:
     nonzero: tuple[Any, ...]
     places: tuple[tuple[str, tuple[int, int]], ...]
     sources: Mapping[str, str]
+    used: tuple[str, ...]
     partial: bool
 
     @property
@@ -58,31 +61,46 @@ class ScalarQuestion:
         return self.left, self.right, self.given, self.nonzero
 
 
-def scalar_question(problem: Problem) -> ScalarQuestion | None:
-    """The question that a problem asks if functions occur in it, else None; raises `Rejected` for other words."""
+def scalar_question(problem: Problem, proving: bool = True) -> ScalarQuestion | None:
+    """The question that a problem asks if functions occur in it, else None; raises `Rejected` for other words.
+
+    For proving, bounds of an angle by which an inverse function was said otherwise are left out, if nothing else is
+    assumed of the angle and they leave it room: a proof does without them, and a witness need not be looked for.
+    """
     if not problem.has_functions:
         return None
     entries = _Entries(problem)
+    sides = [[entries(side) for side in (goal.left, goal.right)] for goal in problem.goals]
+    left, right = (sp.Matrix([entry for pair in sides for entry in pair[k]]) for k in (0, 1))
+    settled = entries.settled if proving else frozenset()
     given: list[Any] = []
     nonzero: list[Any] = []
     sources: dict[str, str] = {}
     stated = [(goal.label, goal.left, goal.right) for goal in problem.conditions]
-    stated += [(h.text, left, right) for h in problem.hypotheses for left, right in h.equations]
-    for text, left, right in stated:
-        for equation in entries.equations(left, right):
+    assumed = [hypothesis for hypothesis in problem.hypotheses if hypothesis.text not in settled]
+    stated += [(h.text, *_spoken(h, pair)) for h in assumed for pair in h.equations]
+    for text, one, other in stated:
+        for equation in entries.equations(one, other):
             given.append(equation)
             sources[f"{equation.lhs} = {equation.rhs}"] = text
-    for hypothesis in problem.hypotheses:
-        for node in hypothesis.nonvanishing if hypothesis.kind != "positive" else ():
+    for hypothesis in assumed:
+        most = {"positive": 0, "inequality": 1}.get(hypothesis.kind)
+        for node in hypothesis.nonvanishing[:most]:
             value = entries(node)[0]
             nonzero.append(value)
             sources[f"{value} != 0"] = hypothesis.text
-    sides = [[entries(side) for side in (goal.left, goal.right)] for goal in problem.goals]
-    left, right = (sp.Matrix([entry for pair in sides for entry in pair[k]]) for k in (0, 1))
     shapes = [(goal.label, *goal.left.shape) for goal in problem.goals]
     places = tuple((label, (i + 1, j + 1)) for label, m, n in shapes for i in range(m) for j in range(n))
     partial = any(h.kind in BY_MORE for h in problem.hypotheses)
-    return ScalarQuestion(left, right, tuple(given), tuple(nonzero), places, sources, partial)
+    used = tuple(entries.used)
+    return ScalarQuestion(left, right, tuple(given), tuple(nonzero), places, sources, used, partial)
+
+
+def _spoken(hypothesis: Hypothesis, equation: tuple[w.Node, w.Node]) -> tuple[w.Node, w.Node]:
+    """An equation of a hypothesis: that a sine or the like is a square is said by its absolute value."""
+    difference = equation[0]
+    turns = any(isinstance(part, w.Call | FunctionOf) for part in w.walk(difference))
+    return (abs(difference), difference) if hypothesis.kind == "inequality" and turns else equation
 
 
 def check_scalars(problem: Problem, certificate: Mapping[str, Any]) -> None:
@@ -97,7 +115,7 @@ def check_scalars(problem: Problem, certificate: Mapping[str, Any]) -> None:
 
 def check_scalar_counterexample(problem: Problem, shown: Shown) -> None:
     """The point refutes the question that the problem asks; raises `Rejected` with the reason if not."""
-    question = _asked(problem)
+    question = _asked(problem, proving=False)
     if question.partial:
         raise Rejected("a hypothesis says more than equations, and nothing shows that the point satisfies it")
     if (shown.goal, shown.entry) not in question.places:
@@ -106,8 +124,8 @@ def check_scalar_counterexample(problem: Problem, shown: Shown) -> None:
     check_refutation(Counterexample(shown.at, (row + 1, 1), shown.left, shown.right), *question.asked)
 
 
-def _asked(problem: Problem) -> ScalarQuestion:
-    question = scalar_question(problem)
+def _asked(problem: Problem, proving: bool = True) -> ScalarQuestion:
+    question = scalar_question(problem, proving)
     if question is None:
         raise Rejected("no function of scalars occurs in the problem")
     return question
@@ -124,12 +142,39 @@ class _Entries:
         positive = [s for h in problem.hypotheses if h.kind == "positive" for s in h.subjects]
         self.signs = (("positive", positive), ("nonnegative", problem.nonnegative))
         self.known: dict[w.Node, Any] = {}
+        self.used: dict[str, None] = {}
+        assumed = [h for h in problem.hypotheses if h.kind != "inequality"]
+        self.stated = [(goal.left, goal.right) for goal in problem.conditions]
+        self.stated += [pair for h in assumed for pair in h.equations]
+        self.stated += [(node, node) for h in assumed for node in h.nonvanishing]
+        self.units: dict[str, list[Any]] = {}
+        self.bounds: dict[Any, Bounds] = {}
+        for h in problem.hypotheses:
+            if h.kind == "unit" and h.subjects[0] not in self.rules:
+                self.units[h.text] = list(self(h.subjects[0]))
+            if h.kind == "inequality":
+                self._bound(h)
 
     def __call__(self, node: w.Node) -> Any:
         """The entries as an immutable matrix."""
         if node not in self.known:
             self.known[node] = self._made(node)
         return self.known[node]
+
+    def _bound(self, hypothesis: Hypothesis) -> None:
+        difference = self(hypothesis.subjects[0])[0]
+        if len(difference.free_symbols) == 1:
+            (angle,) = difference.free_symbols
+            strict = bool(hypothesis.nonvanishing)
+            self.bounds.setdefault(angle, Bounds()).narrow(difference, angle, strict, hypothesis.text)
+
+    @property
+    def settled(self) -> frozenset[str]:
+        """The texts of the bounds that are used, leave room, and are of angles of which nothing else is assumed."""
+        others = [side for pair in self.stated for side in pair]
+        speaking = {symbol for side in others for symbol in self(side).free_symbols}
+        found = [b for angle, b in self.bounds.items() if angle not in speaking and b.leave_room]
+        return frozenset(text for b in found for text in b.texts if text in self.used)
 
     def equations(self, left: w.Node, right: w.Node) -> Iterator[Any]:
         """The equations between the entries, but for those that are true on their face."""
@@ -157,7 +202,7 @@ class _Entries:
                 lines = [sp.Matrix.hstack(*map(self, row)) for row in rows]
                 return sp.Matrix.vstack(*lines).as_immutable()
             case FunctionOf(function, arguments):
-                return _one(FUNCTIONS[function](*(self(argument)[0] for argument in arguments)))
+                return _one(self._told(FUNCTIONS[function](*(self._shorter(self(of)[0]) for of in arguments))))
             case w.Call(function, argument):
                 return _one(FUNCTIONS[function](self(argument)[0]))
             case Cases(values, left, right, signs):
@@ -186,7 +231,7 @@ class _Entries:
             case w.Dot(left, right):
                 return self(left).T * self(right)
             case w.Norm(of):
-                return _one(sp.sqrt(sum(entry**2 for entry in self(of))))
+                return _one(sp.sqrt(self._shorter(sum(entry**2 for entry in self(of)))))
             case w.Skew(of):
                 return _skew(self(of))
             case w.Cross(left, right):
@@ -202,6 +247,16 @@ class _Entries:
                 return self(of).cofactor_matrix(method="berkowitz").as_immutable()
             case _:
                 raise Rejected(f"{w.plain(node)} cannot stand beside functions of scalars")
+
+    def _shorter(self, argument: Any) -> Any:
+        found, texts = in_fewer_squares(argument, self.units)
+        self.used |= dict.fromkeys(texts)
+        return found
+
+    def _told(self, value: Any) -> Any:
+        found, texts = principal(value, self.bounds)
+        self.used |= dict.fromkeys(texts)
+        return found
 
     def _quantity(self, symbol: w.Symbol) -> Iterator[Any]:
         if symbol == w.PI:

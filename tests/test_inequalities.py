@@ -1,0 +1,135 @@
+"""Inequalities assumed and claimed, angles between bounds, arguments said by what is assumed of unit vectors."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from chasles.checker.certificate import Rejected, check
+from chasles.checker.refutation import check_counterexample
+from chasles.decisions.session import Session
+from chasles.statements import Claim, Definition, nonzero, positive, unit
+from chasles.statements.inequalities import inequality, says_that
+from chasles.statements.problem import problem_of
+from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided
+from chasles.vocabulary import (
+    CPM,
+    LENGTH,
+    PI,
+    Identity,
+    Misfit,
+    cos,
+    dot,
+    norm,
+    rate,
+    scalar,
+    sin,
+    square,
+    tr,
+    vector,
+)
+from chasles.vocabulary.functions import arccos, arcsin, atan2, sqrt
+from chasles.vocabulary.nodes import lifted
+
+t, x, y = (scalar(name, name, "a number") for name in "txy")
+v, w, e = (vector(name, name, "a vector") for name in "vwe")
+R = square("R", "R", "a rotation")
+turn = Definition("0", R, e @ e.T + cos(t) * (Identity(3) - e @ e.T) + sin(t) * CPM(e), assuming=(unit(e),))
+I = inequality
+
+
+def claim(left: Any, right: Any, *assuming: Any, given: tuple[Any, ...] = ()) -> Claim:
+    return Claim("1", lifted(left), lifted(right), assuming=assuming, given=given)
+
+
+TRUE = [
+    (claim(abs(x), x, I(x >= 0)), ("x >= 0",)),
+    (claim(abs(x), x, I(x >= 1)), ("x >= 1",)),
+    (claim(abs(x), x, I(x > 1)), ("x > 1",)),
+    (claim(abs(x), -x, I(x < 0)), ("x < 0",)),
+    (claim(sqrt(x**2), x, I(x > 0)), ("x > 0",)),
+    (claim(x / x, 1, I(x > 0)), ("x > 0",)),
+    (claim(x * y, y * x, I(x >= 1)), ()),
+    (claim(sqrt((1 - cos(t)) / 2), sin(t / 2), I(sin(t / 2) >= 0)), ("sin(t / 2) >= 0",)),
+    (claim(arccos(cos(t)), t, I(t >= 0), I(t <= PI)), ("t >= 0", "t <= pi")),
+    (claim(arccos(cos(t)), -t, I(t <= 0), I(t >= -PI)), ("t <= 0", "t >= -pi")),
+    (claim(arccos(cos(2 * t)), 2 * t, I(t >= 0), I(2 * t <= PI)), ("t >= 0", "2 t <= pi")),
+    (claim(arcsin(sin(t)), t, I(t >= -PI / 2), I(t <= PI / 2)), ("t >= -pi / 2", "t <= pi / 2")),
+    (claim(atan2(sin(t), cos(t)), t, I(t > -PI), I(t <= PI)), ("t > -pi", "t <= pi")),
+    (claim(atan2(x * sin(t), x * cos(t)), t, positive(x), I(t > -PI), I(t < PI)), ("x > 0", "t > -pi", "t < pi")),
+    (claim(arccos((tr(R) - 1) / 2), t, I(t >= 0), I(t <= PI), given=(turn,)), ("|e| = 1", "t >= 0", "t <= pi")),
+    (claim(sqrt(1 + tr(R)) / 2, abs(cos(t / 2)), given=(turn,)), ("|e| = 1",)),
+    (claim(*says_that(x**2 + y**2 >= 2 * x * y)), ()),
+    (claim(*says_that(x**2 + 1 > 0)), ()),
+    (claim(*says_that(norm(v) >= 0)), ()),
+    (claim(*says_that(cos(t) <= 1)), ()),
+    (claim(*says_that(x >= 0), I(x > 1)), ("x > 1",)),
+]
+FALSE = [
+    claim(abs(x), x, I(x <= 1)),
+    claim(x * y, y, I(x >= 1)),
+    claim(abs(x), x, I(x < 0)),
+    claim(*says_that(x**2 >= x)),
+    claim(*says_that(x**2 > 0)),
+    claim(x**2, x, I(x > 1)),
+]
+
+
+@pytest.mark.parametrize(("said", "needs"), TRUE, ids=lambda said: f"{getattr(said, 'left', '')}")
+def test_what_is_true_is_proved_and_names_what_it_needs(said: Claim, needs: tuple[str, ...]) -> None:
+    verdict = Session().decide(said).verdict
+    assert isinstance(verdict, Holds | HoldsUnder), verdict
+    assert set(verdict.needs) == set(needs)
+    check(said, "printed", verdict.certificate)
+
+
+@pytest.mark.parametrize("said", FALSE, ids=lambda said: f"{said.left} = {said.right}")
+def test_what_is_false_is_refuted_where_the_inequalities_hold(said: Claim) -> None:
+    verdict = Session().decide(said).verdict
+    assert isinstance(verdict, Fails), verdict
+    check_counterexample(problem_of(said), verdict.counterexample)
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        claim(arccos(cos(t)), t, I(t >= 0), I(t <= 2 * PI)),
+        claim(arccos(cos(t)), t, I(t >= -PI), I(t <= PI)),
+        claim(arcsin(sin(t)), t, I(t >= 0), I(t <= PI)),
+        claim(atan2(sin(t), cos(t)), t, I(t >= -PI), I(t <= PI)),
+        claim(atan2(x * sin(t), x * cos(t)), t, nonzero(x), I(t > -PI), I(t < PI)),
+        claim(arccos(cos(t)), t, I(t >= 0)),
+        claim(arccos(cos(t)), t),
+        claim(arccos(cos(t + x)), t + x, I(t >= 0), I(t <= PI)),
+    ],
+    ids=lambda said: f"{said.left} {[h.text for h in said.assuming]}",
+)
+def test_an_angle_that_may_be_another_is_not_proved(said: Claim) -> None:
+    assert isinstance(Session().decide(said).verdict, Fails | Undecided)
+
+
+def test_the_checker_reads_the_bounds_itself() -> None:
+    narrow = claim(arccos(cos(t)), t, I(t >= 0), I(t <= PI))
+    verdict = Session().decide(narrow).verdict
+    assert isinstance(verdict, HoldsUnder)
+    for wide in (claim(arccos(cos(t)), t, I(t >= 0), I(t <= 2 * PI)), claim(arccos(cos(t)), t)):
+        with pytest.raises(Rejected):
+            check(wide, "printed", verdict.certificate)
+
+
+def test_bounds_that_leave_no_room_or_contradict_one_another_prove_nothing() -> None:
+    for said in (
+        claim(arccos(cos(t)), t, I(t > PI), I(t < 0)),
+        claim(x, x + 1, I(x > 1), I(x < 0)),
+        claim(abs(x), x, I(x >= 1), I(x <= 0)),
+    ):
+        assert isinstance(Session().decide(said).verdict, Contradictory | Undecided)
+
+
+def test_only_scalars_of_one_dimension_are_compared() -> None:
+    with pytest.raises(Misfit):
+        inequality(v > 0)
+    with pytest.raises(Misfit):
+        inequality(scalar("l", "l", "a length", LENGTH) > x)
+    assert inequality(dot(v, w) >= rate(t) * 0).text == "v . w >= t_dot 0"
