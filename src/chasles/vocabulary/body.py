@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from chasles.vocabulary.dimension import LENGTH
+from chasles.vocabulary.dimension import LENGTH, NO_DIMENSION
 from chasles.vocabulary.fitting import measured, word
-from chasles.vocabulary.letters import Symbol
+from chasles.vocabulary.letters import Symbol, is_measured
 from chasles.vocabulary.measure import Measure, scaled
 from chasles.vocabulary.nodes import OfOne
 
@@ -25,7 +25,7 @@ class Integral(OfOne):
     body: str = r"\mathcal{B}"
 
     def _measured(self) -> Measure:
-        return scaled(measured(self.of), LENGTH**3)
+        return scaled(measured(self.of), LENGTH**3 if is_measured(self.density) else NO_DIMENSION)
 
     @property
     def running(self) -> frozenset[Symbol]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from dataclasses import dataclass
 
 __all__ = [
@@ -15,6 +16,7 @@ __all__ = [
     "TIME",
     "VELOCITY",
     "Dimension",
+    "has_units",
 ]
 
 
@@ -39,6 +41,16 @@ class Dimension:
         powers = (("kg", self.mass), ("m", self.length), ("s", self.time))
         units = [unit if power == 1 else f"{unit}^{power}" for unit, power in powers if power]
         return " ".join(units) or "no dimension"
+
+
+def has_units(module: str) -> bool:
+    """Whether what a module declares has dimensions: not where a package around it says `UNITS = False`."""
+    while module:
+        found = getattr(sys.modules.get(module), "UNITS", None)
+        if isinstance(found, bool):
+            return found
+        module = module.rpartition(".")[0]
+    return True
 
 
 NO_DIMENSION = Dimension()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from chasles.vocabulary.dimension import NO_DIMENSION, Dimension
 from chasles.vocabulary.fitting import SCALAR, measured, word
+from chasles.vocabulary.letters import is_measured
 from chasles.vocabulary.measure import Measure, Misfit, entrywise, stacked, uniform
 from chasles.vocabulary.nodes import Node, OfOne
 
@@ -42,7 +43,10 @@ class Rate(OfOne):
     """The time derivative."""
 
     def _measured(self) -> Measure:
-        return entrywise(lambda d: Dimension(d.length, d.mass, d.time - 1), measured(self.of))
+        of = measured(self.of)
+        if all(d in (None, NO_DIMENSION) for row in of.grid for d in row) and not is_measured(self.of):
+            return of
+        return entrywise(lambda d: Dimension(d.length, d.mass, d.time - 1), of)
 
 
 @word

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from dataclasses import field
 
-from chasles.vocabulary.dimension import NO_DIMENSION
+from chasles.vocabulary.dimension import NO_DIMENSION, has_units
 from chasles.vocabulary.fitting import word
 from chasles.vocabulary.measure import Measure, uniform
 from chasles.vocabulary.nodes import Node
 
-__all__ = ["Identity", "Symbol", "Zero"]
+__all__ = ["Identity", "Symbol", "Zero", "is_measured"]
 
 
 @word
@@ -56,3 +56,14 @@ class Zero(Node):
 
     def _measured(self) -> Measure:
         return uniform((self.rows, self.columns), None)
+
+
+def is_measured(node: Node) -> bool:
+    """Whether the chapter that declares the first symbol of an expression has units."""
+    waiting = [node]
+    while waiting:
+        part = waiting.pop()
+        if isinstance(part, Symbol) and part.home:
+            return has_units(part.home)
+        waiting.extend(reversed(part._parts()))
+    return True

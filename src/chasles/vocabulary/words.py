@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from chasles.vocabulary.arguments import declaring, declaring_module
 from chasles.vocabulary.body import Integral
-from chasles.vocabulary.dimension import NO_DIMENSION, Dimension
+from chasles.vocabulary.dimension import NO_DIMENSION, Dimension, has_units
 from chasles.vocabulary.layout import At, Block, Call, Group, Rate
 from chasles.vocabulary.letters import Symbol
 from chasles.vocabulary.measure import Measure, uniform
@@ -56,7 +56,7 @@ def scalar(
     name: str, letter: str, meaning: str, dimension: Dimension = NO_DIMENSION, *, constant: bool = False
 ) -> Symbol:
     """A scalar quantity."""
-    return Symbol(name, letter, uniform((1, 1), dimension), meaning, constant, home=declaring_module())
+    return Symbol(name, letter, _measure((1, 1), dimension), meaning, constant, home=declaring_module())
 
 
 @declaring
@@ -64,7 +64,7 @@ def vector(
     name: str, letter: str, meaning: str, dimension: Dimension = NO_DIMENSION, *, constant: bool = False
 ) -> Symbol:
     """A vector, a 3 x 1 column; its letter is printed bold."""
-    return Symbol(name, _bold(letter), uniform((3, 1), dimension), meaning, constant, home=declaring_module())
+    return Symbol(name, _bold(letter), _measure((3, 1), dimension), meaning, constant, home=declaring_module())
 
 
 @declaring
@@ -72,7 +72,7 @@ def square(
     name: str, letter: str, meaning: str, dimension: Dimension = NO_DIMENSION, *, constant: bool = False
 ) -> Symbol:
     """A 3 x 3 matrix; its letter is printed bold."""
-    return Symbol(name, _bold(letter), uniform((3, 3), dimension), meaning, constant, home=declaring_module())
+    return Symbol(name, _bold(letter), _measure((3, 3), dimension), meaning, constant, home=declaring_module())
 
 
 @declaring
@@ -81,6 +81,8 @@ def array(name: str, letter: str, meaning: str, measure: Measure | Node) -> Symb
     if isinstance(measure, Node):
         assert measure.measure is not None
         measure = measure.measure
+    if not has_units(declaring_module()):
+        measure = uniform(measure.shape)
     return Symbol(name, _bold(letter), measure, meaning, home=declaring_module())
 
 
@@ -90,6 +92,11 @@ def abbreviation(name: str, letter: str, stands_for: Node, meaning: str) -> Symb
     assert stands_for.measure is not None
     constant = isinstance(stands_for, Skew) and isinstance(stands_for.of, Symbol) and stands_for.of.constant
     return Symbol(name, _bold(letter), stands_for.measure, meaning, constant, stands_for, declaring_module())
+
+
+def _measure(shape: tuple[int, int], dimension: Dimension) -> Measure:
+    """The measure of a symbol that is declared, in a chapter without units without dimension."""
+    return uniform(shape, dimension if has_units(declaring_module()) else NO_DIMENSION)
 
 
 def _bold(letter: str) -> str:

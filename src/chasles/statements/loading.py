@@ -1,0 +1,68 @@
+"""What do the modules of a package of declarations declare? Its statements, in the book's order."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from importlib import import_module
+from importlib.util import find_spec
+from types import ModuleType
+from typing import Any
+
+from chasles.statements.chapter import Entry, Section
+from chasles.statements.elsewhere import is_of_another
+from chasles.statements.inversion import Inverse
+from chasles.statements.packages import DeclarationError
+from chasles.statements.sections import in_own_sections
+from chasles.statements.statement import Statement, Theorem
+
+__all__ = ["declared_by"]
+
+
+def declared_by(book: ModuleType) -> tuple[Entry, ...]:
+    """The statements of a chapter, by its package, module by module. Raises `DeclarationError`."""
+    entries: list[Entry] = []
+    seen: set[int] = set()
+    if not isinstance(getattr(book, "UNITS", True), bool):
+        raise DeclarationError(f"UNITS of {book.__name__} is {book.UNITS!r}: write UNITS = False for a chapter without")
+    for module in _modules(book):
+        own = [each for each in _entries(module, seen) if not is_of_another(each.statement, book.__name__)]
+        entries += in_own_sections(module.__name__, own)
+        seen.update(id(entry.statement) for entry in entries)
+    if not entries:
+        raise DeclarationError(f"{book.__name__} has no statements: none of its SECTIONS declares one")
+    return tuple(entries)
+
+
+def _modules(book: ModuleType) -> Iterator[ModuleType]:
+    """The modules that the package lists, in its order."""
+    listed = getattr(book, "SECTIONS", None)
+    if listed is None:
+        raise DeclarationError(
+            f"{book.__name__} has no SECTIONS: list the names of its modules there, in the book's order"
+        )
+    if isinstance(listed, str):
+        raise DeclarationError(f"the SECTIONS of {book.__name__} are a text, {listed!r}: make them a tuple of names")
+    for name in listed:
+        module = f"{book.__name__}.{name}"
+        if find_spec(module) is None:
+            raise DeclarationError(f"{book.__name__} lists {name!r} among its SECTIONS, and there is no such module")
+        yield import_module(module)
+
+
+def _entries(module: ModuleType, seen: set[int]) -> Iterator[Entry]:
+    """The statements that a module declares, families of them by name too; those that it imports are `seen` already."""
+    section: Section | None = None
+    for name, value in _named(vars(module)):
+        if isinstance(value, Section):
+            section = value
+        elif isinstance(value, Statement | Theorem | Inverse) and id(value) not in seen:
+            yield Entry(name, section or Section("", ""), value)
+
+
+def _named(variables: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
+    """What has a name: each variable, or what it holds by name if that is a family of statements."""
+    for name, value in variables.items():
+        if isinstance(value, dict) and not name.startswith("__"):
+            yield from value.items()
+        else:
+            yield name, value
