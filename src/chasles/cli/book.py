@@ -18,6 +18,7 @@ from chasles.report.waiting import progress
 from chasles.statements import Chapter, Entry, load
 from chasles.statements.citing import UnknownNumber, statements_cited
 from chasles.statements.packages import BOOK, folder_of
+from chasles.vocabulary import Misfit
 from chasles.vocabulary.arguments import WrongArgument
 
 if TYPE_CHECKING:
@@ -34,6 +35,8 @@ __all__ = [
     "package_chosen",
     "place",
 ]
+
+PRINTED_SO = "if the book prints it so, write printed(lambda: ...) around it, and sic=True in the statement"
 
 
 def of_numbers(command: Callable[..., Any]) -> Callable[..., Any]:
@@ -72,7 +75,8 @@ def chapter() -> Chapter:
     except Exception as error:
         found = _place(error, package)
         if found is not None:
-            raise Failure(f"{found}: {type(error).__name__}: {error}", BAD_INPUT) from error
+            printed_so = f" ({PRINTED_SO})" if isinstance(error, Misfit) and "sic=True" not in str(error) else ""
+            raise Failure(f"{found}: {type(error).__name__}: {error}{printed_so}", BAD_INPUT) from error
         if isinstance(error, ModuleNotFoundError) and _holds(error.name, package):
             raise Failure(
                 f"there is no chapter {package!r}: give the name of a package that can be imported, from {Path.cwd()} "

@@ -55,7 +55,7 @@ def commissioned(entries: Sequence[Entry], session: Session, *folders: Path | No
         try:
             return kernel_of(asked[0], session.decide, asked[1], prove)
         except EmissionError as error:
-            return str(error)
+            return f"{asked[0].place}{error}"
 
     asking = [(entry, kernel) for entry in entries for kernel in entry.kernels]
     _decide(session, entries)

@@ -54,9 +54,9 @@ class Outcome:
         undecided = [entry for entry, decision in self.decided if decision.verdict.name == "undecided"]
         unproved = [entry for entry, decision in self.decided if _stands_in_wrongly(decision)]
         if undecided:
-            yield f"undecided: {_numbers(undecided)}"
+            yield f"undecided: {_numbers(undecided, placed=True)}"
         if unproved:
-            yield f"the declared correction is not proved: {_numbers(unproved)}"
+            yield f"the declared correction is not proved: {_numbers(unproved, placed=True)}"
         rejected = self.rechecked.rejected if self.rechecked else ()
         for entry, why in rejected[:SHOWN]:
             yield f"checked again, the verdict on {_numbers([entry])} is rejected: {why}"
@@ -103,5 +103,8 @@ def _stands_in_wrongly(decision: Decision) -> bool:
     return any(each.form == "corrected" and not each.verdict.true for each in tried)
 
 
-def _numbers(entries: Sequence[Entry]) -> str:
-    return ", ".join(number_in_words(entry.number, entry.statement.part) for entry in entries)
+def _numbers(entries: Sequence[Entry], placed: bool = False) -> str:
+    """The numbers, each with file and line of its declaration if it is to be `placed`."""
+    places = [f" ({entry.statement.place})" if placed and entry.statement.place else "" for entry in entries]
+    numbers = [number_in_words(entry.number, entry.statement.part) for entry in entries]
+    return ", ".join(f"{number}{place}" for number, place in zip(numbers, places, strict=True))
