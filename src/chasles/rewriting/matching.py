@@ -17,7 +17,7 @@ def put_for(node: Node, pattern: Node, value: Node) -> Node:
     if isinstance(node, Symbol) and node.stands_for is not None:
         inner = put_for(node.stands_for, pattern, value)
         return node if inner == node.stands_for else inner
-    parts = node._parts()
+    parts = node.below
     changed = tuple(put_for(part, pattern, value) for part in parts)
     if changed != parts:
         node = _flat(changed) if isinstance(node, Contract) else rebuilt(node, changed)

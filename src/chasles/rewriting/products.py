@@ -45,7 +45,7 @@ def without_brackets(node: Node) -> Node:
         case Group(of) | At(of):
             return without_brackets(of)
         case _:
-            parts = node._parts()
+            parts = node.below
             changed = tuple(map(without_brackets, parts))
             if changed == parts:
                 return node
@@ -113,7 +113,7 @@ def products(node: Node) -> list[Product]:
         case Rate() | Call():
             return [_atom(node)]
         case _:
-            parts = node._parts()
+            parts = node.below
             return [_atom(rebuilt(node, tuple(map(multiplied_out, parts))) if parts else node)]
 
 

@@ -13,7 +13,7 @@ def carried_out(node: Node) -> Node:
     if isinstance(node, Rate):
         inner = carried_out(node.of)
         return Rate(inner) if isinstance(inner, Symbol | Rate) else rate_of(inner)
-    parts = node._parts()
+    parts = node.below
     changed = tuple(map(carried_out, parts))
     return node if changed == parts else rebuilt(node, changed)
 
@@ -26,7 +26,7 @@ def rate_of(node: Node) -> Node:
         case Symbol() | Rate():
             return Rate(node)
         case Integral() | At() | Group():
-            return _simplified(rebuilt(node, (Rate(node._parts()[0]),)), node)
+            return _simplified(rebuilt(node, (Rate(node.below[0]),)), node)
     try:
         return _simplified(differentiation.rate_of(node), node)
     except differentiation.NoRule:
@@ -37,8 +37,8 @@ def _simplified(rate: Node, of: Node) -> Node:
     """A rate by the rates of parts of an expression, these carried out; a product with a zero is left out."""
     if isinstance(rate, Rate):
         return rate_of(rate.of)
-    parts = rate._parts()
-    if rate in of._parts() or not parts:
+    parts = rate.below
+    if rate in of.below or not parts:
         return rate
     changed = tuple(_simplified(part, of) for part in parts)
     if isinstance(rate, Sum):

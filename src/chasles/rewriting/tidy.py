@@ -12,7 +12,7 @@ __all__ = ["tidied"]
 
 def tidied(node: Node) -> Node:
     """The same expression without factors of one and terms of zero, each sign before its product."""
-    parts = node._parts()
+    parts = node.below
     changed = tuple(map(tidied, parts))
     node = node if changed == parts else rebuilt(node, changed)
     match node:

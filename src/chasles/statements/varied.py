@@ -13,7 +13,7 @@ from typing import Any
 
 from chasles.statements.forms import Exists, Form, Minimum, Unique
 from chasles.statements.hypotheses import Hypothesis
-from chasles.vocabulary import Node, Symbol, children, replace
+from chasles.vocabulary import Node, Symbol, replace
 
 __all__ = ["demands", "opened_parts", "varied_symbol", "visible"]
 
@@ -21,12 +21,16 @@ Rules = Mapping[Node, Node]
 
 
 def opened_parts(node: Node) -> Iterator[Node]:
-    """The node and all below it, abbreviations opened."""
-    yield node
-    if isinstance(node, Symbol) and node.stands_for is not None:
-        yield from opened_parts(node.stands_for)
-    for part in children(node):
-        yield from opened_parts(part)
+    """The node and all below it, abbreviations opened, each once."""
+    seen: dict[Node, None] = {}
+    waiting = [node]
+    while waiting:
+        node = waiting.pop()
+        if node not in seen:
+            seen[node] = None
+            yield node
+            waiting += node.below[::-1]
+            waiting += [node.stands_for] if isinstance(node, Symbol) and node.stands_for is not None else []
 
 
 def varied_symbol(form: Form) -> tuple[Symbol, Node | None] | None:

@@ -20,11 +20,12 @@ _N = TypeVar("_N", bound="Fitted")
 class Fitted:
     """A frozen word of the vocabulary, measured when it is made.
 
-    `measure` has the shape and the dimension of each entry; it is None, and `fault` says why, for an expression that
-    does not fit and was made under `printed`.
+    `below` are the words that it is made of. `measure` has the shape and the dimension of each entry; it is None, and
+    `fault` says why, for an expression that does not fit and was made under `printed`.
     """
 
-    __slots__ = ("_hash", "fault", "measure")
+    __slots__ = ("_hash", "below", "fault", "measure")
+    below: tuple[Any, ...]
     measure: Measure | None
     fault: str | None
     _hash: int
@@ -32,7 +33,8 @@ class Fitted:
     def __post_init__(self) -> None:
         measure = fault = None
         try:
-            fault = next((part.fault for part in self._parts() if part.fault), None)
+            object.__setattr__(self, "below", self._parts())
+            fault = next((part.fault for part in self.below if part.fault), None)
             measure = None if fault else self._measured()
         except Misfit as misfit:
             if not _tolerant.get():

@@ -55,7 +55,7 @@ class Notation:
         if isinstance(node, Identity | Zero):
             usual = any(each.name == "letter" and each.default == node.letter for each in fields(node))
             return Piece(form.replace("#1", str(node.shape[0])), Precedence.ATOM) if usual else None
-        parts = node._parts()
+        parts = node.below
         infix = len(parts) > 1 and len(ENCLOSED.findall(form)) < len(parts)
         enclosed = {int(number) - 1 for number in ENCLOSED.findall(form)}
         least = Precedence.PRODUCT if infix else Precedence.ATOM

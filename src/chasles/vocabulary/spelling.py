@@ -151,7 +151,7 @@ def spell(node: Node, style: Style) -> Piece:
         case Call(function, argument):
             return style.function(function, spell(argument, style))
         case Shorthand() | Skew() | Vect() | Trace() | Determinant() | Cofactor():
-            parts = [spell(part, style) for part in node._parts()]
+            parts = [spell(part, style) for part in node.below]
             inner = joined(parts, ", ".join(part.text for part in parts), Precedence.SUM)
             name = node.function if isinstance(node, Shorthand) else FUNCTIONS[type(node)]
             return Piece(style.function(name, inner).text, Precedence.ATOM, inner.depth + 1)

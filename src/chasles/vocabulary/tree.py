@@ -17,7 +17,7 @@ __all__ = ["children", "rebuilt", "replace", "symbols_of", "undotted", "walk"]
 
 def children(node: Node) -> tuple[Node, ...]:
     """The nodes directly below, in reading order; an abbreviation has none."""
-    return node._parts()
+    return node.below
 
 
 def rebuilt(node: Node, parts: tuple[Node, ...]) -> Node:
@@ -63,9 +63,11 @@ def undotted(node: Node) -> tuple[Node, int]:
 
 def walk(node: Node) -> Iterator[Node]:
     """The node and all below it, in reading order; abbreviations are not opened."""
-    yield node
-    for part in children(node):
-        yield from walk(part)
+    waiting = [node]
+    while waiting:
+        node = waiting.pop()
+        yield node
+        waiting += node.below[::-1]
 
 
 def symbols_of(node: Node) -> tuple[Symbol, ...]:
