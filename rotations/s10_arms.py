@@ -3,6 +3,7 @@
 from chasles.rotations.notation import *
 
 from chasles.statements import Claim, Definition, Kernel, Section, Stack, nonzero, positive
+from chasles.statements.inequalities import says_that
 from chasles.vocabulary import (
     PI,
     Node,
@@ -20,6 +21,7 @@ from chasles.vocabulary import (
     sin,
 )
 from chasles.vocabulary.motions import homogeneous
+from chasles.vocabulary.partial import partial
 
 serial_arms = Section("10", "Serial Arms")
 
@@ -381,4 +383,25 @@ determinant_of_positioning_jacobian = Claim(
     det(row(cross(e_1, r_1), cross(e_2, r_2), cross(e_3, r_3))),
     dot(cross(e_1, r_1), cross(cross(e_2, r_2), cross(e_3, r_3))),
     says="A positioning arm is singular where the velocities that its joints give lie in a plane.",
+)
+
+jacobian_of_planar_arm_by_derivatives = Claim(
+    "10.38",
+    row(partial(p_2R, theta_1), partial(p_2R, theta_2)), J_2R,
+    says="The columns of a Jacobian are derivatives by the angles of the joints.",
+    given=(end_of_planar_arm, jacobian_of_planar_arm),
+)
+
+jacobian_of_shoulder_arm_by_derivatives = Claim(
+    "10.39",
+    row(partial(p_RRR, theta_1), partial(p_RRR, theta_2), partial(p_RRR, theta_3)), J_RRR,
+    says="The same for the arm with waist, shoulder and elbow.",
+    given=(end_of_shoulder_arm, jacobian_of_shoulder_arm),
+)
+
+manipulability_is_not_negative = Claim(
+    "10.40",
+    *says_that(det(J_2R @ J_2R.T) >= 0),
+    says="So the manipulability is a real number.",
+    given=(jacobian_of_planar_arm,),
 )

@@ -3,6 +3,7 @@
 from chasles.rotations.notation import *
 
 from chasles.statements import Claim, Definition, Kernel, Section, nonzero, rotation, unit
+from chasles.statements.inequalities import inequality, says_that
 from chasles.vocabulary import (
     CPM,
     PI,
@@ -21,6 +22,8 @@ from chasles.vocabulary import (
     tr,
     vect,
 )
+from chasles.vocabulary.functions import arccos, atan2
+from chasles.vocabulary.partial import partial
 
 rotation_matrices = Section("1", "Rotation Matrices")
 
@@ -334,4 +337,34 @@ angular_velocity_in_body_by_axis_and_angle = Claim(
     says="The angular velocity in the frame of the body by the rates of the axis and the angle.",
     given=(angular_velocity_in_body, rotation_about_axis),
     kernel=Kernel(of=(e, phi, rate(e), rate(phi))),
+)
+
+derivative_by_angle = Claim(
+    "1.39",
+    partial(Q, phi), E @ Q,
+    says="The derivative of a rotation by its angle.",
+    given=(rotation_about_axis,),
+)
+
+angle_from_trace = Claim(
+    "1.40",
+    phi, arccos((tr(Q) - 1) / 2),
+    says="The angle of a rotation from its trace, between nothing and half a turn.",
+    given=(rotation_about_axis,),
+    assuming=(inequality(phi >= 0), inequality(phi <= PI)),
+)
+
+angle_from_axial_vector_and_trace = Claim(
+    "1.41",
+    phi, atan2(dot(e, vect(Q)), (tr(Q) - 1) / 2),
+    says="The angle of a rotation whose axis is known, to either side, without loss of digits.",
+    given=(rotation_about_axis,),
+    assuming=(inequality(phi > -PI), inequality(phi < PI)),
+)
+
+trace_is_three_at_most = Claim(
+    "1.42",
+    *says_that(3 - tr(Q) >= 0),
+    says="No rotation has a greater trace than the identity.",
+    given=(rotation_about_axis,),
 )

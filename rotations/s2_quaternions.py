@@ -21,7 +21,25 @@ from chasles.statements import (
     unit,
     unit_column,
 )
-from chasles.vocabulary import CPM, Node, column, cos, cross, det, dot, inverse, norm, number, over, rate, sin, tr, vect
+from chasles.vocabulary import (
+    CPM,
+    Node,
+    column,
+    cos,
+    cross,
+    det,
+    dot,
+    inverse,
+    norm,
+    number,
+    over,
+    rate,
+    row,
+    sin,
+    tr,
+    vect,
+)
+from chasles.vocabulary.partial import partial
 from chasles.vocabulary.products import direct_sum
 
 quaternions = Section("2", "Euler-Rodrigues Parameters and Quaternions")
@@ -412,4 +430,27 @@ interpolated_quaternion_is_unit = Claim(
     dot(h, h), number(1),
     says="So it is a unit quaternion too.",
     given=(second_quaternion_on_great_circle, interpolated_quaternion),
+)
+
+derivative_of_product_by_second_factor = Claim(
+    "2.50",
+    partial(times(p, q), q), from_left(p),
+    says="The Jacobian of a product by the second factor.",
+)
+
+derivative_of_product_by_first_factor = Claim(
+    "2.51",
+    partial(times(p, q), p), from_right(q),
+    says="The Jacobian of a product by the first factor.",
+)
+
+derivative_of_turned_vector_by_quaternion = Claim(
+    "2.52",
+    partial(rotation_by(q) @ a, q),
+    2
+    * row(
+        dot(q[1:3], a) * one + q[1:3] @ a.T - a @ q[1:3].T - q[4] * CPM(a),
+        q[4] * a + cross(q[1:3], a),
+    ),
+    says="The Jacobian of a turned vector by the quaternion.",
 )

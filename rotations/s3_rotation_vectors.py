@@ -9,7 +9,9 @@ from chasles.rotations.s1_rotations import (
 )
 
 from chasles.statements import Claim, Definition, Kernel, Section, nonzero, positive, unit
-from chasles.vocabulary import CPM, column, cos, cross, det, dot, inverse, number, over, rate, sin, tr, vect
+from chasles.vocabulary import CPM, column, cos, cross, det, dot, inverse, norm, number, over, rate, sin, tr, vect
+from chasles.vocabulary.expansions import limit, up_to
+from chasles.vocabulary.partial import gradient, partial
 from chasles.vocabulary.rotation_vectors import exp_of_vector, left_jacobian, right_jacobian
 
 rotation_vectors = Section("3", "Rotation Vectors")
@@ -274,4 +276,45 @@ rate_of_rotation_about_fixed_axis = Claim(
     rate(_turn), rate(phi) * CPM(e_fixed) @ _turn,
     says="About an axis that stays, the exponential is differentiated like that of a number.",
     assuming=(unit(e_fixed),),
+)
+
+derivative_of_turned_vector = Claim(
+    "3.35",
+    partial(exp_of_vector(v) @ a, v), -exp_of_vector(v) @ CPM(a) @ right_jacobian(v),
+    says="The Jacobian of a turned vector by the rotation vector.",
+    assuming=(v_turns,),
+)
+
+gradient_of_angle = Claim(
+    "3.36",
+    gradient(norm(v), v), v / v_length,
+    says="The gradient of the angle is the axis.",
+    assuming=(v_turns,),
+)
+
+small_rotation = Claim(
+    "3.37",
+    exp_of_vector(v), up_to(one + V, v, 2),
+    says="A small rotation adds the vector product with its vector.",
+    assuming=(v_turns,),
+)
+
+rotation_of_second_order = Claim(
+    "3.38",
+    exp_of_vector(v), up_to(one + V + over(1, 2) * V**2, v, 3),
+    says="The same with the terms of the second order.",
+    assuming=(v_turns,),
+)
+
+jacobian_of_small_rotation = Claim(
+    "3.39",
+    left_jacobian(v), up_to(one + over(1, 2) * V + over(1, 6) * V**2, v, 3),
+    says="The left Jacobian of a small rotation.",
+    assuming=(v_turns,),
+)
+
+exponential_at_zero = Claim(
+    "3.40",
+    limit(exp_of_vector(v), v), one,
+    says="The exponential has a value where its formula has none.",
 )

@@ -4,7 +4,9 @@ from chasles.rotations.notation import *
 from chasles.rotations.s1_rotations import angular_velocity, angular_velocity_in_body
 
 from chasles.statements import Claim, Definition, Kernel, Section, Stack, nonzero
+from chasles.statements.inequalities import inequality
 from chasles.vocabulary import CPM, PI, column, cos, det, inverse, matrix, rate, row, sin, tan, tr
+from chasles.vocabulary.functions import arcsin
 
 euler_angles = Section("5", "Euler Angles")
 
@@ -320,4 +322,12 @@ half_angles_of_precession_nutation_spin = Claim(
         cos(theta / 2) * cos((psi + chi) / 2),
     ),
     says="Euler's parameters by Euler's angles: half the sum and half the difference of precession and spin.",
+)
+
+pitch_from_rotation = Claim(
+    "5.35",
+    beta, arcsin(-Q[3, 1]),
+    says="The pitch from the rotation, a quarter-turn up or down at most.",
+    given=(rotation_from_yaw_pitch_roll,),
+    assuming=(inequality(beta >= -PI / 2), inequality(beta <= PI / 2)),
 )

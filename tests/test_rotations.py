@@ -46,9 +46,11 @@ from chasles.vocabulary import (
     paren,
     rate,
     square,
+    symbols_of,
     uniform,
     vector,
 )
+from chasles.vocabulary.expansions import UpTo
 from chasles.vocabulary.motion_vectors import (
     exp_of_motion_vector,
     left_jacobian_of_motion,
@@ -102,7 +104,7 @@ def test_all_is_true_and_nothing_is_assumed_in_vain() -> None:
 def test_numbers_agree(section: str) -> None:
     """At an explicit motion, in 80 digits and more, with differences for rates."""
     for entry in CHAPTER.select(sections=[section]):
-        if isinstance(entry.statement, Claim | Inverse):
+        if isinstance(entry.statement, Claim | Inverse) and entry.name not in CALCULUS:
             opinion = opinion_on(entry.statement, motions=1)
             assert opinion.agrees, f"({entry.number}) {entry.name}: {opinion}"
 
@@ -349,3 +351,99 @@ def test_units_of_every_height_are_drawn(height: int, strategy: str) -> None:
     asked = specification_of("projected", Claim("1", x @ x.T @ x, x, assuming=(unit(x),), kernel=Kernel(of=(x,))))
     for sample in islice(draw(asked, strategy, np.random.default_rng(3)), 5):
         assert np.linalg.norm(sample.arrays[x]) == pytest.approx(1)
+
+
+# What is said with derivatives, expansions and inverse functions, beside differences and SciPy.
+
+AXIS, ANGLE = np.array([2.0, -1.0, 2.0]) / 3, 0.7
+VECTOR, SMALL = np.array([0.4, -0.9, 0.5]), np.array([2e-3, -1e-3, 2e-3])
+QUATERNION, OTHER, OF = np.array([0.3, -0.5, 0.7, 0.4]), np.array([0.2, 0.8, -0.1, 0.6]), np.array([1.0, 2.0, -0.5])
+LINKS, JOINTS = (0.7, 0.5), np.array([0.3, -0.8, 1.1])
+
+
+def slopes(function: Callable[[Array], Any], at: Array) -> Array:
+    """Central differences: a column for each number that varies."""
+    steps = 1e-6 * np.eye(len(at))
+    columns = [(np.asarray(function(at + step)) - np.asarray(function(at - step))) / 2e-6 for step in steps]
+    return np.stack(columns, axis=-1)
+
+
+def last_to_first(x: Array) -> Array:
+    return np.roll(x, 1)
+
+
+def times_last(x: Array, y: Array) -> Array:
+    return np.roll(hamilton(last_to_first(x), last_to_first(y)), -1)
+
+
+def turned_by(x: Array) -> Array:
+    turned: Array = x @ x * Rotation.from_quat(x).apply(OF)
+    return turned
+
+
+def about(angle: float) -> Array:
+    return Rotation.from_rotvec(AXIS * angle).as_matrix()
+
+
+def end_of_two(x: Array) -> Array:
+    a, b = LINKS
+    return np.array([a * np.cos(x[0]) + b * np.cos(x[0] + x[1]), a * np.sin(x[0]) + b * np.sin(x[0] + x[1])])
+
+
+def end_of_shoulder(x: Array) -> Array:
+    """By SciPy's turns: the waist about z, the links in the plane that it faces."""
+    a, b = LINKS
+    links = Rotation.from_euler("y", -x[1]).apply([a, 0, 0]) + Rotation.from_euler("y", -x[1] - x[2]).apply([b, 0, 0])
+    end: Array = Rotation.from_euler("z", x[0]).apply(links + np.array([0, 0, 0.4]))
+    return end
+
+
+ABOUT = {"e": AXIS, "phi": ANGLE}
+ARM = {"a_1": LINKS[0], "a_2": LINKS[1], "theta_1": JOINTS[0], "theta_2": JOINTS[1]}
+SHOULDER = {"a_2": LINKS[0], "a_3": LINKS[1], "h": 0.4, **{f"theta_{k + 1}": JOINTS[k] for k in range(3)}}
+YAW = {"alpha": 0.3, "beta": -0.6, "gamma": 1.2}
+TURNED = {"v": VECTOR, "a": OF}
+CALCULUS: dict[str, tuple[dict[str, Any], Any, float]] = {
+    "derivative_by_angle": (ABOUT, slopes(lambda x: about(x[0]), np.array([ANGLE]))[..., 0], 1e-8),
+    "angle_from_trace": (ABOUT, np.arccos((np.trace(about(ANGLE)) - 1) / 2), 1e-12),
+    "angle_from_axial_vector_and_trace": (ABOUT, Rotation.from_matrix(about(ANGLE)).magnitude(), 1e-12),
+    "trace_is_three_at_most": (ABOUT, 3 - np.trace(about(ANGLE)), 1e-12),
+    "derivative_of_product_by_second_factor": (
+        {"p": QUATERNION, "q": OTHER},
+        slopes(lambda x: times_last(QUATERNION, x), OTHER),
+        1e-8,
+    ),
+    "derivative_of_product_by_first_factor": (
+        {"p": QUATERNION, "q": OTHER},
+        slopes(lambda x: times_last(x, OTHER), QUATERNION),
+        1e-8,
+    ),
+    "derivative_of_turned_vector_by_quaternion": ({"q": QUATERNION, "a": OF}, slopes(turned_by, QUATERNION), 1e-8),
+    "derivative_of_turned_vector": (TURNED, slopes(lambda x: Rotation.from_rotvec(x).apply(OF), VECTOR), 1e-8),
+    "gradient_of_angle": (TURNED, slopes(np.linalg.norm, VECTOR), 1e-8),
+    "small_rotation": ({"v": SMALL}, Rotation.from_rotvec(SMALL).as_matrix(), 9e-6),
+    "rotation_of_second_order": ({"v": SMALL}, Rotation.from_rotvec(SMALL).as_matrix(), 9e-9),
+    "jacobian_of_small_rotation": ({"v": SMALL}, mean_rotation(SMALL), 9e-9),
+    "exponential_at_zero": ({"v": SMALL}, Rotation.from_rotvec(0 * SMALL).as_matrix(), 1e-12),
+    "pitch_from_rotation": (
+        YAW,
+        Rotation.from_euler("ZYX", [0.3, -0.6, 1.2]).as_euler("ZYX")[1],
+        1e-12,
+    ),
+    "jacobian_of_planar_arm_by_derivatives": (ARM, slopes(end_of_two, JOINTS[:2]), 1e-8),
+    "jacobian_of_shoulder_arm_by_derivatives": (SHOULDER, slopes(end_of_shoulder, JOINTS), 1e-8),
+    "manipulability_is_not_negative": (ARM, np.linalg.det(slopes(end_of_two, JOINTS[:2])) ** 2, 1e-8),
+}
+
+
+@pytest.mark.parametrize("name", CALCULUS)
+def test_calculus_agrees_with_differences(name: str) -> None:
+    given, expected, tolerance = CALCULUS[name]
+    (entry,) = CHAPTER.select([name])
+    assert isinstance(entry.statement, Claim)
+    rules = {rule.left: rule.right for rule in entry.statement.given}
+    right = entry.statement.right.of if isinstance(entry.statement.right, UpTo) else entry.statement.right
+    known = {symbol.name: symbol for node in (right, *rules.values()) for symbol in symbols_of(node)}
+    values = {known[said]: value for said, value in given.items() if said in known}
+    found = np.array(evaluate(right, values, rules, digits=20), dtype=float)
+    assert np.abs(found.reshape(-1) - np.asarray(expected).reshape(-1)).max() < tolerance
