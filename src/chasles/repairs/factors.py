@@ -12,7 +12,8 @@ from chasles.repairs.required_values import quotient, value
 from chasles.repairs.residues import Sampled
 from chasles.rewriting.coefficients import ONE
 from chasles.rewriting.coefficients import product as product_of
-from chasles.vocabulary import Call, Node, Number, Power, Rate, Skew, Sum, Symbol, Transpose, walk
+from chasles.vocabulary import Block, Call, Node, Number, Power, Rate, Skew, Sum, Symbol, Transpose, walk
+from chasles.vocabulary.shorthand import Shorthand
 
 __all__ = ["Factors"]
 
@@ -24,14 +25,20 @@ _Named = Mapping[tuple[int, ...], list[Node]]
 
 
 class Factors:
-    """The scalars, letters and matrices that expressions are written with, but for those `without`."""
+    """The scalars, letters and matrices that sides are written with, but for those `without`.
 
-    def __init__(self, test: ModularTest, nodes: Iterable[Node], without: Container[Node]) -> None:
+    Of what is `given`, matrices are taken by their letters alone.
+    """
+
+    def __init__(
+        self, test: ModularTest, sides: Iterable[Node], given: Iterable[Node], without: Container[Node]
+    ) -> None:
         self.at = Sampled(test.varied.context, test.varied.points[:SCOUTS])
-        parts = dict.fromkeys(part for node in nodes for part in walk(node))
+        own = dict.fromkeys(part for node in sides for part in walk(node))
+        parts = own | dict.fromkeys(part for node in given for part in walk(node))
         found = [part for part in parts if not any(inner in without for inner in walk(part))]
         self.letters = tuple(part for part in found if isinstance(part, Symbol))
-        squares = [part for part in found if _is_named(part) and _is_square(part)]
+        squares = [part for part in found if (_is_named(part) or part in own) and _is_factor(part)]
         self.matrices = (*squares, *map(Transpose, squares))
         scalars = [part for part in found if part.is_scalar]
         both = [Call(f, node.argument) for node in scalars if isinstance(node, Call) for f in ("cos", "sin")]
@@ -81,8 +88,8 @@ def _is_named(node: Node) -> bool:
     return isinstance(node.of if isinstance(node, Rate | Skew) else node, Symbol)
 
 
-def _is_square(node: Node) -> bool:
-    return node.shape[0] == node.shape[1] > 1
+def _is_factor(node: Node) -> bool:
+    return node.shape[0] == node.shape[1] > 1 and (_is_named(node) or isinstance(node, Block | Shorthand))
 
 
 def _by_direction(columns: Iterable[tuple[Node, Column]]) -> _Named:

@@ -71,8 +71,9 @@ def _of_form(node: Node) -> Iterator[Node]:
             yield of
         case Call(function, argument):
             yield Call({"sin": "cos", "cos": "sin"}[function], argument)
-            yield Call(function, Quotient(argument, TWO))
-            yield Call(function, Scale(TWO, argument))
+            if not isinstance(argument, Scale | Quotient):
+                yield Call(function, Quotient(argument, TWO))
+                yield Call(function, Scale(TWO, argument))
         case Power(base, exponent):
             yield Power(base, exponent + 1)
             yield base if exponent == 2 else Power(base, exponent - 1)

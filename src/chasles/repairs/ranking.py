@@ -89,7 +89,7 @@ class Nearest:
             if fit(left, new):
                 yield Change(left, new, (words,), effort)
         without = frozenset((bare(left),)) if test.exchanged else self.own
-        yield from true_edits(test, Factors(test, (right, left, *(self.given_sides if turn else ())), without))
+        yield from true_edits(test, Factors(test, (right, left), self.given_sides if turn else (), without))
 
     def _misread_letters(self, left: Node, right: Node) -> Iterator[Change]:
         """Another letter for one that nothing introduces, and one change more if need be."""

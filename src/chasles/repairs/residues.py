@@ -21,7 +21,8 @@ from chasles.points import sampling as points
 from chasles.problems.context import Context
 from chasles.problems.variables import Untreatable
 from chasles.prover.conditions import Solved
-from chasles.vocabulary import Node
+from chasles.statements.lengths import Lengths
+from chasles.vocabulary import Node, Norm, Scale, Symbol, replace, symbols_of
 
 __all__ = ["Residues", "Sampled", "SingularResidue", "Unsampled", "generic_points"]
 
@@ -66,6 +67,11 @@ class Sampled(Interpreter):
     def __init__(self, context: Context, at: Sequence[Point]) -> None:
         super().__init__(context.unfold.rules)
         self.context, self.points = context, at
+        problem = context.problem
+        self._lengths = Lengths(problem.hypotheses, dict(problem.rules))
+        self._directions = {s.name: s for h in problem.hypotheses if h.kind == "direction" for s in h.subjects
+                            if isinstance(s, Symbol)}  # fmt: skip
+        self._angles = {v.symbol.name: v.symbol for v in context.variables if v.symbol is not None}
 
     def flat(self, node: Node) -> Column:
         """All entries at all points."""
@@ -91,11 +97,21 @@ class Sampled(Interpreter):
         """What only the prover's own unfolding knows: free symbols, rates, norms, angles."""
         field = self.context.unfold.field
         try:
-            found = self.context.unfold(node)
+            found = self.context.unfold(self._said(node))
         except (KeyError, StopIteration, Untreatable):
             raise Unsampled(node) from None
         below = {d: self._at(field.power_product(d)).inverse for d in {e.denominator for row in found for e in row}}
         return each(found, lambda entry: self._at(entry.numerator) * below[entry.denominator])
+
+    def _said(self, node: Node) -> Node:
+        """The node as the problem says it: lengths of simpler vectors, rotation vectors as angles times directions."""
+        values: dict[Node, Node] = {}
+        for symbol in symbols_of(node) if self._directions else ():
+            length = f"|{symbol.name}|"
+            direction, angle = self._directions.get(f"{symbol.name}/{length}"), self._angles.get(length)
+            if direction is not None and angle is not None:
+                values |= {Norm(symbol): angle, symbol: Scale(angle, direction)}
+        return replace(self._lengths(node), values)
 
     def _at(self, polynomial: Polynomial) -> Residues:
         coded = _coded(self.context, polynomial)

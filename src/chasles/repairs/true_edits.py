@@ -110,7 +110,7 @@ def _by_value(place: Required, factors: Factors) -> Iterator[SingleEdit]:
     zero = not any(present)
     number = None if zero else _number(wanted, present)
     if number is not None:
-        if place.term or isinstance(node, Number):
+        if place.term or (number and isinstance(node, Number)):
             new, words = rescaled(node, number)
             yield SingleEdit(Zero(1, 1) if new is None else new, words, other_number(number))
         return

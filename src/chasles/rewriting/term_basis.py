@@ -40,6 +40,7 @@ from chasles.vocabulary import (
 )
 from chasles.vocabulary.measure import Measure, added
 from chasles.vocabulary.nodes import measured
+from chasles.vocabulary.shorthand import Shorthand
 
 __all__ = ["TermBasis", "dimension_of", "fit", "term_basis"]
 
@@ -216,6 +217,8 @@ def _collect(basis: TermBasis, node: Node, without: frozenset[Node], *, factor: 
             if isinstance(node, Rate):
                 _collect(basis, node.of, without, factor=factor)
             return
+        case Shorthand() if not node.is_scalar and not any(part in without for part in walk(node)):
+            _enter(basis, node)
         case Norm(of) if of.shape == VECTOR:
             basis.scalars.setdefault(Power(node, 2))
         case Quotient(_, denominator) if dimension_of(denominator) != NO_DIMENSION:

@@ -1,0 +1,88 @@
+"""Slips planted in a chapter that is not the book's, all entries written out: nearly all of them are repaired."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from pathlib import Path
+from statistics import median
+
+import pytest
+
+from chasles.decisions.session import Session
+from chasles.repairs.repair import repair
+from chasles.statements import Claim, Definition, load
+from chasles.vocabulary import Node, array, column, cos, matrix, plain, rate, scalar, sin, square, vector
+
+from .planted import outcome_of, planted, table
+from .sampling import WHOLE
+
+ARMS = Path(__file__).parent / "arms"
+REPAIRED, FIRST = Fraction(95, 100), Fraction(85, 100)
+
+
+@pytest.mark.slow
+def test_slips_in_entries_are_repaired_and_the_original_comes_first() -> None:
+    chapter, session = load(ARMS), Session()
+    outcomes = [outcome_of(case, chapter, session) for case in planted(chapter, session, each=6 if WHOLE else 1)]
+    report = "\n".join([*map(str, outcomes), *table(outcomes)])
+    assert sum(bool(each.repairs) for each in outcomes) >= REPAIRED * len(outcomes), report
+    assert sum(each.place == 0 for each in outcomes) >= FIRST * len(outcomes), report
+    assert median(each.seconds for each in outcomes) < 1, report
+
+
+x, y = (scalar(name, name, "an angle") for name in "xy")
+g = scalar("g", "g", "a factor", constant=True)
+a, b = (vector(name, name, "a vector") for name in "ab")
+A, B = (square(name, name, "a matrix") for name in "AB")
+turn = matrix((cos(x), -sin(x)), (sin(x), cos(x)))
+moved = column(g * cos(x + y), g * sin(x + y))
+
+PRINTED: list[tuple[Node, Node, str]] = [
+    (turn.T, matrix((cos(x), sin(x)), (sin(x), cos(x))), "the sign of sin(x) is turned"),
+    (turn.T, matrix((cos(x), sin(x)), (-sin(x), sin(x))), "cos(x) instead of sin(x)"),
+    (turn.T, matrix((cos(x), sin(x)), (-sin(y), cos(x))), "x instead of y"),
+    (turn.T, matrix((cos(x), sin(x)), (cos(x), -sin(x))), "[cos(x), sin(x); -sin(x), cos(x)] instead of"),
+    (turn.T, matrix((cos(x), sin(x)), (0, cos(x))), "-sin(x) instead of 0"),
+    (turn.T, matrix((cos(x), sin(x)), (-sin(2 * x), cos(x))), "sin(x) instead of sin(2 x)"),
+    (turn.T @ turn.T, matrix((cos(2 * x), sin(2 * x)), (-2 * sin(x), cos(2 * x))), "the factor cos(x) is added"),
+    (moved, column(g * cos(x - y), g * sin(x + y)), "x + y instead of x - y"),
+    (moved, column(g * cos(x), g * sin(x + y)), "cos(x + y) instead of cos(x)"),
+    (rate(moved), (rate(x) + rate(y)) * column(-g * cos(x + y), g * cos(x + y)), "sin(x + y) instead of cos(x + y)"),
+    (rate(moved), rate(x) * column(-g * sin(x + y), g * cos(x + y)), "the term y_dot is added"),
+    (rate(g * cos(x)), -g * rate(x) * cos(x), "sin(x) instead of cos(x)"),
+    ((a.T @ b) * a, (b.T @ b) * a, "a instead of b"),
+    (A @ (a + b), A @ a + b, "A (a + b) instead of A a + b"),
+    ((A @ B).T, A.T @ B.T, "B^T A^T instead of A^T B^T"),
+    (A.T @ B @ a + B @ a, A.T @ a + B @ a, "the factor B is added"),
+    (matrix((A, B), (B, A)), matrix((A, B), (B, B)), "A instead of B"),
+    (matrix((sin(x) ** 2, 0), (0, 1)), matrix((sin(x), 0), (0, 1)), "the factor sin(x) is added"),
+    (matrix((cos(x) * cos(y) - sin(x) * sin(y), 1)), matrix((cos(x) * cos(y), 1)), "the term -sin(x) sin(y) is added"),
+    (
+        matrix((sin(x) * (1 - cos(y)), 1)),
+        matrix((sin(x) - cos(y), 1)),
+        "the factor sin(x) is added",
+    ),
+    (matrix((sin(x) / 2, 1)), matrix((sin(x) / 3, 1)), "(1/2) sin(x) instead of sin(x) / 3"),
+]
+
+
+@pytest.mark.parametrize(("left", "wrong", "words"), PRINTED, ids=range(len(PRINTED)))
+def test_what_a_slip_is_said_to_be(left: Node, wrong: Node, words: str) -> None:
+    meant = array("M", "M", "what is meant", left)
+    found = repair(Claim("2", meant, wrong, given=(Definition("1", meant, left),)))
+    assert any(each.changes[0].startswith(words) for each in found), [each.changes for each in found]
+    assert all(each.edits == 1 for each in found)
+
+
+@pytest.mark.parametrize("wrong", [printed for _, printed, _ in PRINTED[:3]], ids=range(3))
+def test_a_slip_on_the_left_is_undone_there(wrong: Node) -> None:
+    found = repair(Claim("1", wrong, turn.T))
+    assert any(each.right == turn.T and plain(each.left) == "[cos(x), sin(x); -sin(x), cos(x)]" for each in found), (
+        found
+    )
+
+
+def test_no_rate_is_taken_of_a_constant() -> None:
+    printed = column(-g * rate(x) * cos(x), g * rate(x) * cos(x))
+    for each in repair(Claim("1", rate(column(g * cos(x), g * sin(x))), printed)):
+        assert "g_dot" not in plain(each.left) + plain(each.right)
