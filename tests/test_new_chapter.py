@@ -45,6 +45,29 @@ def book(tmp_path_factory: pytest.TempPathFactory, hasty_compiler: str) -> Path:
     return here
 
 
+def test_the_five_commands_of_the_manual_lead_from_nothing_to_an_import(tmp_path: Path, hasty_compiler: str) -> None:
+    page = Path(__file__).resolve().parents[1] / "docs" / "chapter.md"
+    if not page.exists():
+        pytest.skip("needs the checkout")
+    block = page.read_text("utf-8").partition("%%bash\n")[2].partition("```")[0]
+    commands = block.strip().splitlines()
+    assert (len(commands), commands[0]) == (5, "chasles new mybook")
+    tools = tmp_path / "tools"
+    tools.mkdir()
+    (tools / "chasles").write_text(f'#!/bin/sh\nexec "{sys.executable}" -m chasles "$@"\n', "utf-8")
+    (tools / "chasles").chmod(0o755)
+    path = f"{tools}{os.pathsep}{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
+    environment = {**os.environ, "PATH": path, "CC": hasty_compiler}
+    done = subprocess.run(
+        ["bash", "-e", "-c", block], cwd=tmp_path, env=environment, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.splitlines()[-1] == "[ 3.  4. -5.]"
+    assert "5 statements: 3 hold under hypotheses, 2 defined" in done.stdout
+    assert "2 kernels, proved and compiled" in done.stdout
+    assert "q  (-49/9, -40/9, 7/9)" in done.stdout
+
+
 def test_all_of_it_is_true(book: Path) -> None:
     records = json.loads(run("--chapter", "mybook", "decide", "--json", cwd=book))["statements"]
     assert {record["verdict"] for record in records} == {"defined", "holds-under"}
@@ -227,6 +250,7 @@ def test_a_kernel_is_not_called_like_what_stands_beside_it(tmp_path: Path, name:
     run("new", "mine", cwd=tmp_path)
     section = tmp_path / "mine" / "s01_reflection.py"
     section.write_text(section.read_text("utf-8").replace("point_from_image =", f"{name} ="), "utf-8")
+    shutil.rmtree(tmp_path / "mine" / "exercises")
     assert f"a kernel may not be called {name}" in run("--chapter", "./mine", "emit", cwd=tmp_path, status=1)
 
 
