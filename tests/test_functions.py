@@ -25,6 +25,7 @@ from chasles.vocabulary import (
     Identity,
     Misfit,
     Node,
+    array,
     column,
     cos,
     det,
@@ -236,3 +237,27 @@ def test_cases_take_the_first_that_holds() -> None:
     values = {v: [1, 0, 0]}
     assert [int(evaluate(node, {**values, x: k, y: 1})[0][0]) for k in (2, 1, 0)] == [1, 2, 1]
     assert int(evaluate(maximum(x, y, 3) + sign(minimum(x, number(-1))), {x: 1, y: 7})[0][0]) == 6
+
+
+joints = array("th", r"\theta", "joint angles", column(x, y, p))
+BEYOND_SUMS = [
+    claim(cos(joints[1] + joints[2]), cos(joints[1]) * cos(joints[2]) - sin(joints[1]) * sin(joints[2])),
+    claim(rate(cos(joints[1])), -(sin(joints[1]) * rate(joints)[1])),
+    claim(sin(x * y) ** 2, 1 - cos(x * y) ** 2),
+    claim(rate(sin(x * y)), cos(x * y) * (rate(x) * y + x * rate(y))),
+    claim(sin(norm(e) * x) ** 2 + cos(x * norm(e)) ** 2, 1),
+    claim(sin(2 * x * y), 2 * sin(x * y) * cos(x * y)),
+    claim(Identity(3) + sin(x * norm(e)) * CPM(e), Identity(3) + sin(x) * CPM(e), unit(e)),
+    claim(cos(arccos(x) / 2) ** 2, (1 + x) / 2),
+]
+
+
+@pytest.mark.parametrize("said", BEYOND_SUMS, ids=lambda said: f"{said.left} = {said.right}")
+def test_angles_that_are_no_sums_of_symbols_are_decided(said: Claim) -> None:
+    verdict = Session().decide(said).verdict
+    assert isinstance(verdict, Holds | HoldsUnder), verdict
+    check(said, "printed", verdict.certificate)
+    wrong = replace(said, right=said.right + said.right)
+    refuted = Session().decide(wrong).verdict
+    assert isinstance(refuted, Fails), refuted
+    check_counterexample(problem_of(wrong), refuted.counterexample)

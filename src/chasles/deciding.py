@@ -11,25 +11,33 @@ from chasles.statements import Hypothesis, Problem
 from chasles.verdict import Contradictory, Counterexample, Fails, Holds, HoldsUnder, Undecided, Verdict
 
 if TYPE_CHECKING:
-    from chasles.checker.scalars import ScalarQuestion
+    from chasles.checker.expressions.scalars import ScalarQuestion
 
 __all__ = ["decided"]
 
 
 def decided(problem: Problem, own: tuple[Hypothesis, ...] = (), budget: float = BUDGET) -> Verdict:
     """The verdict on a problem; `own` are the hypotheses whose use it reports."""
-    if not problem.has_functions:
-        return decide_problem(problem, own, budget)
+    if problem.has_functions:
+        return _by_scalars(problem, own)
+    verdict = decide_problem(problem, own, budget)
+    if isinstance(verdict, Undecided) and verdict.without_form:
+        again = _by_scalars(problem, own)
+        return verdict if isinstance(again, Undecided) else again
+    return verdict
+
+
+def _by_scalars(problem: Problem, own: tuple[Hypothesis, ...]) -> Verdict:
+    """The verdict on the question that the problem asks of scalars."""
     # SymPy is loaded where it is needed only.
-    from chasles.checker.scalars import scalar_question
+    from chasles.checker.expressions.scalars import scalar_question
     from chasles.prove import Rejected, Untreatable, prove
 
     try:
         question = scalar_question(problem)
-        assert question is not None
         verdict = prove(*question.asked)
         whole = scalar_question(problem, proving=False)
-        if isinstance(verdict, Fails | Undecided) and whole is not None and whole.given != question.given:
+        if isinstance(verdict, Fails | Undecided) and whole.given != question.given:
             question, verdict = whole, prove(*whole.asked)
             if isinstance(verdict, Holds | HoldsUnder):
                 return Undecided("a proof was found that rests on bounds of angles in two ways")
@@ -65,5 +73,6 @@ def _proved(
 
 
 def _said(texts: tuple[str, ...], sources: Mapping[str, str]) -> tuple[str, ...]:
-    """Who says what SymPy spells; what nobody says is spelled as in the chapter."""
-    return tuple(sources.get(text) or text.replace("**", "^").replace("*", " ") for text in texts)
+    """Which hypothesis says what SymPy spells; what none says is spelled as in the chapter, conditions are given."""
+    said = (sources.get(text, text.replace("**", "^").replace("*", " ")) for text in texts)
+    return tuple(filter(None, said))

@@ -147,10 +147,14 @@ class Contradictory(Verdict):
 
 @dataclass(frozen=True, slots=True)
 class Undecided(Verdict):
-    """Neither proved nor refuted: a gap of the procedure, which makes the build red."""
+    """Neither proved nor refuted: a gap of the procedure, which makes the build red.
+
+    What is `without_form` has no polynomial form; another procedure may decide it.
+    """
 
     name: ClassVar[str] = "undecided"
     reason: str
+    without_form: bool = field(default=False, compare=False, repr=False)
 
     @property
     def true(self) -> bool:

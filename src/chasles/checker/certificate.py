@@ -50,7 +50,9 @@ def _check(problem: Problem, certificate: Mapping[str, Any]) -> None:
     if not problem.goals:
         raise Rejected("there is nothing to prove")
     if "scalars" in certificate:
-        from chasles.checker.scalars import check_scalars  # SymPy is loaded for such problems only
+        from chasles.checker.expressions.scalars import (
+            check_scalars,  # SymPy is loaded for what has no polynomial form only
+        )
 
         check_scalars(problem, certificate)
         return

@@ -10,13 +10,13 @@ from operator import add, mul
 
 from chasles import vocabulary as w
 from chasles.checker.determinants import Matrix, cofactor, determinant
-from chasles.checker.sparse import ZERO, Polynomial, Rejected, number
+from chasles.checker.sparse import ZERO, Formless, Polynomial, number
 
 __all__ = ["Matrix", "expanded", "scaled"]
 
 
 def expanded(node: w.Node, of: Callable[[w.Node], Matrix]) -> Matrix:
-    """The entries of a word, made from those `of` its parts; raises `Rejected` for what has no polynomial form."""
+    """The entries of a word, made from those `of` its parts; raises `Formless` for a word that is none."""
     match node:
         case w.Number(value):
             return [[number(value)]]
@@ -57,7 +57,7 @@ def expanded(node: w.Node, of: Callable[[w.Node], Matrix]) -> Matrix:
             m = of(x)
             return [[cofactor(m, i, j) for j in range(len(m))] for i in range(len(m))]
         case _:
-            raise Rejected(f"{node} ({type(node).__name__}) has no polynomial form")
+            raise Formless(f"{node} ({type(node).__name__}) has no polynomial form")
 
 
 def _plus(left: Matrix, right: Matrix) -> Matrix:

@@ -10,7 +10,18 @@ from typing import Any
 
 from chasles import vocabulary as w
 from chasles.checker.expansion import Matrix, expanded, scaled
-from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, cleared, exponents, number, product, variable
+from chasles.checker.sparse import (
+    ONE,
+    ZERO,
+    Formless,
+    Polynomial,
+    Rejected,
+    cleared,
+    exponents,
+    number,
+    product,
+    variable,
+)
 
 __all__ = ["Quantities", "squeezed"]
 
@@ -189,7 +200,7 @@ class Quantities:
                 case [("entry", w.Symbol() as symbol, 0, 0, 0, 1)] if symbol.is_scalar and symbol != w.PI:
                     unit = self._units.get(symbol.name, abs(Fraction(multiple, value.below)))
                 case _:
-                    raise Rejected(f"{angle} is no sum of rational multiples of symbols and quarter turns: no angle")
+                    raise Formless(f"{angle} is no angle: no sum of multiples of symbols and quarter turns")
             name = f"{unit.numerator if unit.numerator > 1 else ''}{symbol.name}"
             name += f"/{unit.denominator}" if unit.denominator > 1 else ""
             c = self.variable(f"cos({name})", "cos", symbol, unit)

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 from math import gcd, lcm
 
-from chasles.problems.variables import Untreatable, Variables, angle_multiples
+from chasles.problems.variables import NoForm, Untreatable, Variables, angle_multiples
 from chasles.vocabulary import (
     PI,
     At,
@@ -47,7 +47,7 @@ def scan(found: Variables, node: Node, order: int, rules: Mapping[Node, Node]) -
                 if symbol != PI:
                     _scan_angle(found, symbol, multiple, order)
                 elif (2 * multiple).denominator != 1:
-                    raise Untreatable(f"{plain(node)}: of angles in pi, only whole multiples of pi/2 are treated")
+                    raise NoForm(f"{plain(node)}: of angles in pi, only whole multiples of pi/2 are treated")
         case Power(Norm(of), exponent) if exponent % 2 == 0:
             scan(found, of, order, rules)
         case Quotient(numerator, denominator):

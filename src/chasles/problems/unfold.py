@@ -13,7 +13,7 @@ from chasles.problems.coordinates import Coordinates
 from chasles.problems.differentiation import Differentiation
 from chasles.problems.divisors import Divisors, UndeclaredDivisor
 from chasles.problems.moments import BodyMoments
-from chasles.problems.variables import Unlisted, Untreatable, Variable, angle_multiples
+from chasles.problems.variables import NoForm, Unlisted, Variable, angle_multiples
 from chasles.vocabulary import PI, At, Call, Group, Integral, Node, Norm, Rate, Symbol, plain
 
 __all__ = ["Matrix", "UndeclaredDivisor", "Unfolder"]
@@ -70,7 +70,7 @@ class Unfolder(Interpreter):
             case Integral(of):
                 return each(self(of), self.moments.integral)
             case _:
-                raise Untreatable(f"{plain(node)} ({type(node).__name__}) cannot stand here: it has no polynomial form")
+                raise NoForm(f"{plain(node)} ({type(node).__name__}) cannot stand here: it has no polynomial form")
 
     def forget(self) -> None:
         """Unfold anew from here on: `values` has changed."""

@@ -25,6 +25,7 @@ from chasles.vocabulary import (
 
 __all__ = [
     "Factors",
+    "NoForm",
     "Unlisted",
     "Untreatable",
     "Variable",
@@ -42,6 +43,10 @@ Factors = tuple[tuple[str, int], ...]
 
 class Untreatable(ValueError):
     """An expression that the decision procedure does not treat; the message names it."""
+
+
+class NoForm(Untreatable):
+    """A word without a polynomial form, or an angle that is no sum of rational multiples of symbols."""
 
 
 class Unlisted(Untreatable):
@@ -166,4 +171,4 @@ def _linear(node: Node, scale: Fraction, rules: Mapping[Node, Node]) -> Iterator
         case At():
             raise Untreatable(f"{plain(node)} is of another instant than t: declare it as a constant of its own")
         case _:
-            raise Untreatable(f"{plain(node)} is no angle: an angle is a sum of rational multiples of symbols")
+            raise NoForm(f"{plain(node)} is no angle: an angle is a sum of rational multiples of symbols")

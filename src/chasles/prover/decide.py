@@ -12,7 +12,7 @@ from chasles.points import sampling as points
 from chasles.points.evaluation import measured
 from chasles.problems.context import Context, build, difference, entries
 from chasles.problems.unfold import UndeclaredDivisor
-from chasles.problems.variables import Untreatable
+from chasles.problems.variables import NoForm, Untreatable
 from chasles.prover.certifying import ProvedEntry, certified
 from chasles.prover.conditions import Solved, satisfying_point, solve_conditions
 from chasles.prover.consistency import contradiction
@@ -58,7 +58,7 @@ def _decide(problem: Problem, own: tuple[Hypothesis, ...], source: PointSource) 
     except UndeclaredDivisor as error:
         return IllFormed(str(error))
     except Untreatable as error:
-        return source.contradiction(problem) or Undecided(str(error))
+        return source.contradiction(problem) or Undecided(str(error), without_form=isinstance(error, NoForm))
     found = None if proved else _refuted(context, solved, unproved, source)
     if found is not None:
         return Fails(found)

@@ -1,0 +1,130 @@
+"""A problem without a polynomial form, as a question on SymPy expressions, entry by entry.
+
+Prover and checker read such a problem here, and from here on as they read what SymPy users ask.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import sympy as sp
+
+from chasles import vocabulary as w
+from chasles.checker.expressions.counterexample import check_refutation
+from chasles.checker.expressions.proof import check_proof
+from chasles.checker.expressions.words import EntriesOfWords
+from chasles.checker.refutation import Shown
+from chasles.checker.sparse import Rejected
+from chasles.statements import Hypothesis, Problem
+from chasles.vocabulary.functions import FunctionOf
+
+__all__ = ["ScalarQuestion", "check_scalar_counterexample", "check_scalars", "scalar_question"]
+
+BY_MORE = frozenset(("definite",))
+"""Hypotheses that say more than their equations and what they keep from vanishing."""
+
+
+@dataclass(frozen=True, slots=True)
+class ScalarQuestion:
+    """Both sides of all goals, one entry below the other, what is given, and what does not vanish.
+
+    `places` are the goal, row and column of each entry; `sources` who says what is given, by its text in SymPy; `used`
+    the hypotheses by which arguments of functions are said otherwise. If it is `partial`, hypotheses say more than
+    that: a proof counts, a counterexample does not.
+    """
+
+    left: Any
+    right: Any
+    given: tuple[Any, ...]
+    nonzero: tuple[Any, ...]
+    places: tuple[tuple[str, tuple[int, int]], ...]
+    sources: Mapping[str, str]
+    used: tuple[str, ...]
+    partial: bool
+
+    @property
+    def asked(self) -> tuple[Any, ...]:
+        """The question as `chasles.prove` takes it."""
+        return self.left, self.right, self.given, self.nonzero
+
+
+@dataclass(frozen=True, slots=True)
+class _Said:
+    """What a verdict says that holds."""
+
+    needs: tuple[str, ...]
+    certificate: Mapping[str, Any]
+    witness: Any
+
+
+@dataclass(frozen=True, slots=True)
+class _Point:
+    """What a counterexample says."""
+
+    at: Mapping[str, Fraction]
+    entry: tuple[int, int]
+    left: str
+    right: str
+
+
+def scalar_question(problem: Problem, proving: bool = True) -> ScalarQuestion:
+    """The question that a problem asks, entry by entry; raises `Rejected` for a word that has no entries.
+
+    For proving, bounds of an angle by which an inverse function was said otherwise are left out, if nothing else is
+    assumed of the angle and they leave it room: a proof does without them, and a witness need not be looked for.
+    """
+    entries = EntriesOfWords(problem)
+    sides = [[entries(side) for side in (goal.left, goal.right)] for goal in problem.goals]
+    left, right = (sp.Matrix([entry for pair in sides for entry in pair[k]]) for k in (0, 1))
+    settled = entries.settled if proving else frozenset()
+    given: list[Any] = []
+    nonzero: list[Any] = []
+    sources: dict[str, str] = {}
+    stated = [("", goal.left, goal.right) for goal in problem.conditions]
+    assumed = [hypothesis for hypothesis in problem.hypotheses if hypothesis.text not in settled]
+    stated += [(h.text, *_spoken(h, pair)) for h in assumed for pair in h.equations]
+    for text, one, other in stated:
+        for equation in entries.equations(one, other):
+            given.append(equation)
+            sources[f"{equation.lhs} = {equation.rhs}"] = text
+    for hypothesis in assumed:
+        most = {"positive": 0, "inequality": 1}.get(hypothesis.kind)
+        for node in hypothesis.nonvanishing[:most]:
+            value = entries(node)[0]
+            nonzero.append(value)
+            sources[f"{value} != 0"] = hypothesis.text
+    shapes = [(goal.label, *goal.left.shape) for goal in problem.goals]
+    places = tuple((label, (i + 1, j + 1)) for label, m, n in shapes for i in range(m) for j in range(n))
+    partial = any(h.kind in BY_MORE for h in problem.hypotheses)
+    used = tuple(entries.used)
+    return ScalarQuestion(left, right, tuple(given), tuple(nonzero), places, sources, used, partial)
+
+
+def _spoken(hypothesis: Hypothesis, equation: tuple[w.Node, w.Node]) -> tuple[w.Node, w.Node]:
+    """An equation of a hypothesis: that a sine or the like is a square is said by its absolute value."""
+    difference = equation[0]
+    turns = any(isinstance(part, w.Call | FunctionOf) for part in w.walk(difference))
+    return (abs(difference), difference) if hypothesis.kind == "inequality" and turns else equation
+
+
+def check_scalars(problem: Problem, certificate: Mapping[str, Any]) -> None:
+    """The certificate proves the question that the problem asks; raises `Rejected` with the reason if not."""
+    question = scalar_question(problem)
+    needs = tuple(certificate["needs"])
+    shown = certificate.get("point")
+    witness: Any = None if shown is None else {name: Fraction(value) for name, value in shown.items()}
+    check_proof(_Said(needs, certificate["scalars"], witness), *question.asked)
+
+
+def check_scalar_counterexample(problem: Problem, shown: Shown) -> None:
+    """The point refutes the question that the problem asks; raises `Rejected` with the reason if not."""
+    question = scalar_question(problem, proving=False)
+    if question.partial:
+        raise Rejected("a hypothesis says more than equations, and nothing shows that the point satisfies it")
+    if (shown.goal, shown.entry) not in question.places:
+        raise Rejected(f"no equation of the statement is called {shown.goal!r}, or it has no such entry")
+    row = question.places.index((shown.goal, shown.entry))
+    check_refutation(_Point(shown.at, (row + 1, 1), shown.left, shown.right), *question.asked)
