@@ -10,9 +10,13 @@ from operator import add, mul
 
 from chasles import vocabulary as w
 from chasles.checker.determinants import Matrix, cofactor, determinant
-from chasles.checker.sparse import ZERO, Formless, Polynomial, number
+from chasles.checker.sparse import ZERO, Polynomial, Rejected, number
 
-__all__ = ["Matrix", "expanded", "scaled"]
+__all__ = ["Formless", "Matrix", "expanded", "scaled"]
+
+
+class Formless(Rejected):
+    """A word that is no polynomial in the entries of symbols, or an angle that is no sum of their multiples."""
 
 
 def expanded(node: w.Node, of: Callable[[w.Node], Matrix]) -> Matrix:

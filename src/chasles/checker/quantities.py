@@ -9,19 +9,8 @@ from operator import mul
 from typing import Any
 
 from chasles import vocabulary as w
-from chasles.checker.expansion import Matrix, expanded, scaled
-from chasles.checker.sparse import (
-    ONE,
-    ZERO,
-    Formless,
-    Polynomial,
-    Rejected,
-    cleared,
-    exponents,
-    number,
-    product,
-    variable,
-)
+from chasles.checker.expansion import Formless, Matrix, expanded, scaled
+from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, cleared, exponents, number, product, variable
 
 __all__ = ["Quantities", "squeezed"]
 

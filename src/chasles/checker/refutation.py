@@ -11,9 +11,10 @@ from fractions import Fraction
 from math import isqrt
 from typing import Protocol
 
+from chasles.checker.expansion import Formless
 from chasles.checker.motion import require_motion
 from chasles.checker.reading import Reading
-from chasles.checker.sparse import ZERO, Formless, Polynomial, Rejected, cleared, product
+from chasles.checker.sparse import ZERO, Polynomial, Rejected, cleared, product
 from chasles.checker.witness import Point, point_of, require, value_at
 from chasles.statements import Goal, Problem
 from chasles.vocabulary import Node
@@ -50,20 +51,12 @@ def check_counterexample(problem: Problem, shown: Shown) -> None:
     Raises `Rejected` with the reason if not.
     """
     try:
-        _check_counterexample(problem, shown)
-    except Formless:
-        from chasles.checker.expressions.scalars import (
-            check_scalar_counterexample,  # SymPy is loaded for such problems only
-        )
-
-        check_scalar_counterexample(problem, shown)
-
-
-def _check_counterexample(problem: Problem, shown: Shown) -> None:
-    try:
         reasons = list(_objections(problem, shown))
     except Formless:
-        raise
+        from chasles.checker.expressions.scalars import check_scalar_counterexample  # loads SymPy
+
+        check_scalar_counterexample(problem, shown)
+        return
     except (ArithmeticError, AttributeError, LookupError, RecursionError, TypeError, ValueError) as error:
         raise Rejected(f"the counterexample is malformed: {type(error).__name__}: {error}") from error
     if all(reasons):

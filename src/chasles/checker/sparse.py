@@ -16,10 +16,6 @@ class Rejected(ValueError):
     """What was to be checked does not show what it says; the message says why."""
 
 
-class Formless(Rejected):
-    """A word that is no polynomial in the entries of symbols, or an angle that is no sum of their multiples."""
-
-
 class Polynomial:
     """Integers by monomial, none of them zero, over one integer; byte k of a monomial is variable k's exponent."""
 
