@@ -839,7 +839,7 @@ def test_the_checker_loads_no_algebra_of_others() -> None:
 def test_the_checker_is_short() -> None:
     """Motions through a point, norms as angles, contradictions and determinants of any size take two fifths of it.
 
-    The whole folder is counted, that hypotheses contradict each other too. Twelve lines hand what has no polynomial form
+    The whole folder is counted, that hypotheses contradict each other too, and what has no polynomial form is handed
     on to the checker of SymPy expressions.
     """
     lines = {path.name: len(path.read_text("utf-8").splitlines()) for path in CHECKER}
