@@ -11,7 +11,7 @@ import pytest
 from chasles.decisions.session import Session
 from chasles.repairs.repair import repair
 from chasles.statements import Claim, Definition, load
-from chasles.vocabulary import Node, array, column, cos, matrix, plain, rate, scalar, sin, square, vector
+from chasles.vocabulary import Node, array, column, cos, cross, matrix, plain, rate, scalar, sin, square, tr, vector
 
 from .planted import outcome_of, planted, table
 from .sampling import WHOLE
@@ -62,6 +62,8 @@ PRINTED: list[tuple[Node, Node, str]] = [
         matrix((sin(x) - cos(y), 1)),
         "the factor sin(x) is added",
     ),
+    (tr(A), A[1, 1] + A[2, 2] + A[3, 2], "A_33 instead of A_32"),
+    (cross(a, b)[1], a[2] * b[3] - a[3] * b[1], "b_2 instead of b_1"),
     (matrix((sin(x) / 2, 1)), matrix((sin(x) / 3, 1)), "(1/2) sin(x) instead of sin(x) / 3"),
 ]
 

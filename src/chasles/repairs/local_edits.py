@@ -36,6 +36,8 @@ from chasles.vocabulary import (
     printed,
     rebuilt,
 )
+from chasles.vocabulary.parts import Submatrix
+from chasles.vocabulary.parts import part as entry
 
 __all__ = ["FORM", "SingleEdit", "edits_at"]
 
@@ -83,6 +85,11 @@ def _of_form(node: Node) -> Iterator[Node]:
             yield from (Contract(_exchanged(factors, k, k + 1)) for k in range(len(factors) - 1))
         case Block(rows):
             yield from _rearranged(rows)
+        case Submatrix(of, (i, last), (j, end)) if (i, j) == (last, end):
+            height, width = of.shape
+            places = [*((k, j) for k in range(1, height + 1)), *((i, k) for k in range(1, width + 1)), (j, i)]
+            inside = (place for place in dict.fromkeys(places) if place[0] <= height and place[1] <= width)
+            yield from (entry(of, max(place) if 1 in (height, width) else place) for place in inside if place != (i, j))
 
 
 def _rearranged(rows: tuple[tuple[Node, ...], ...]) -> Iterator[Node]:
