@@ -44,8 +44,8 @@ rodrigues_parameters_by_euler_rodrigues_parameters = Claim(
 
 rotation_by_cayley = Claim(
     "4.3",
-    Q, cayley(CPM(g)),
-    says="Cayley's transform of the cross-product matrix of the Rodrigues parameters is the rotation.",
+    (one - G) @ Q, one + G,
+    says="The rotation is Cayley's transform of the cross-product matrix of the Rodrigues parameters.",
     given=(rotation_about_axis, rodrigues_parameters),
 )
 
@@ -123,7 +123,7 @@ rodrigues_parameters_from_rotation = Claim(
     "4.14",
     g, 2 * vect(Q) / (1 + tr(Q)),
     says="The Rodrigues parameters from a rotation that is no half-turn.",
-    given=(rotation_by_rodrigues_parameters,),
+    given=(rotation_about_axis, rodrigues_parameters),
     assuming=(nonzero(1 + tr(Q)),),
     kernel=Kernel(of=(Q,), expected=(Q_is_a_rotation,)),
 )
@@ -215,7 +215,7 @@ modified_rodrigues_parameters_of_axis_and_angle = Claim(
     part=2,
     says="It is the rotation about the axis through the angle.",
     given=(modified_rodrigues_parameters,),
-    assuming=(m_square_is_no_pole,),
+    assuming=(nonzero(cos(phi / 4)), m_square_is_no_pole),
 )
 
 shadow_of_modified_rodrigues_parameters = Definition(
@@ -233,7 +233,7 @@ rotation_by_shadow_parameters = Claim(
     part=2,
     says="Each rotation has two sets of modified parameters, a whole turn apart.",
     given=(shadow_of_modified_rodrigues_parameters,),
-    assuming=(m_square_is_no_pole, nonzero(1 + dot(m_2, m_2))),
+    assuming=(nonzero(dot(m, m)), m_square_is_no_pole, nonzero(1 + dot(m_2, m_2))),
 )
 
 square_of_cayley = Claim(

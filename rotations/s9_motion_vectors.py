@@ -71,7 +71,7 @@ trace_of_exponential_of_motion = Claim(
 
 translation_from_motion = Claim(
     "9.6",
-    rho, inverse(left_jacobian(v)) @ Exp[1:3, 4],
+    left_jacobian(v) @ rho, Exp[1:3, 4],
     says="The logarithm of a motion: the translation of the vector from that of the motion.",
     assuming=(v_turns,),
 )

@@ -17,6 +17,8 @@ from numpy.typing import NDArray
 from scipy.linalg import expm
 from scipy.spatial.transform import Rotation
 
+from chasles.cli.rechecking import recheck
+from chasles.decisions.memory import Memory
 from chasles.decisions.session import Session
 from chasles.numerics import draw, evaluate, specification_of
 from chasles.statements import (
@@ -98,6 +100,12 @@ def test_all_is_true_and_nothing_is_assumed_in_vain() -> None:
             assert not verdict.unused, f"({entry.number}) {entry.name} assumes {verdict.unused} in vain"
         else:
             assert isinstance(verdict, Defined), f"({entry.number}) {entry.name}: {verdict}"
+
+
+def test_certificates_are_accepted() -> None:
+    found = recheck([(entry, session().decide(entry.statement)) for entry in CHAPTER], Memory())
+    assert found.certificates > 300
+    assert not found.rejected
 
 
 @pytest.mark.parametrize("section", SECTIONS)
@@ -288,8 +296,8 @@ def test_a_kernel_of_a_unit_column_is_tested_at_units(height: int) -> None:
     entry = Entry("projected", Section("1", "One"), claim)
     checks = kernel_of(entry, Session().decide).checks
     assert len(checks) == 2
-    for check in checks:
-        assert sum(entry * entry for entry in check.inputs[0]) == 1
+    for point in checks:
+        assert sum(entry * entry for entry in point.inputs[0]) == 1
 
 
 # Lengths of turned, stretched and opposite vectors, where they are divided by.
