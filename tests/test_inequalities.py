@@ -19,8 +19,11 @@ from chasles.vocabulary import (
     PI,
     Identity,
     Misfit,
+    array,
+    column,
     cos,
     dot,
+    matrix,
     norm,
     rate,
     scalar,
@@ -37,6 +40,15 @@ v, w, e = (vector(name, name, "a vector") for name in "vwe")
 R = square("R", "R", "a rotation")
 turn = Definition("0", R, e @ e.T + cos(t) * (Identity(3) - e @ e.T) + sin(t) * CPM(e), assuming=(unit(e),))
 I = inequality
+
+p = array("p", "p", "Euler-Rodrigues parameters", column(x, x, x, x))
+vec = p[2:4]
+of_p = Definition("0", R, Identity(3) + 2 * p[1] * CPM(vec) + 2 * CPM(vec) @ CPM(vec), assuming=(unit(p),))
+half = Definition("0", p, column(cos(t / 2), e * sin(t / 2)), assuming=(unit(e),))
+about_x = matrix((1, 0, 0), (0, cos(y), -sin(y)), (0, sin(y), cos(y)))
+about_y = matrix((cos(x), 0, sin(x)), (0, 1, 0), (-sin(x), 0, cos(x)))
+about_z = matrix((cos(t), -sin(t), 0), (sin(t), cos(t), 0), (0, 0, 1))
+euler = Definition("0", R, about_z @ about_y @ about_x)
 
 
 def claim(left: Any, right: Any, *assuming: Any, given: tuple[Any, ...] = ()) -> Claim:
@@ -60,6 +72,19 @@ TRUE = [
     (claim(atan2(x * sin(t), x * cos(t)), t, positive(x), I(t > -PI), I(t < PI)), ("x > 0", "t > -pi", "t < pi")),
     (claim(arccos((tr(R) - 1) / 2), t, I(t >= 0), I(t <= PI), given=(turn,)), ("|e| = 1", "t >= 0", "t <= pi")),
     (claim(sqrt(1 + tr(R)) / 2, abs(cos(t / 2)), given=(turn,)), ("|e| = 1",)),
+    (claim(p[1], sqrt(1 + tr(R)) / 2, I(p[1] > 0), given=(of_p,)), ("p_1 > 0", "|p| = 1")),
+    (claim(x, -arcsin(R[3, 1]), I(x >= -PI / 2), I(x <= PI / 2), given=(euler,)), ("x >= -pi / 2", "x <= pi / 2")),
+    (
+        claim(y, atan2(R[3, 2], R[3, 3]), I(cos(x) > 0), I(y > -PI), I(y <= PI), given=(euler,)),
+        ("cos(x) > 0", "y > -pi", "y <= pi"),
+    ),
+    (
+        claim(x, atan2(-R[3, 1], sqrt(R[1, 1] ** 2 + R[2, 1] ** 2)), I(x > -PI / 2), I(x < PI / 2), given=(euler,)),
+        ("x > -pi / 2", "x < pi / 2"),
+    ),
+    (claim(t, 2 * arccos(p[1]), I(t >= 0), I(t <= 2 * PI), given=(half,)), ("t >= 0", "t <= 2 pi")),
+    (claim(t, arccos(2 * p[1] ** 2 - 1), I(t >= 0), I(t <= PI), given=(half,)), ("t >= 0", "t <= pi")),
+    (claim(norm(p), 1, given=(half,)), ("|e| = 1",)),
     (claim(*says_that(x**2 + y**2 >= 2 * x * y)), ()),
     (claim(*says_that(x**2 + 1 > 0)), ()),
     (claim(*says_that(norm(v) >= 0)), ()),
@@ -100,6 +125,10 @@ def test_what_is_false_is_refuted_where_the_inequalities_hold(said: Claim) -> No
         claim(atan2(sin(t), cos(t)), t, I(t >= -PI), I(t <= PI)),
         claim(atan2(x * sin(t), x * cos(t)), t, nonzero(x), I(t > -PI), I(t < PI)),
         claim(arccos(cos(t)), t, I(t >= 0)),
+        claim(y, atan2(R[3, 2], R[3, 3]), I(y > -PI), I(y <= PI), given=(euler,)),
+        claim(x, atan2(-R[3, 1], sqrt(R[1, 1] ** 2 + R[2, 1] ** 2)), I(x >= -PI), I(x <= PI), given=(euler,)),
+        claim(p[1], sqrt(1 + tr(R)) / 2, given=(of_p,)),
+        claim(p[1], sqrt(1 + tr(R)) / 2, I(p[2] > 0), given=(of_p,)),
         claim(arccos(cos(t)), t),
         claim(arccos(cos(t + x)), t + x, I(t >= 0), I(t <= PI)),
     ],

@@ -27,6 +27,7 @@ __all__ = ["BUDGET", "decide_problem", "determining", "pose"]
 BUDGET = 2e7
 """The work that a single decision may take before it gives up as undecided, in products of terms."""
 DECLARED = DeclaredPoints()
+REMAINDER = "a remainder is left, and no counterexample was found"
 NO_POINT = "it follows from its hypotheses, but no point was found that satisfies them all"
 
 
@@ -63,7 +64,8 @@ def _decide(problem: Problem, own: tuple[Hypothesis, ...], source: PointSource) 
     if found is not None:
         return Fails(found)
     if _suspects(unproved):
-        return source.contradiction(problem) or Undecided("a remainder is left, and no counterexample was found")
+        lengths = any(variable.kind == "norm" for variable in context.variables)
+        return source.contradiction(problem) or Undecided(REMAINDER, without_form=lengths)
     witness = source.witness(context, solved)
     if witness is None:
         return source.contradiction(problem) or Undecided(NO_POINT)

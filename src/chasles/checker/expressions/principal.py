@@ -13,16 +13,36 @@ from typing import Any
 
 import sympy as sp
 
-__all__ = ["Bounds", "in_fewer_squares", "principal"]
+__all__ = ["Bounds", "PrincipalValues", "in_fewer_squares"]
+
+
+HALF = Fraction(1, 2)
+
+
+@dataclass(frozen=True, slots=True)
+class _Ends:
+    """Between which multiples of pi an angle lies, and whether it is neither; `texts` say so."""
+
+    low: Fraction
+    high: Fraction
+    strictly_above: bool
+    strictly_below: bool
+    texts: tuple[str, ...]
+
+    def within(self, low: Fraction, high: Fraction) -> bool:
+        """Whether it lies between two others, and is neither."""
+        above = self.low > low or (self.low == low and self.strictly_above)
+        return above and (self.high < high or (self.high == high and self.strictly_below))
 
 
 @dataclass(slots=True)
 class Bounds:
-    """What is assumed of an angle, in multiples of pi: it is at least `low` and at most `high`, or beyond if strict."""
+    """What is assumed of an angle, in multiples of pi: it is between `low` and `high`, neither if strict."""
 
     low: Fraction | None = None
     high: Fraction | None = None
     strictly_above: bool = False
+    strictly_below: bool = False
     texts: tuple[str, ...] = ()
 
     @property
@@ -40,8 +60,8 @@ class Bounds:
         end = _fraction(-at_zero / slope)
         if slope > 0 and (self.low is None or end > self.low or (end == self.low and strict)):
             self.low, self.strictly_above = end, strict
-        if slope < 0 and (self.high is None or end <= self.high):
-            self.high = end
+        if slope < 0 and (self.high is None or end < self.high or (end == self.high and strict)):
+            self.high, self.strictly_below = end, strict
         self.texts = (*self.texts, text)
 
 
@@ -49,13 +69,49 @@ def _fraction(rational: Any) -> Fraction:
     return Fraction(int(rational.p), int(rational.q))
 
 
-def principal(e: Any, bounds: Mapping[Any, Bounds]) -> tuple[Any, tuple[str, ...]]:
-    """The expression with inverse functions of sines and cosines replaced by angles, and the texts that allow it."""
-    used: dict[str, None] = {}
+class PrincipalValues:
+    """Says inverse functions of sines and cosines by angles, where `bounds` and what is `positive` allow it.
 
-    def between(angle: Any) -> tuple[Fraction, Fraction, bool] | None:
+    `used` are the texts of the hypotheses that did.
+    """
+
+    def __init__(self, bounds: Mapping[Any, Bounds], positive: Mapping[Any, str]) -> None:
+        self.bounds = bounds
+        self.positive = positive
+        self.used: dict[str, None] = {}
+
+    def __call__(self, e: Any) -> Any:
+        """The expression, said by angles."""
+        return e.replace(lambda found: isinstance(found, (sp.acos, sp.asin, sp.atan2, sp.Abs)), self._said)
+
+    def _said(self, e: Any) -> Any:
+        match e:
+            case sp.acos(args=[of]):
+                return self._of_cosine(_of_double_angle(of)) or e
+            case sp.asin(args=[sp.sin(args=[inner])]) if ends := self._ends(inner):
+                return self._by(ends, inner) if ends.low >= -HALF and ends.high <= HALF else e
+            case sp.atan2(args=[above, below]):
+                return self._of_both(above, below) or e
+            case sp.Abs(args=[of]) if self._is_positive(of):
+                return of
+            case _:
+                return e
+
+    def _of_cosine(self, cosine: Any) -> Any:
+        """The angle between 0 and pi that has this cosine; None where it is not known."""
+        ends = self._ends(cosine.args[0]) if isinstance(cosine, sp.cos) else None
+        if ends is None or not (-1 <= ends.low <= ends.high <= 0 or 0 <= ends.low <= ends.high <= 1):
+            return None
+        return self._by(ends, cosine.args[0] if ends.high > 0 else -cosine.args[0])
+
+    def _by(self, ends: _Ends, angle: Any) -> Any:
+        self.used |= dict.fromkeys(ends.texts)
+        return angle
+
+    def _ends(self, angle: Any) -> _Ends | None:
+        """Between which multiples of pi an angle lies."""
         (symbol, *others) = angle.free_symbols or {None}
-        known = bounds.get(symbol)
+        known = self.bounds.get(symbol)
         if others or known is None or known.low is None or known.high is None:
             return None
         slope, rest = angle.coeff(symbol), angle.subs(symbol, 0) / sp.pi
@@ -63,37 +119,50 @@ def principal(e: Any, bounds: Mapping[Any, Bounds]) -> tuple[Any, tuple[str, ...
             return None
         if angle.expand() != (slope * symbol + rest * sp.pi).expand():
             return None
-        ends = [_fraction(slope) * end + _fraction(rest) for end in (known.low, known.high)]
-        used.update(dict.fromkeys(known.texts))
-        return min(ends), max(ends), known.strictly_above and slope > 0
+        low, high = (_fraction(slope) * end + _fraction(rest) for end in (known.low, known.high))
+        above, below = known.strictly_above, known.strictly_below
+        return _Ends(low, high, above, below, known.texts) if slope > 0 else _Ends(high, low, below, above, known.texts)
 
-    def angle_of(found: Any) -> Any:
-        match found:
-            case sp.acos(args=[sp.cos(args=[inner])]) if ends := between(inner):
-                if ends[0] >= 0 and ends[1] <= 1:
-                    return inner
-                return -inner if ends[0] >= -1 and ends[1] <= 0 else found
-            case sp.asin(args=[sp.sin(args=[inner])]) if ends := between(inner):
-                return inner if ends[0] >= Fraction(-1, 2) and ends[1] <= Fraction(1, 2) else found
-            case sp.atan2(args=[above, below]):
-                return _of_both(above, below, between) or found
-            case _:
-                return found
+    def _is_positive(self, e: Any) -> bool:
+        """Whether each factor is positive, by what is assumed."""
+        used = dict(self.used)
+        for factor in sp.Mul.make_args(e):
+            if factor.is_positive:
+                continue
+            if factor in self.positive:
+                self.used[self.positive[factor]] = None
+                continue
+            shift = sp.pi / 2 if isinstance(factor, sp.sin) else 0
+            ends = self._ends(factor.args[0] - shift) if isinstance(factor, sp.sin | sp.cos) else None
+            if ends is None or not ends.within(-HALF, HALF):
+                self.used = used
+                return False
+            self.used |= dict.fromkeys(ends.texts)
+        return True
 
-    inverse = (sp.acos, sp.asin, sp.atan2)
-    changed = e.replace(lambda found: isinstance(found, inverse), angle_of)
-    return changed, tuple(used) if changed != e else ()
+    def _of_both(self, above: Any, below: Any) -> Any:
+        """The angle of which the two are a sine and a cosine, times one positive factor; None if they are not."""
+        for sign in (1, -1):
+            for sine in (factor for factor in sp.Mul.make_args(above) if isinstance(factor, sp.sin)):
+                factor, inner = sign * above / sine, sine.args[0]
+                ends = self._ends(inner)
+                if ends is None or sp.expand(below - factor * sp.cos(inner)) != 0 or not self._is_positive(factor):
+                    continue
+                if ends.high <= 1 and (ends.low > -1 or (ends.low == -1 and ends.strictly_above)):
+                    return self._by(ends, sign * inner)
+        return None
 
 
-def _of_both(above: Any, below: Any, between: Any) -> Any:
-    """The angle of which the two are a sine and a cosine, times one positive factor; None if they are not."""
-    sines = [factor for factor in sp.Mul.make_args(above) if isinstance(factor, sp.sin)]
-    for sine in sines:
-        factor, inner = above / sine, sine.args[0]
-        ends = between(inner) if factor.is_positive and sp.expand(below - factor * sp.cos(inner)) == 0 else None
-        if ends and ends[1] <= 1 and (ends[0] > -1 or (ends[0] == -1 and ends[2])):
-            return inner
-    return None
+def _of_double_angle(e: Any) -> Any:
+    """The expression with squares of cosines and sines said by the double angle, if it is one cosine then."""
+    squared = {
+        power: (1 + sign * sp.cos(2 * power.base.args[0])) / 2
+        for power in e.atoms(sp.Pow)
+        for sign, kind in ((1, sp.cos), (-1, sp.sin))
+        if isinstance(power.base, kind) and power.exp == 2
+    }
+    found = sp.expand(e.xreplace(squared)) if squared else e
+    return found if isinstance(found, sp.cos) else e
 
 
 def in_fewer_squares(e: Any, units: Mapping[str, list[Any]]) -> tuple[Any, tuple[str, ...]]:

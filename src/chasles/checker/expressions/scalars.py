@@ -79,7 +79,7 @@ def scalar_question(problem: Problem, proving: bool = True) -> ScalarQuestion:
     entries = EntriesOfWords(problem)
     sides = [[entries(side) for side in (goal.left, goal.right)] for goal in problem.goals]
     left, right = (sp.Matrix([entry for pair in sides for entry in pair[k]]) for k in (0, 1))
-    settled = entries.settled if proving else frozenset()
+    settled = entries.by_sign | (entries.settled if proving else frozenset())
     given: list[Any] = []
     nonzero: list[Any] = []
     sources: dict[str, str] = {}
@@ -99,7 +99,7 @@ def scalar_question(problem: Problem, proving: bool = True) -> ScalarQuestion:
     shapes = [(goal.label, *goal.left.shape) for goal in problem.goals]
     places = tuple((label, (i + 1, j + 1)) for label, m, n in shapes for i in range(m) for j in range(n))
     partial = any(h.kind in BY_MORE for h in problem.hypotheses)
-    used = tuple(entries.used)
+    used = tuple(entries.reasons)
     return ScalarQuestion(left, right, tuple(given), tuple(nonzero), places, sources, used, partial)
 
 

@@ -10,7 +10,7 @@ from typing import Any
 import sympy as sp
 
 from chasles import vocabulary as w
-from chasles.checker.expressions.principal import Bounds, in_fewer_squares, principal
+from chasles.checker.expressions.principal import Bounds, PrincipalValues, in_fewer_squares
 from chasles.checker.sparse import Rejected
 from chasles.statements import Hypothesis, Problem
 from chasles.vocabulary.functions import Cases, FunctionOf
@@ -34,21 +34,31 @@ class EntriesOfWords:
         stated = [(goal.left, goal.right) for goal in (*problem.goals, *problem.conditions)]
         stated += [*problem.rules, *(equation for h in problem.hypotheses for equation in h.equations)]
         self.moving = any(isinstance(part, w.Rate) for pair in stated for side in pair for part in w.walk(side))
-        positive = [s for h in problem.hypotheses if h.kind == "positive" for s in h.subjects]
-        self.signs = (("positive", positive), ("nonnegative", problem.nonnegative))
         self.known: dict[w.Node, Any] = {}
         self.used: dict[str, None] = {}
         assumed = [h for h in problem.hypotheses if h.kind != "inequality"]
         self.stated = [(goal.left, goal.right) for goal in problem.conditions]
         self.stated += [pair for h in assumed for pair in h.equations]
         self.stated += [(node, node) for h in assumed for node in h.nonvanishing]
+        self.signs = {str(s): {"nonnegative": True} for s in problem.nonnegative}
+        self.signs |= {str(s): {"positive": True} for h in assumed if h.kind == "positive" for s in h.subjects}
+        inequalities = [h for h in problem.hypotheses if h.kind == "inequality"]
+        self.by_sign = frozenset(h.text for h in inequalities if self._signed(h))
+        self.known.clear()
         self.units: dict[str, list[Any]] = {}
-        self.bounds: dict[Any, Bounds] = {}
-        for h in problem.hypotheses:
+        for h in assumed:
             if h.kind == "unit" and h.subjects[0] not in self.rules:
                 self.units[h.text] = list(self(h.subjects[0]))
-            if h.kind == "inequality":
-                self._bound(h)
+        self.bounds: dict[Any, Bounds] = {}
+        positive: dict[Any, str] = {}
+        self.principal = PrincipalValues(self.bounds, positive)
+        for h in inequalities:
+            difference = self(h.subjects[0])[0]
+            if h.nonvanishing:
+                positive[difference] = h.text
+            if len(difference.free_symbols) == 1:
+                (angle,) = difference.free_symbols
+                self.bounds.setdefault(angle, Bounds()).narrow(difference, angle, bool(h.nonvanishing), h.text)
 
     def __call__(self, node: w.Node) -> Any:
         """The entries as an immutable matrix."""
@@ -56,12 +66,16 @@ class EntriesOfWords:
             self.known[node] = self._made(node)
         return self.known[node]
 
-    def _bound(self, hypothesis: Hypothesis) -> None:
+    def _signed(self, hypothesis: Hypothesis) -> bool:
+        """Whether an inequality is the sign of one quantity, which is taken note of."""
         difference = self(hypothesis.subjects[0])[0]
-        if len(difference.free_symbols) == 1:
-            (angle,) = difference.free_symbols
-            strict = bool(hypothesis.nonvanishing)
-            self.bounds.setdefault(angle, Bounds()).narrow(difference, angle, strict, hypothesis.text)
+        for sign, names in ((1, ("positive", "nonnegative")), (-1, ("negative", "nonpositive"))):
+            quantity = sign * difference
+            if quantity.is_Symbol or (quantity.is_Function and quantity.args == (TIME,)):
+                name = str(quantity if quantity.is_Symbol else quantity.func)
+                self.signs[name] = {**self.signs.get(name, {}), names[not hypothesis.nonvanishing]: True}
+                return True
+        return False
 
     @property
     def settled(self) -> frozenset[str]:
@@ -69,7 +83,12 @@ class EntriesOfWords:
         others = [side for pair in self.stated for side in pair]
         speaking = {symbol for side in others for symbol in self(side).free_symbols}
         found = [b for angle, b in self.bounds.items() if angle not in speaking and b.leave_room]
-        return frozenset(text for b in found for text in b.texts if text in self.used)
+        return frozenset(text for b in found for text in b.texts if text in self.reasons)
+
+    @property
+    def reasons(self) -> dict[str, None]:
+        """The texts of the hypotheses by which quantities have signs, and arguments are said otherwise."""
+        return dict.fromkeys((*sorted(self.by_sign), *self.used, *self.principal.used))
 
     def equations(self, left: w.Node, right: w.Node) -> Iterator[Any]:
         """The equations between the entries, but for those that are true on their face."""
@@ -97,7 +116,7 @@ class EntriesOfWords:
                 lines = [sp.Matrix.hstack(*map(self, row)) for row in rows]
                 return sp.Matrix.vstack(*lines).as_immutable()
             case FunctionOf(function, arguments):
-                return _one(self._told(FUNCTIONS[function](*(self._shorter(self(of)[0]) for of in arguments))))
+                return _one(self.principal(FUNCTIONS[function](*(self._shorter(self(of)[0]) for of in arguments))))
             case w.Call(function, argument):
                 return _one(FUNCTIONS[function](self(argument)[0]))
             case Cases(values, left, right, signs):
@@ -146,23 +165,20 @@ class EntriesOfWords:
     def _shorter(self, argument: Any) -> Any:
         found, texts = in_fewer_squares(argument, self.units)
         self.used |= dict.fromkeys(texts)
-        return found
-
-    def _told(self, value: Any) -> Any:
-        found, texts = principal(value, self.bounds)
-        self.used |= dict.fromkeys(texts)
-        return found
+        turned = {e.args[0] for e in found.atoms(sp.sin, sp.cos)}
+        circles = {str(angle): [sp.sin(angle), sp.cos(angle)] for angle in sorted(turned, key=str)}
+        return in_fewer_squares(found, circles)[0]
 
     def _quantity(self, symbol: w.Symbol) -> Iterator[Any]:
         if symbol == w.PI:
             yield sp.pi
             return
         rows, columns = symbol.shape
-        sign = {name: True for name, those in self.signs if symbol in those}
         for i in range(1, rows + 1):
             for j in range(1, columns + 1):
                 place = "" if symbol.is_scalar else f"_{i}" if columns == 1 else f"_{i}{j}"
                 name = f"{symbol.name}{place}"
+                sign = self.signs.get(name, {})
                 moves = self.moving and not symbol.constant
                 yield sp.Function(name, real=True, **sign)(TIME) if moves else sp.Symbol(name, real=True, **sign)
 
