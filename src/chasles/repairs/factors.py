@@ -33,7 +33,9 @@ class Factors:
     def __init__(
         self, test: ModularTest, sides: Iterable[Node], given: Iterable[Node], without: Container[Node]
     ) -> None:
-        self.at = Sampled(test.varied.context, test.varied.points[:SCOUTS])
+        # Where something vanishes, nothing is seen of what it is multiplied with.
+        points = sorted(test.varied.points, key=lambda point: sum(not value for value in point.values()))
+        self.at = Sampled(test.varied.context, points[:SCOUTS])
         own = dict.fromkeys(part for node in sides for part in walk(node))
         parts = own | dict.fromkeys(part for node in given for part in walk(node))
         found = [part for part in parts if not any(inner in without for inner in walk(part))]
