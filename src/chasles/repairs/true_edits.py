@@ -22,11 +22,15 @@ from chasles.rewriting.term_basis import fit
 from chasles.vocabulary import (
     Call,
     Contract,
+    Group,
     Negative,
     Node,
     Number,
     Power,
+    Quotient,
     Rate,
+    Scale,
+    Sum,
     Symbol,
     Transpose,
     Zero,
@@ -76,9 +80,8 @@ def _lost_factors(test: ModularTest, factors: Factors) -> Iterator[Change]:
 def _multiplied(node: Node, parent: Node | None, factors: Factors) -> Iterator[SingleEdit]:
     """A vector or a matrix with one more matrix as a factor."""
     parts = node.factors if isinstance(node, Contract) else (node,)
-    if isinstance(parent, Contract | Transpose) or (
-        parts == (node,) and not isinstance(node, Symbol | Rate | Transpose)
-    ):
+    outside = Sum | Negative | Scale | Quotient | Group | Zero
+    if node.is_scalar or isinstance(parent, Contract | Transpose) or isinstance(node, outside):
         return
     for k in range(len(parts) + 1):
         for factor in factors.matrices:
