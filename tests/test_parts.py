@@ -116,3 +116,13 @@ def test_a_repair_with_entries_is_found_and_kept() -> None:
     again = Session(book=book, memory=Memory(memory.as_data(1000))).decide(wrong)
     assert again.correction is not None
     assert again.correction.sides == correction.sides
+
+
+def test_a_zero_among_blocks_is_a_block_of_zeros() -> None:
+    assert matrix((R, p), (0, 1)) == matrix((R, p), (Zero(1, 3), 1))
+    assert matrix((R, 0), (0, R)).shape == (6, 6)
+    assert row(R, 0) == row(R, Zero(3, 1))
+    assert matrix((0, 1), (1, 0)) == matrix((number(0), 1), (1, number(0)))
+    assert matrix((R, p), (0, 0, 0, 1)).shape == (4, 4)
+    with pytest.raises(Misfit):
+        matrix((R, 1), (0, 1))

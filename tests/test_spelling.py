@@ -54,7 +54,10 @@ from chasles.vocabulary import (
     vector,
     walk,
 )
+from chasles.vocabulary.expansions import limit, up_to
 from chasles.vocabulary.fitting import word
+from chasles.vocabulary.functions import cases, sqrt
+from chasles.vocabulary.partial import partial
 from chasles.vocabulary.shorthand import Shorthand
 
 e, a, a_, p = (vector(name, name, "") for name in ("e", "a", "a'", "p"))
@@ -345,6 +348,12 @@ TABLE: list[tuple[Node, str, str]] = [
     (Q[1:2, 3], r"\mathbf{Q}_{1:2,3}", "Q_1:2,3"),
     (cross(a, e).z, r"\left[ \mathbf{a} \times \mathbf{e} \right]_z", "[a x e]_z"),
     (2 * Q[1, 2] ** 2, "2 Q_{12}^2", "2 Q_12^2"),
+    # functions of scalars, cases, derivatives, expansions
+    (sqrt(s + phi), r"\sqrt{s + \phi}", "sqrt(s + phi)"),
+    (cases((s, s > 0), otherwise=phi), r"\begin{cases} s & s > 0 \\ \phi & \text{otherwise} \end{cases}", "(s if s > 0, phi otherwise)"),
+    (partial(s * phi, phi), r"\frac{\partial \left( s \phi \right)}{\partial \phi}", "d(s phi) / dphi"),
+    (limit(s * phi, phi), r"\lim_{\phi \to 0} s \phi", "lim phi -> 0 s phi"),
+    (up_to(s, phi, 3), r"s + O\left( \phi^3 \right)", "s + O(phi^3)"),
     # constants
     (O @ e, r"\mathbf{O} \mathbf{e}", "0 e"),
     (PI * s, r"\pi s", "pi s"),
@@ -374,8 +383,8 @@ def test_every_kind_of_node_is_in_the_table() -> None:
 def test_a_node_without_a_spelling_is_named() -> None:
     @word
     class Whisper(Node):
-        pass
+        def _measured(self) -> Measure:
+            return uniform((1, 1))
 
-    unmeasured = object.__new__(Whisper)
     with pytest.raises(TypeError, match="no spelling for the node Whisper"):
-        latex(unmeasured)
+        latex(Whisper())

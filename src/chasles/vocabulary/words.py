@@ -10,7 +10,7 @@ from chasles.vocabulary.arguments import declaring, declaring_module
 from chasles.vocabulary.body import Integral
 from chasles.vocabulary.dimension import NO_DIMENSION, Dimension, has_units
 from chasles.vocabulary.layout import At, Block, Call, Group, Rate
-from chasles.vocabulary.letters import Symbol
+from chasles.vocabulary.letters import Symbol, Zero
 from chasles.vocabulary.measure import Measure, uniform
 from chasles.vocabulary.nodes import Node, Quotient, lifted
 from chasles.vocabulary.spatial import Cross, Determinant, Dot, Inverse, Norm, Skew, Trace, Vect
@@ -234,16 +234,30 @@ def in_frame(of: Node, frame: str) -> Group:
 @declaring
 def column(*blocks: Node | int) -> Block:
     """Blocks stacked one under the other."""
-    return Block(tuple((lifted(block),) for block in blocks))
+    return _blocks([[block] for block in blocks])
 
 
 @declaring
 def row(*blocks: Node | int) -> Block:
     """Blocks side by side."""
-    return Block((tuple(lifted(block) for block in blocks),))
+    return _blocks([blocks])
 
 
 @declaring
 def matrix(*rows: Sequence[Node | int]) -> Block:
-    """A matrix of blocks, row by row."""
-    return Block(tuple(tuple(lifted(block) for block in line) for line in rows))
+    """A matrix of blocks, row by row; a 0 is a block of zeros as high as those beside it, as wide as those above it."""
+    return _blocks(rows)
+
+
+def _blocks(rows: Sequence[Sequence[Node | int]]) -> Block:
+    made = [[lifted(block) for block in line] for line in rows]
+    nothing = lifted(0)
+    if len({len(line) for line in made}) == 1:
+        heights = [max((b.shape[0] for b in line if b != nothing and not b.fault), default=1) for line in made]
+        columns = zip(*made, strict=True)
+        widths = [max((b.shape[1] for b in line if b != nothing and not b.fault), default=1) for line in columns]
+        for line, height in zip(made, heights, strict=True):
+            for place, width in enumerate(widths):
+                if line[place] == nothing and (height, width) != (1, 1):
+                    line[place] = Zero(height, width)
+    return Block(tuple(map(tuple, made)))
