@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 from latex2mathml.converter import convert
 
+from chasles import vocabulary
 from chasles.vocabulary import (
     CPM,
     PI,
@@ -383,8 +384,8 @@ def test_every_kind_of_node_is_in_the_table() -> None:
 def test_a_node_without_a_spelling_is_named() -> None:
     @word
     class Whisper(Node):
-        def _measured(self) -> Measure:
-            return uniform((1, 1))
+        def _measured(self) -> vocabulary.Measure:
+            return vocabulary.uniform((1, 1))
 
     with pytest.raises(TypeError, match="no spelling for the node Whisper"):
         latex(Whisper())
