@@ -351,7 +351,11 @@ TABLE: list[tuple[Node, str, str]] = [
     (2 * Q[1, 2] ** 2, "2 Q_{12}^2", "2 Q_12^2"),
     # functions of scalars, cases, derivatives, expansions
     (sqrt(s + phi), r"\sqrt{s + \phi}", "sqrt(s + phi)"),
-    (cases((s, s > 0), otherwise=phi), r"\begin{cases} s & s > 0 \\ \phi & \text{otherwise} \end{cases}", "(s if s > 0, phi otherwise)"),
+    (
+        cases((s, s > 0), otherwise=phi),
+        r"\begin{cases} s & s > 0 \\ \phi & \text{otherwise} \end{cases}",
+        "(s if s > 0, phi otherwise)",
+    ),
     (partial(s * phi, phi), r"\frac{\partial \left( s \phi \right)}{\partial \phi}", "d(s phi) / dphi"),
     (limit(s * phi, phi), r"\lim_{\phi \to 0} s \phi", "lim phi -> 0 s phi"),
     (up_to(s, phi, 3), r"s + O\left( \phi^3 \right)", "s + O(phi^3)"),
