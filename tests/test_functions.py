@@ -16,9 +16,9 @@ from chasles.checker.refutation import check_counterexample
 from chasles.decisions.memory import Memory
 from chasles.decisions.session import Session
 from chasles.numerics.reference import evaluate
-from chasles.statements import Claim, Definition, definite, positive, rotation, unit
+from chasles.statements import Claim, Definition, definite, nonzero, positive, rotation, unit
 from chasles.statements.problem import problem_of
-from chasles.verdict import Fails, Holds, HoldsUnder
+from chasles.verdict import Fails, Holds, HoldsUnder, Undecided
 from chasles.vocabulary import (
     CPM,
     LENGTH,
@@ -261,3 +261,36 @@ def test_angles_that_are_no_sums_of_symbols_are_decided(said: Claim) -> None:
     refuted = Session().decide(wrong).verdict
     assert isinstance(refuted, Fails), refuted
     check_counterexample(problem_of(wrong), refuted.counterexample)
+
+
+y_at_zero = cases((sqrt(p), y > 0), (sqrt(p), y < 0), otherwise=-1)
+SIMPLIFIED_AWAY = [
+    (claim(sqrt(p) * y / y, sqrt(p)), "holds-under", "y != 0"),
+    (claim(sqrt(p) * y / y, sqrt(p), nonzero(y)), "holds-under", "p >= 0"),
+    (claim(sqrt(p) * y / y, y_at_zero, positive(p)), None, "y != 0"),
+    (claim(sqrt(x) ** 2, abs(x)), "holds-under", "x >= 0"),
+    (claim(exp(log(x)), abs(x)), "holds-under", "x >= 0"),
+    (claim(sqrt(x) ** 2, -x), "fails", ""),
+    (claim(cos(arccos(x)), cases((x, x <= 1), otherwise=0)), "holds-under", "1 - x^2 >= 0"),
+]
+
+
+@pytest.mark.parametrize(("said", "name", "need"), SIMPLIFIED_AWAY, ids=lambda it: str(getattr(it, "left", "")))
+def test_what_is_simplified_away_refutes_nothing_where_it_is_not_defined(
+    said: Claim, name: str | None, need: str
+) -> None:
+    verdict = Session().decide(said).verdict
+    assert not isinstance(verdict, Fails) or name == "fails"
+    if name is not None:
+        assert verdict.name == name
+    if isinstance(verdict, HoldsUnder):
+        assert need in verdict.needs
+        check(said, "printed", verdict.certificate)
+
+
+def test_two_quantities_of_one_name_are_told_apart() -> None:
+    v_1, other = scalar("v_1", "v_1", "a length", LENGTH), scalar("x", "x", "another", constant=True)
+    for said in (claim(abs(v_1), abs(v.x)), claim(abs(x), abs(other))):
+        verdict = Session().decide(said).verdict
+        assert isinstance(verdict, Undecided)
+        assert "rename one" in verdict.reason

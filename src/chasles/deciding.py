@@ -37,10 +37,8 @@ def _by_scalars(problem: Problem, own: tuple[Hypothesis, ...]) -> Verdict:
         question = scalar_question(problem)
         verdict = prove(*question.asked)
         whole = scalar_question(problem, proving=False)
-        if isinstance(verdict, Fails | Undecided) and whole.given != question.given:
+        if isinstance(verdict, Fails | Undecided) and whole.asked != question.asked:
             question, verdict = whole, prove(*whole.asked)
-            if isinstance(verdict, Holds | HoldsUnder):
-                return Undecided("a proof was found that rests on bounds of angles in two ways")
     except (Rejected, Untreatable, TypeError) as error:
         return Undecided(str(error))
     match verdict:
@@ -52,16 +50,16 @@ def _by_scalars(problem: Problem, own: tuple[Hypothesis, ...]) -> Verdict:
         case Contradictory(hypotheses, certificate):
             return Contradictory(_said(hypotheses, question.sources), certificate)
         case Holds() | HoldsUnder():
-            return _proved(verdict, problem, own, question)
+            return _proved(verdict, problem, own, question, whole=question is whole)
         case _:
             return verdict
 
 
 def _proved(
-    verdict: Holds | HoldsUnder, problem: Problem, own: tuple[Hypothesis, ...], question: ScalarQuestion
+    verdict: Holds | HoldsUnder, problem: Problem, own: tuple[Hypothesis, ...], question: ScalarQuestion, whole: bool
 ) -> Verdict:
     """The proof of the question as one of the problem; that quantities are positive counts among what it needs."""
-    certificate = {"scalars": verdict.certificate, "needs": list(verdict.needs)}
+    certificate = {"scalars": verdict.certificate, "needs": list(verdict.needs), **({"whole": True} if whole else {})}
     if all(type(value) is Fraction for value in verdict.witness.values()):
         certificate["point"] = {name: str(value) for name, value in verdict.witness.items()}
     positive = (h.text for h in problem.hypotheses if h.kind == "positive")
@@ -74,5 +72,7 @@ def _proved(
 
 def _said(texts: tuple[str, ...], sources: Mapping[str, str]) -> tuple[str, ...]:
     """Which hypothesis says what SymPy spells; what none says is spelled as in the chapter, conditions are given."""
-    said = (sources.get(text, text.replace("**", "^").replace("*", " ")) for text in texts)
+    from chasles.checker.expressions.scalars import spelled
+
+    said = (sources.get(text, spelled(text)) for text in texts)
     return tuple(filter(None, said))

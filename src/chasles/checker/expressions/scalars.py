@@ -21,7 +21,7 @@ from chasles.checker.sparse import Rejected
 from chasles.statements import Hypothesis, Problem
 from chasles.vocabulary.functions import FunctionOf
 
-__all__ = ["ScalarQuestion", "check_scalar_counterexample", "check_scalars", "scalar_question"]
+__all__ = ["ScalarQuestion", "check_scalar_counterexample", "check_scalars", "scalar_question", "spelled"]
 
 BY_MORE = frozenset(("definite",))
 """Hypotheses that say more than their equations and what they keep from vanishing."""
@@ -73,6 +73,8 @@ class _Point:
 def scalar_question(problem: Problem, proving: bool = True) -> ScalarQuestion:
     """The question that a problem asks, entry by entry; raises `Rejected` for a word that has no entries.
 
+    Where a divisor was cancelled, it is named among what is used.
+
     For proving, bounds of an angle by which an inverse function was said otherwise are left out, if nothing else is
     assumed of the angle and they leave it room: a proof does without them, and a witness need not be looked for.
     """
@@ -96,11 +98,23 @@ def scalar_question(problem: Problem, proving: bool = True) -> ScalarQuestion:
             value = entries(node)[0]
             nonzero.append(value)
             sources[f"{value} != 0"] = hypothesis.text
+    both = sp.Tuple(*left, *right)
+    lost = [divisor for divisor in entries.lost_divisors(both) if divisor not in nonzero]
+    if not proving:
+        nonzero += lost
+        for domain in entries.lost_domains(both):
+            given.append(sp.Eq(sp.Abs(domain), domain, evaluate=False))
+            sources[f"{given[-1].lhs} = {given[-1].rhs}"] = f"{spelled(domain)} >= 0"
     shapes = [(goal.label, *goal.left.shape) for goal in problem.goals]
     places = tuple((label, (i + 1, j + 1)) for label, m, n in shapes for i in range(m) for j in range(n))
     partial = any(h.kind in BY_MORE for h in problem.hypotheses)
-    used = tuple(entries.reasons)
+    used = (*entries.reasons, *(f"{spelled(divisor)} != 0" for divisor in lost))
     return ScalarQuestion(left, right, tuple(given), tuple(nonzero), places, sources, used, partial)
+
+
+def spelled(e: Any) -> str:
+    """A SymPy expression, or a text with one, as it is spelled in a chapter."""
+    return str(e).replace("**", "^").replace("*", " ")
 
 
 def _spoken(hypothesis: Hypothesis, equation: tuple[w.Node, w.Node]) -> tuple[w.Node, w.Node]:
@@ -112,7 +126,7 @@ def _spoken(hypothesis: Hypothesis, equation: tuple[w.Node, w.Node]) -> tuple[w.
 
 def check_scalars(problem: Problem, certificate: Mapping[str, Any]) -> None:
     """The certificate proves the question that the problem asks; raises `Rejected` with the reason if not."""
-    question = scalar_question(problem)
+    question = scalar_question(problem, proving=not certificate.get("whole"))
     needs = tuple(certificate["needs"])
     shown = certificate.get("point")
     witness: Any = None if shown is None else {name: Fraction(value) for name, value in shown.items()}

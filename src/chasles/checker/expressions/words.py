@@ -23,6 +23,10 @@ FUNCTIONS = {
     "arccos": sp.acos, "arctan": sp.atan, "atan2": sp.atan2, "sinh": sp.sinh, "cosh": sp.cosh, "tanh": sp.tanh,
     "sign": lambda x: sp.Piecewise((1, x > 0), (-1, x < 0), (0, True)), "max": sp.Max, "min": sp.Min,
 }  # fmt: skip
+DOMAINS = {
+    "sqrt": lambda x: x, "log": lambda x: x, "arcsin": lambda x: 1 - x**2, "arccos": lambda x: 1 - x**2,
+}  # fmt: skip
+"""What is not negative where a function is real."""
 RELATIONS = {"<": sp.Lt, "<=": sp.Le, ">": sp.Gt, ">=": sp.Ge}
 
 
@@ -35,6 +39,9 @@ class EntriesOfWords:
         stated += [*problem.rules, *(equation for h in problem.hypotheses for equation in h.equations)]
         self.moving = any(isinstance(part, w.Rate) for pair in stated for side in pair for part in w.walk(side))
         self.known: dict[w.Node, Any] = {}
+        self.named: dict[str, tuple[w.Symbol, int, int]] = {}
+        self.divisors: dict[Any, None] = {}
+        self.applied: dict[Any, Any] = {}
         self.used: dict[str, None] = {}
         assumed = [h for h in problem.hypotheses if h.kind != "inequality"]
         self.stated = [(goal.left, goal.right) for goal in problem.conditions]
@@ -116,7 +123,7 @@ class EntriesOfWords:
                 lines = [sp.Matrix.hstack(*map(self, row)) for row in rows]
                 return sp.Matrix.vstack(*lines).as_immutable()
             case FunctionOf(function, arguments):
-                return _one(self.principal(FUNCTIONS[function](*(self._shorter(self(of)[0]) for of in arguments))))
+                return _one(self._value(function, [self._shorter(self(of)[0]) for of in arguments]))
             case w.Call(function, argument):
                 return _one(FUNCTIONS[function](self(argument)[0]))
             case Cases(values, left, right, signs):
@@ -135,7 +142,10 @@ class EntriesOfWords:
             case w.Scale(factor, term):
                 return self(term) * self(factor)[0]
             case w.Quotient(numerator, denominator):
-                return self(numerator) / self(denominator)[0]
+                divisor = self(denominator)[0]
+                factors = (factor.as_base_exp()[0] for factor in sp.Mul.make_args(divisor))
+                self.divisors |= dict.fromkeys(factors)
+                return self(numerator) / divisor
             case w.Contract(factors):
                 return reduce(mul, map(self, factors))
             case w.Power(base, exponent):
@@ -162,6 +172,22 @@ class EntriesOfWords:
             case _:
                 raise Rejected(f"{w.plain(node)} cannot stand beside what has no polynomial form")
 
+    def _value(self, function: str, arguments: list[Any]) -> Any:
+        """A function's value; where it is real is taken note of."""
+        value = FUNCTIONS[function](*arguments)
+        if function in DOMAINS:
+            self.applied[FUNCTIONS[function](*arguments)] = DOMAINS[function](*arguments)
+        return self.principal(value)
+
+    def lost_divisors(self, sides: Any) -> list[Any]:
+        """The factors by which is divided, and which have been cancelled: sides that stand where they vanish too."""
+        left = {power.base for power in sides.atoms(sp.Pow) if power.exp.is_negative}
+        return [divisor for divisor in self.divisors if not (divisor.is_nonzero or divisor in left)]
+
+    def lost_domains(self, sides: Any) -> list[Any]:
+        """What is not negative where functions are real that have been simplified away."""
+        return [domain for value, domain in self.applied.items() if not sides.has(value) and not domain.is_nonnegative]
+
     def _shorter(self, argument: Any) -> Any:
         found, texts = in_fewer_squares(argument, self.units)
         self.used |= dict.fromkeys(texts)
@@ -178,6 +204,8 @@ class EntriesOfWords:
             for j in range(1, columns + 1):
                 place = "" if symbol.is_scalar else f"_{i}" if columns == 1 else f"_{i}{j}"
                 name = f"{symbol.name}{place}"
+                if self.named.setdefault(name, (symbol, i, j)) != (symbol, i, j):
+                    raise Rejected(f"two different quantities are both named {name}: rename one")
                 sign = self.signs.get(name, {})
                 moves = self.moving and not symbol.constant
                 yield sp.Function(name, real=True, **sign)(TIME) if moves else sp.Symbol(name, real=True, **sign)
