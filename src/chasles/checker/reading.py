@@ -14,7 +14,7 @@ from chasles import vocabulary as w
 from chasles.checker.determinants import determinant
 from chasles.checker.division import Division, divided, solved_for
 from chasles.checker.quantities import Quantities
-from chasles.checker.sparse import Polynomial, Rejected, cleared, product
+from chasles.checker.sparse import ZERO, Polynomial, Rejected, cleared, product
 from chasles.statements import Hypothesis, Problem
 
 __all__ = ["Reading"]
@@ -71,12 +71,25 @@ class Reading(Quantities):
         divisors = [(h, node) for h in problem.hypotheses for node in h.nonvanishing]
         for place, (hypothesis, _) in enumerate(divisors):
             self.variable(f"{place + 1}. {hypothesis.text}", "inverse", place)
-        for hypothesis, node in divisors:
-            self.nonzero.append(cleared(self(node)[0][0], self.nonzero)[0])
+        # Nothing is divided by zero: what is not read yet may not be divided by.
+        self.nonzero += [ZERO] * len(divisors)
+        waiting = dict(enumerate(divisors))
+        while waiting:
+            place = next((k for k, (_, node) in waiting.items() if self._is_read(node)), min(waiting))
+            hypothesis, node = waiting.pop(place)
+            self.nonzero[place] = cleared(self(node)[0][0], self.nonzero)[0]
             self._positive(hypothesis)
         for goal in problem.goals:
             self.difference(goal.left, goal.right)
         self._close([*self._conditions(), *self._hypotheses()])
+
+    def _is_read(self, node: w.Node) -> bool:
+        """Whether what an expression divides by is known not to vanish by now."""
+        try:
+            self(node)
+        except Rejected:
+            return False
+        return True
 
     def _positive(self, hypothesis: Hypothesis) -> None:
         """What is greater than zero: a positive scalar, the leading minors of a positive-definite matrix."""
