@@ -1,0 +1,176 @@
+"""Power series with expressions for coefficients: sums, products, inverses, functions by Taylor's series.
+
+A series begins with a coefficient that is not seen to be zero; whoever divides by it has it declared nonzero.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+
+from chasles.vocabulary import Call, Misfit, Negative, Node, Number, Quotient, Scale, Sum, Zero, plain
+from chasles.vocabulary.functions import FunctionOf
+
+__all__ = ["PowerSeries", "inverse", "is_zero", "minus", "product", "scaled", "taylor", "total"]
+
+
+@dataclass(frozen=True, slots=True)
+class PowerSeries:
+    """Coefficients from the power `begin` on, None for zero; nothing is known of the power `known` and beyond."""
+
+    begin: int
+    terms: tuple[Node | None, ...]
+    known: int
+
+    def coefficient(self, power: int) -> Node | None:
+        """The coefficient of a power; None for zero."""
+        place = power - self.begin
+        return self.terms[place] if 0 <= place < len(self.terms) else None
+
+    @property
+    def lead(self) -> int | None:
+        """The power of the first coefficient that is not zero."""
+        return next((self.begin + k for k, term in enumerate(self.terms) if term is not None), None)
+
+    def each(self, change: Callable[[Node], Node]) -> PowerSeries:
+        """The series with each coefficient changed."""
+        return PowerSeries(self.begin, tuple(None if t is None else change(t) for t in self.terms), self.known)
+
+
+def product(one: PowerSeries, other: PowerSeries, times: Callable[[Node, Node], Node], length: int) -> PowerSeries:
+    """The product of two series, up to a power."""
+    known = min(one.known + _first(other), other.known + _first(one), length)
+    begin = one.begin + other.begin
+    terms: list[Node | None] = [None] * max(0, min(known - begin, len(one.terms) + len(other.terms) - 1))
+    for i, a in enumerate(one.terms):
+        for j, b in enumerate(other.terms):
+            if a is not None and b is not None and i + j < len(terms):
+                terms[i + j] = _plus(terms[i + j], times(a, b))
+    return PowerSeries(begin, tuple(terms), known)
+
+
+def inverse(of: PowerSeries, divisor: Node) -> PowerSeries:
+    """One over a series, by that of its first coefficient: 1/(a (1 + d)) = (1 - d + d^2 - ...)/a."""
+    lead = of.lead
+    if lead is None:
+        raise Misfit(f"{plain(divisor)} has no term up to the order {of.known} by which could be divided")
+    first = of.coefficient(lead)
+    assert first is not None
+    over = _over(first)
+    rest = [of.coefficient(lead + k) for k in range(1, of.known - lead)]
+    terms: list[Node | None] = [over]
+    for k in range(1, of.known - lead):
+        found: Node | None = None
+        for j in range(1, k + 1):
+            a, b = rest[j - 1], terms[k - j]
+            if a is not None and b is not None:
+                found = _plus(found, scaled(over, minus(scaled(a, b))))
+        terms.append(found)
+    return PowerSeries(-lead, tuple(terms), of.known - 2 * lead)
+
+
+def taylor(name: str, at: Node | None, length: int, node: Node) -> list[Node | None]:
+    """The coefficients of the Taylor series around a point; None for the point is zero."""
+    factorials = [Fraction(1)]
+    for k in range(1, length):
+        factorials.append(factorials[-1] / k)
+    if name in ("sin", "cos", "exp"):
+        value = {"exp": (0, 0, 0, 0), "sin": (1, 2, -1, -2), "cos": (2, -1, -2, 1)}[name]
+        if at is None:
+            numbers = {"exp": (1, 1, 1, 1), "sin": (0, 1, 0, -1), "cos": (1, 0, -1, 0)}[name]
+            return [_number(factorials[k] * numbers[k % 4]) for k in range(length)]
+        signed = {0: FunctionOf("exp", (at,)), 1: Call("sin", at), 2: Call("cos", at)}
+        if name == "exp":
+            return [scaled(Number(factorials[k]), signed[0]) for k in range(length)]
+        made = [(factorials[k] * (1 if value[k % 4] > 0 else -1), signed[abs(value[k % 4])]) for k in range(length)]
+        return [scaled(Number(factor), function) for factor, function in made]
+    powers = {"sqrt": Fraction(1, 2)}
+    if name in powers and at is not None:
+        root: Node = at if at == Number(Fraction(1)) else FunctionOf("sqrt", (at,))
+        found, factor, below = list[Node | None](), Fraction(1), root
+        for k in range(length):
+            found.append(scaled(Number(factor), below))
+            factor *= (powers[name] - k) / (k + 1)
+            below = scaled(below, _over(at))
+        return found
+    if name in ("log", "arctan", "arcsin") and (at is None) != (name == "log"):
+        return _at_its_zero(name, at, length, node)
+    raise Misfit(f"{plain(node)} is not expanded there")
+
+
+def _at_its_zero(name: str, at: Node | None, length: int, node: Node) -> list[Node | None]:
+    """The logarithm around one; the inverse tangent and sine around zero."""
+    if name == "log":
+        if at != Number(Fraction(1)):
+            raise Misfit(f"{plain(node)} is not expanded there")
+        return [None, *(_number(Fraction((-1) ** (k + 1), k)) for k in range(1, length))]
+    if name == "arctan":
+        return [_number(Fraction((-1) ** (k // 2), k)) if k % 2 else None for k in range(length)]
+    terms, factor = list[Node | None](), Fraction(1)
+    for k in range(length):
+        terms.append(_number(factor / k) if k % 2 else None)
+        if k % 2:
+            factor *= Fraction(k, k + 1)
+    return terms
+
+
+def _first(series: PowerSeries) -> int:
+    lead = series.lead
+    return series.known if lead is None else lead
+
+
+def total(one: PowerSeries, other: PowerSeries) -> PowerSeries:
+    """The sum of two series."""
+    known, begin = min(one.known, other.known), min(one.begin, other.begin)
+    end = min(known, max(one.begin + len(one.terms), other.begin + len(other.terms)))
+    terms = []
+    for k in range(begin, end):
+        a, b = one.coefficient(k), other.coefficient(k)
+        terms.append(a if b is None else _plus(a, b))
+    return PowerSeries(begin, tuple(terms), known)
+
+
+def is_zero(node: Node) -> bool:
+    """Whether an expression is zero as it is spelled."""
+    return isinstance(node, Zero) or (isinstance(node, Number) and not node.value)
+
+
+def _number(value: Fraction) -> Node | None:
+    return Number(value) if value else None
+
+
+def _plus(one: Node | None, other: Node) -> Node | None:
+    if one is None:
+        return other
+    if isinstance(one, Number) and isinstance(other, Number):
+        return _number(one.value + other.value)
+    return Sum((*(one.terms if isinstance(one, Sum) else (one,)), other))
+
+
+def minus(node: Node) -> Node:
+    """The opposite of an expression."""
+    match node:
+        case Number(value):
+            return Number(-value)
+        case Negative(term):
+            return term
+        case _:
+            return Negative(node)
+
+
+def scaled(factor: Node, term: Node) -> Node:
+    """The scalar times the term; numbers are multiplied."""
+    match factor, term:
+        case Number(a), Number(b):
+            return Number(a * b)
+        case (Number(a), other) | (other, Number(a)) if a == 1 and (other.is_scalar or other is term):
+            return other
+        case Number(a), Scale(Number(b), rest):
+            return Scale(Number(a * b), rest)
+        case _:
+            return Scale(factor, term)
+
+
+def _over(divisor: Node) -> Node:
+    return Number(1 / divisor.value) if isinstance(divisor, Number) else Quotient(Number(Fraction(1)), divisor)
