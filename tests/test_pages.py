@@ -33,7 +33,7 @@ right_one = Claim("9.2", norm(x) ** 2, x.T @ x, says="It holds.")
 under = Claim("9.10", k / k * x, x, says="It needs something.", assuming=(nonzero(k),))
 doubled = Definition("9.1", y, 2 * x, says="Twice.")
 wrong = Claim("9.3", 2 * y, 3 * x, says="It fails.", given=(doubled,))
-declared = Claim("9.4", 3 * x, x, says="It fails, and more.", corrected=2 * x + x)
+declared = Claim("9.4", x, norm(y) ** 2 * (y - k * x) + 7 * y, says="It fails, and more.", corrected=2 * x - x)
 hollow = Claim("9.5", column(x, x), x, says="It does not fit.", reading=column(x, x))
 lost = Claim("9.6", column(x, x), x, says="It does not fit, and fails.", reading=column(x, -x))
 EVERYTHING = (right_one, under, doubled, wrong, declared, hollow, lost)
@@ -83,7 +83,7 @@ def test_verdicts_are_in_their_columns() -> None:
     assert row(page, "(9.2)") == ["(9.2)", "claim", "holds", "", ""]
     assert row(page, "(9.10)") == ["(9.10)", "claim", "holds under", "k != 0", ""]
     assert row(page, "(9.3)") == ["(9.3)", "claim", "**fails**", "", "**nothing: a gap**"]
-    assert row(page, "(9.4)")[4] == "3 x = 2 x + x (declared: a gap of the search)"
+    assert row(page, "(9.4)")[4] == "x = 2 x - x (declared: a gap of the search)"
     assert row(page, "(9.5)")[2] == "**ill-formed**"
     assert r"## 9.1 On \| Bars" in page
 

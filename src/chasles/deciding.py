@@ -63,7 +63,9 @@ def _proved(
     if all(type(value) is Fraction for value in verdict.witness.values()):
         certificate["point"] = {name: str(value) for name, value in verdict.witness.items()}
     positive = (h.text for h in problem.hypotheses if h.kind == "positive")
-    needs = tuple(dict.fromkeys((*positive, *question.used, *_said(verdict.needs, question.sources))))
+    order = {h.text: place for place, h in enumerate(problem.hypotheses)}
+    used = (*positive, *question.used, *_said(verdict.needs, question.sources))
+    needs = tuple(sorted(dict.fromkeys(used), key=lambda text: order.get(text, len(order))))
     unused = tuple(h.text for h in own if h.text not in needs)
     if not needs:
         return Holds(certificate, verdict.witness, unused)

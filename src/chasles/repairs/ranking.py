@@ -22,6 +22,7 @@ from chasles.repairs.residues import Unsampled
 from chasles.repairs.several_terms import combined_changes
 from chasles.repairs.single_edits import exchanged_letters, in_letters
 from chasles.repairs.true_edits import true_edits
+from chasles.repairs.without_form import changes_without_form
 from chasles.rewriting.term_basis import TermBasis, fit, term_basis
 from chasles.statements import Claim, Statement
 from chasles.statements.problem import AcceptedSides
@@ -52,6 +53,7 @@ class Nearest:
             self._other_objects,
             self._several_changes,
             self._inner_changes,
+            self._without_form,
         )
         for stage in stages:
             found = list(stage(left, right))
@@ -125,6 +127,9 @@ class Nearest:
     def _inner_changes(self, left: Node, right: Node) -> Iterator[Change]:
         for test, basis in list(self._tests(left, right))[1:]:
             yield from (change for change in block_edits(test, basis) if self._holds(test, change))
+
+    def _without_form(self, left: Node, right: Node) -> Iterator[Change]:
+        yield from changes_without_form(self.statement, left, right, self.letters, self.accepted)
 
     def _tests(self, left: Node, right: Node) -> Iterator[tuple[ModularTest, TermBasis]]:
         """The equation at points, first with the symbols of its right side alone, then with all that are at hand."""

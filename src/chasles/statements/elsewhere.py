@@ -11,9 +11,14 @@ __all__ = ["chapter_of", "cited", "is_of_another", "other_chapter"]
 def chapter_of(sentence: Any) -> str:
     """The package of the chapter in whose modules a sentence is declared; empty where that is in none."""
     package = str(sentence.declared_in)
-    while package and not hasattr(sys.modules.get(package), "SECTIONS"):
+    while package and not _is_chapter(sys.modules.get(package)):
         package = package.rpartition(".")[0]
     return package
+
+
+def _is_chapter(module: Any) -> bool:
+    """Whether a module is a package that lists its sections; in a module alone the name may mean anything."""
+    return hasattr(module, "__path__") and hasattr(module, "SECTIONS")
 
 
 def is_of_another(sentence: Any, package: str) -> bool:

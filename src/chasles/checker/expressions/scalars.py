@@ -88,12 +88,15 @@ def scalar_question(problem: Problem, proving: bool = True) -> ScalarQuestion:
     stated = [("", goal.left, goal.right) for goal in problem.conditions]
     assumed = [hypothesis for hypothesis in problem.hypotheses if hypothesis.text not in settled]
     stated += [(h.text, *_spoken(h, pair)) for h in assumed for pair in h.equations]
+    stated += [(h.text, abs(s), s) for h in assumed if h.kind == "positive" for s in h.subjects if s in entries.rules]
+    stated += [("", abs(symbol), symbol) for symbol in problem.nonnegative if symbol in entries.rules]
     for text, one, other in stated:
         for equation in entries.equations(one, other):
             given.append(equation)
             sources[f"{equation.lhs} = {equation.rhs}"] = text
     for hypothesis in assumed:
-        most = {"positive": 0, "inequality": 1}.get(hypothesis.kind)
+        known = hypothesis.kind == "positive" and hypothesis.subjects[0] not in entries.rules
+        most = 0 if known else 1 if hypothesis.kind == "inequality" else None
         for node in hypothesis.nonvanishing[:most]:
             value = entries(node)[0]
             nonzero.append(value)

@@ -1,0 +1,145 @@
+"""Repairs of equations without polynomial form: one edit, tried at points in floating point, then decided."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from itertools import chain
+from math import isfinite
+from random import Random
+from typing import Any
+
+from chasles.repairs.local_edits import FORM, SingleEdit
+from chasles.repairs.one_term import FACTOR, SIGN, Change, instead
+from chasles.repairs.single_edits import exchanged_letters, in_letters, placed, single_edits
+from chasles.rewriting.places import everywhere
+from chasles.statements import Problem, Statement, problem_of
+from chasles.statements.problem import AcceptedSides
+from chasles.vocabulary import Misfit, Negative, Node, Number, Power, Scale, Sum, Symbol, printed
+from chasles.vocabulary.functions import FunctionOf
+from chasles.vocabulary.shorthand import opened
+
+__all__ = ["changes_without_form"]
+
+POINTS, TRIES, NEAR = 4, 400, 1e-9
+"""So many points are compared, of so many that are tried; sides so near to each other agree."""
+TURNED = {"arcsin": "arccos", "arccos": "arcsin", "sinh": "cosh", "cosh": "sinh", "max": "min", "min": "max"}
+OTHER_NUMBERS = (2, Fraction(1, 2), -1, 4, Fraction(1, 4), 3, Fraction(1, 3))
+
+
+def changes_without_form(
+    statement: Statement, left: Node, right: Node, letters: list[Symbol], accepted: AcceptedSides
+) -> Iterator[Change]:
+    """The sides with one edit on either that agree at points where the hypotheses hold; none where none is found."""
+    try:
+        problem = problem_of(statement.saying(left, right), "printed", accepted)
+        test = _FloatTest(problem) if problem.has_functions else None
+    except (Misfit, TypeError, ValueError):
+        return
+    if test is None or not test.points:
+        return
+    for new, words, effort in _edits(right, letters):
+        if test.agree(left, new):
+            yield Change(left, new, (words,), effort)
+    for new, words, effort in _edits(left, letters):
+        if test.agree(new, right):
+            yield Change(new, right, (words,), effort)
+
+
+def _edits(side: Node, letters: list[Symbol]) -> Iterator[SingleEdit]:
+    yield from chain(single_edits(side), in_letters(side, letters), exchanged_letters(side))
+    for path, part in everywhere(side):
+        for new, effort in _of_functions(part):
+            whole = placed(side, path, new)
+            if whole.fault is None:
+                yield SingleEdit(whole, instead(new, part), effort)
+
+
+def _of_functions(part: Node) -> Iterator[tuple[Node, int]]:
+    match part:
+        case Number(value):
+            yield from ((Number(value * factor), FACTOR) for factor in OTHER_NUMBERS)
+            yield from ((Number(value + more), FACTOR + 1) for more in (1, -1))
+        case FunctionOf(function, arguments):
+            if function in TURNED:
+                yield FunctionOf(TURNED[function], arguments), FACTOR
+            if len(arguments) > 1:
+                yield FunctionOf(function, arguments[::-1]), FACTOR
+            if function in ("sqrt", "abs"):
+                yield arguments[0], FACTOR
+    if part.is_scalar and not isinstance(part, Number | Negative):
+        yield Negative(part), SIGN
+        yield Power(part, 2), FORM
+        yield from ((Scale(Number(Fraction(factor)), part), FACTOR) for factor in (2, Fraction(1, 2)))
+        if isinstance(part, Sum | Power):
+            yield printed(lambda: FunctionOf("sqrt", (part,))), FORM
+
+
+class _FloatTest:
+    """Points at which what a problem assumes holds; sides are compared there."""
+
+    def __init__(self, problem: Problem) -> None:
+        # SymPy is loaded where it is needed only.
+        from chasles.checker.expressions.scalars import scalar_question
+        from chasles.checker.expressions.words import EntriesOfWords
+
+        self.entries = EntriesOfWords(problem)
+        question = scalar_question(problem, proving=False)
+        spoken = (question.left, question.right, *question.given, *question.nonzero)
+        self.symbols = sorted({symbol for each in spoken for symbol in each.free_symbols}, key=str)
+        self.given = [equation.lhs - equation.rhs for equation in question.given]
+        self.points = [] if self.entries.moving else list(self._drawn())
+
+    def agree(self, left: Node, right: Node) -> bool:
+        """Whether the sides agree at all points at which both have a value."""
+        try:
+            difference = self.entries(opened(left)) - self.entries(opened(right))
+        except (Misfit, TypeError, ValueError):
+            return False
+        if not set(difference.free_symbols) <= set(self.symbols):
+            return False
+        values = [self._value(list(difference), point) for point in self.points]
+        defined = [entries for entries in values if entries is not None]
+        return len(defined) > 1 and all(abs(entry) < NEAR for entries in defined for entry in entries)
+
+    def _drawn(self) -> Iterator[tuple[float, ...]]:
+        random, found = Random(1), 0
+        for _ in range(TRIES):
+            point = {symbol: _drawn(symbol, random) for symbol in self.symbols}
+            for equation in self.given:
+                self._adjust(point, equation)
+            numbers = tuple(point.values())
+            residuals = self._value(self.given, numbers)
+            if residuals is not None and all(abs(residual) < NEAR for residual in residuals):
+                yield numbers
+                found += 1
+            if found == POINTS:
+                return
+
+    def _adjust(self, point: dict[Any, float], equation: Any) -> None:
+        """Give a quantity that occurs squared alone the value by which the equation holds."""
+        for symbol in sorted(equation.free_symbols, key=str, reverse=True):
+            square, rest = equation.coeff(symbol, 2), equation.subs(symbol, 0)
+            if square.is_number and square and (equation - square * symbol**2 - rest).expand() == 0:
+                value = self._value([-rest / square], tuple(point.values()))
+                if value and value[0] >= 0:
+                    point[symbol] = value[0] ** 0.5
+                return
+
+    def _value(self, expressions: list[Any], point: tuple[float, ...]) -> list[float] | None:
+        from sympy import lambdify
+
+        try:
+            values = lambdify(self.symbols, expressions, "math")(*point)
+        except (ArithmeticError, NameError, TypeError, ValueError):
+            return None
+        return values if all(isinstance(v, int | float) and isfinite(v) for v in values) else None
+
+
+def _drawn(symbol: Any, random: Random) -> float:
+    size = random.uniform(0.1, 1.4)
+    if symbol.is_nonnegative or symbol.is_positive:
+        return size
+    if symbol.is_nonpositive or symbol.is_negative:
+        return -size
+    return size * random.choice((-1, 1))

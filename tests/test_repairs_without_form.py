@@ -1,0 +1,70 @@
+"""Slips in equations with functions of scalars are found at points in floating point, and what is right is proved."""
+
+from __future__ import annotations
+
+import pytest
+from tests.test_inequalities import R, claim, e, euler, half, of_p, p, t, turn, v, w, x, y
+
+from chasles.checker.certificate import check
+from chasles.decisions.session import Session
+from chasles.repairs.repair import repair
+from chasles.statements import Claim, rotation
+from chasles.statements.inequalities import inequality
+from chasles.vocabulary import PI, cos, dot, norm, rate, sin, tr
+from chasles.vocabulary.functions import arccos, arcsin, atan2, cases, exp, log, sqrt
+
+BETWEEN = (inequality(y > -PI), inequality(y <= PI), inequality(cos(x) > 0))
+SLIPS: list[tuple[Claim, Claim]] = [
+    (claim(sin(arccos(x)), sqrt(1 + x**2)), claim(sin(arccos(x)), sqrt(1 - x**2))),
+    (claim(sin(arccos(x)), sqrt(1 - x)), claim(sin(arccos(x)), sqrt(1 - x**2))),
+    (claim(cos(arcsin(x)), 1 - x**2), claim(cos(arcsin(x)), sqrt(1 - x**2))),
+    (claim(sqrt((1 - cos(t)) / 2), abs(cos(t / 2))), claim(sqrt((1 + cos(t)) / 2), abs(cos(t / 2)))),
+    (
+        claim(p[1], sqrt(1 + tr(R)) / 4, inequality(p[1] > 0), given=(of_p,)),
+        claim(p[1], sqrt(1 + tr(R)) / 2, inequality(p[1] > 0), given=(of_p,)),
+    ),
+    (
+        claim(p[1], sqrt(1 - tr(R)) / 2, inequality(p[1] > 0), given=(of_p,)),
+        claim(p[1], sqrt(1 + tr(R)) / 2, inequality(p[1] > 0), given=(of_p,)),
+    ),
+    (
+        claim(x, arcsin(R[3, 1]), inequality(x >= -PI / 2), inequality(x <= PI / 2), given=(euler,)),
+        claim(x, -arcsin(R[3, 1]), inequality(x >= -PI / 2), inequality(x <= PI / 2), given=(euler,)),
+    ),
+    (
+        claim(y, atan2(R[3, 3], R[3, 2]), *BETWEEN, given=(euler,)),
+        claim(y, atan2(R[3, 2], R[3, 3]), *BETWEEN, given=(euler,)),
+    ),
+    (
+        claim(y, atan2(R[2, 3], R[3, 3]), *BETWEEN, given=(euler,)),
+        claim(y, atan2(R[3, 2], R[3, 3]), *BETWEEN, given=(euler,)),
+    ),
+    (
+        claim(t, arccos((tr(R) + 1) / 2), inequality(t >= 0), inequality(t <= PI), given=(turn,)),
+        claim(t, arccos((tr(R) - 1) / 2), inequality(t >= 0), inequality(t <= PI), given=(turn,)),
+    ),
+    (
+        claim(t, 2 * arcsin(p[1]), inequality(t >= 0), inequality(t <= 2 * PI), given=(half,)),
+        claim(t, 2 * arccos(p[1]), inequality(t >= 0), inequality(t <= 2 * PI), given=(half,)),
+    ),
+    (claim(norm(v), sqrt(v.x**2 + v.y**2 - v.z**2)), claim(norm(v), sqrt(v.x**2 + v.y**2 + v.z**2))),
+    (claim(exp(log(x**2)), x), claim(exp(log(x**2)), x**2)),
+    (claim(abs(x), cases((x, x > 0), otherwise=x)), claim(abs(x), cases((x, x > 0), otherwise=-x))),
+    (claim(dot(e, e) * sqrt(x**2), norm(e) * abs(x)), claim(dot(e, e) * sqrt(x**2), norm(e) ** 2 * abs(x))),
+]
+
+
+@pytest.mark.parametrize(("wrong", "right"), SLIPS, ids=lambda said: f"{said.left} = {said.right}")
+def test_the_slip_is_among_the_first_that_are_mended(wrong: Claim, right: Claim) -> None:
+    assert not Session().decide(wrong).verdict.true
+    found = repair(wrong)
+    assert any((each.left, each.right) == right.printed for each in found), found
+    for each in found:
+        check(wrong.saying(each.left, each.right), "printed", each.verdict.certificate)
+
+
+def test_nothing_is_offered_where_no_point_is_drawn() -> None:
+    """Points of a rotation are not drawn, nor motions."""
+    assert repair(claim(sqrt(R[1, 1] ** 2), -abs(R[1, 1]), rotation(R))) == ()
+    assert repair(claim(rate(sqrt(1 + x**2)), sqrt(1 + x**2) * rate(x))) == ()
+    assert repair(claim(sqrt(dot(v, w) ** 2), sqrt(dot(v, w) ** 2) + exp(x) + exp(y))) == ()
