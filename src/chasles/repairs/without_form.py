@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
-from itertools import chain
+from itertools import chain, islice
 from math import isfinite
 from random import Random
 from typing import Any
@@ -24,6 +24,8 @@ __all__ = ["changes_without_form"]
 POINTS, TRIES, NEAR = 4, 400, 1e-9
 """So many points are compared, of so many that are tried; sides so near to each other agree."""
 TURNED = {"arcsin": "arccos", "arccos": "arcsin", "sinh": "cosh", "cosh": "sinh", "max": "min", "min": "max"}
+MOST = 400
+"""Edits of a side that are tried."""
 OTHER_NUMBERS = (2, Fraction(1, 2), -1, 4, Fraction(1, 4), 3, Fraction(1, 3))
 
 
@@ -38,10 +40,10 @@ def changes_without_form(
         return
     if test is None or not test.points:
         return
-    for new, words, effort in _edits(right, letters):
+    for new, words, effort in islice(_edits(right, letters), MOST):
         if test.agree(left, new):
             yield Change(left, new, (words,), effort)
-    for new, words, effort in _edits(left, letters):
+    for new, words, effort in islice(_edits(left, letters), MOST):
         if test.agree(new, right):
             yield Change(new, right, (words,), effort)
 
@@ -98,7 +100,7 @@ class _FloatTest:
             return False
         if not set(difference.free_symbols) <= set(self.symbols):
             return False
-        values = [self._value(list(difference), point) for point in self.points]
+        values = self._values(list(difference), self.points)
         defined = [entries for entries in values if entries is not None]
         return len(defined) > 1 and all(abs(entry) < NEAR for entries in defined for entry in entries)
 
@@ -109,7 +111,7 @@ class _FloatTest:
             for equation in self.given:
                 self._adjust(point, equation)
             numbers = tuple(point.values())
-            residuals = self._value(self.given, numbers)
+            (residuals,) = self._values(self.given, [numbers])
             if residuals is not None and all(abs(residual) < NEAR for residual in residuals):
                 yield numbers
                 found += 1
@@ -121,19 +123,24 @@ class _FloatTest:
         for symbol in sorted(equation.free_symbols, key=str, reverse=True):
             square, rest = equation.coeff(symbol, 2), equation.subs(symbol, 0)
             if square.is_number and square and (equation - square * symbol**2 - rest).expand() == 0:
-                value = self._value([-rest / square], tuple(point.values()))
+                (value,) = self._values([-rest / square], [tuple(point.values())])
                 if value and value[0] >= 0:
                     point[symbol] = value[0] ** 0.5
                 return
 
-    def _value(self, expressions: list[Any], point: tuple[float, ...]) -> list[float] | None:
+    def _values(self, expressions: list[Any], points: list[tuple[float, ...]]) -> list[list[float] | None]:
+        """The values at each point; None where one is no real number."""
         from sympy import lambdify
 
-        try:
-            values = lambdify(self.symbols, expressions, "math")(*point)
-        except (ArithmeticError, NameError, TypeError, ValueError):
-            return None
-        return values if all(isinstance(v, int | float) and isfinite(v) for v in values) else None
+        function = lambdify(self.symbols, expressions, "math")
+        found: list[list[float] | None] = []
+        for point in points:
+            try:
+                values = function(*point)
+            except (ArithmeticError, NameError, TypeError, ValueError):
+                values = [None]
+            found.append(values if all(isinstance(v, int | float) and isfinite(v) for v in values) else None)
+        return found
 
 
 def _drawn(symbol: Any, random: Random) -> float:
