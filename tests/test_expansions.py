@@ -28,6 +28,7 @@ from chasles.vocabulary import (
     cross,
     dot,
     latex,
+    matrix,
     norm,
     plain,
     scalar,
@@ -44,6 +45,10 @@ e, v, w = vector("e", "e", "an axis"), vector("v", r"\phi", "a rotation vector")
 size = norm(v)
 Exp = Identity(3) + sin(size) / size * CPM(v) + (1 - cos(size)) / size**2 * CPM(v) @ CPM(v)
 about_e = Identity(3) + sin(t) * CPM(e) + (1 - cos(t)) * CPM(e) @ CPM(e)
+
+about_z = matrix((cos(t), -sin(t), 0), (sin(t), cos(t), 0), (0, 0, 1))
+z = column(0, 0, 1)
+left_jacobian = Identity(3) + (1 - cos(size)) / size**2 * CPM(v) + (size - sin(size)) / size**3 * CPM(v) @ CPM(v)
 
 
 def claim(left: Any, right: Any, *assuming: Any, given: tuple[Any, ...] = ()) -> Claim:
@@ -73,6 +78,10 @@ TRUE = [
     claim(t / tan(t), up_to(1 - t**2 / 3, t, 4)),
     claim(size / sin(size), up_to(1 + dot(v, v) / 6, v, 4)),
     claim(cross(v, e + v), up_to(cross(v, e), v, 5)),
+    claim(about_z, up_to(Identity(3) + t * CPM(z), t, 2)),
+    claim(about_z, up_to(matrix((1 - t**2 / 2, -t, 0), (t, 1 - t**2 / 2, 0), (0, 0, 1)), t, 3)),
+    claim(limit((size - sin(size)) / size**3, v), Fraction(1, 6)),
+    claim(limit(left_jacobian, v), Identity(3)),
     claim(a, up_to(t**2, t, 4), given=(Definition("0", a, sin(t) ** 2),)),
 ]
 FALSE = [
@@ -82,6 +91,8 @@ FALSE = [
     claim(Exp, up_to(Identity(3) + CPM(v), v, 3)),
     claim(limit((1 - cos(t)) / t**2, t), Fraction(1, 3)),
     claim(limit(1 / t, t), 0),
+    claim(about_z, up_to(Identity(3) - t * CPM(z), t, 2)),
+    claim(limit((size - sin(size)) / size**3, v), Fraction(1, 3)),
     claim(exp(t), up_to(1 + t, t, 3)),
     claim(about_e, up_to(Identity(3) - t * CPM(e), t, 2), unit(e)),
     claim(a, up_to(t**2, t, 5), given=(Definition("0", a, sin(t) ** 2),)),

@@ -11,7 +11,7 @@ from fractions import Fraction
 from functools import partial, reduce
 
 from chasles.statements.hypotheses import Hypothesis, nonzero
-from chasles.statements.series import PowerSeries, inverse, is_zero, minus, product, scaled, taylor, total
+from chasles.statements.series import PowerSeries, TooShort, inverse, is_zero, minus, product, scaled, taylor, total
 from chasles.vocabulary import (
     At,
     Block,
@@ -65,9 +65,13 @@ def coefficients_of(left: Node, right: Node, rules: Mapping[Node, Node]) -> Iter
         raise Misfit("a limit is the whole left side of a claim, and an order belongs to its whole right side")
     length = exponent + 2
     while True:
-        one, other = (_Expansion(small, length, rules)(side) for side in sides)
-        if min(one.known, other.known) >= exponent:
-            break
+        try:
+            one, other = (_Expansion(small, length, rules)(side) for side in sides)
+            if min(one.known, other.known) >= exponent:
+                break
+        except TooShort:
+            if length > MOST_TERMS:
+                raise
         if length > MOST_TERMS:
             raise Misfit(f"no expansion of {left} to the order {exponent} in {small} is found")
         length *= 2
@@ -175,9 +179,9 @@ class _Expansion:
         for k in range(begin, end):
             grid = [[series.coefficient(k) for series in row] for row in parts]
             empty = all(entry is None for line in grid for entry in line)
-            shown = zip(grid, rows, strict=True)
-            filled = (tuple(e or Zero(*node.shape) for e, node in zip(line, row, strict=True)) for line, row in shown)
-            terms.append(None if empty else Block(tuple(filled)))
+            shown = [zip(line, row, strict=True) for line, row in zip(grid, rows, strict=True)]
+            filled = tuple(tuple(Zero(*node.shape) if e is None else e for e, node in line) for line in shown)
+            terms.append(None if empty else Block(filled))
         return PowerSeries(begin, tuple(terms), known)
 
     def _norm(self, of: Node) -> PowerSeries:

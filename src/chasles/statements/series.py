@@ -12,7 +12,11 @@ from fractions import Fraction
 from chasles.vocabulary import Call, Misfit, Negative, Node, Number, Quotient, Scale, Sum, Zero, plain
 from chasles.vocabulary.functions import FunctionOf
 
-__all__ = ["PowerSeries", "inverse", "is_zero", "minus", "product", "scaled", "taylor", "total"]
+__all__ = ["PowerSeries", "TooShort", "inverse", "is_zero", "minus", "product", "scaled", "taylor", "total"]
+
+
+class TooShort(Misfit):
+    """A series in which no term is seen that is not zero: more terms may show one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +58,7 @@ def inverse(of: PowerSeries, divisor: Node) -> PowerSeries:
     """One over a series, by that of its first coefficient: 1/(a (1 + d)) = (1 - d + d^2 - ...)/a."""
     lead = of.lead
     if lead is None:
-        raise Misfit(f"{plain(divisor)} has no term up to the order {of.known} by which could be divided")
+        raise TooShort(f"{plain(divisor)} has no term up to the order {of.known} by which could be divided")
     first = of.coefficient(lead)
     assert first is not None
     over = _over(first)
