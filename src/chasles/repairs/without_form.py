@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from itertools import chain, islice
 from math import isfinite
@@ -21,6 +21,7 @@ from chasles.vocabulary.shorthand import opened
 
 __all__ = ["changes_without_form"]
 
+_AtPoint = Callable[[tuple[float, ...]], list[float] | None]
 POINTS, TRIES, NEAR = 4, 400, 1e-9
 """So many points are compared, of so many that are tried; sides so near to each other agree."""
 TURNED = {"arcsin": "arccos", "arccos": "arcsin", "sinh": "cosh", "cosh": "sinh", "max": "min", "min": "max"}
@@ -100,47 +101,49 @@ class _FloatTest:
             return False
         if not set(difference.free_symbols) <= set(self.symbols):
             return False
-        values = self._values(list(difference), self.points)
+        values = map(self._function(list(difference)), self.points)
         defined = [entries for entries in values if entries is not None]
         return len(defined) > 1 and all(abs(entry) < NEAR for entries in defined for entry in entries)
 
     def _drawn(self) -> Iterator[tuple[float, ...]]:
         random, found = Random(1), 0
+        adjusted = [pair for equation in self.given if (pair := self._squared_alone(equation))]
+        holds = self._function(self.given)
         for _ in range(TRIES):
             point = {symbol: _drawn(symbol, random) for symbol in self.symbols}
-            for equation in self.given:
-                self._adjust(point, equation)
-            numbers = tuple(point.values())
-            (residuals,) = self._values(self.given, [numbers])
+            for symbol, square in adjusted:
+                values = square(tuple(point.values()))
+                if values and values[0] >= 0:
+                    point[symbol] = values[0] ** 0.5
+            residuals = holds(tuple(point.values()))
             if residuals is not None and all(abs(residual) < NEAR for residual in residuals):
-                yield numbers
+                yield tuple(point.values())
                 found += 1
             if found == POINTS:
                 return
 
-    def _adjust(self, point: dict[Any, float], equation: Any) -> None:
-        """Give a quantity that occurs squared alone the value by which the equation holds."""
+    def _squared_alone(self, equation: Any) -> tuple[Any, _AtPoint] | None:
+        """A quantity that occurs in an equation as its square alone, and what the equation says that this is."""
         for symbol in sorted(equation.free_symbols, key=str, reverse=True):
             square, rest = equation.coeff(symbol, 2), equation.subs(symbol, 0)
             if square.is_number and square and (equation - square * symbol**2 - rest).expand() == 0:
-                (value,) = self._values([-rest / square], [tuple(point.values())])
-                if value and value[0] >= 0:
-                    point[symbol] = value[0] ** 0.5
-                return
+                return symbol, self._function([-rest / square])
+        return None
 
-    def _values(self, expressions: list[Any], points: list[tuple[float, ...]]) -> list[list[float] | None]:
-        """The values at each point; None where one is no real number."""
+    def _function(self, expressions: list[Any]) -> _AtPoint:
+        """The values at a point; None where one is no real number."""
         from sympy import lambdify
 
         function = lambdify(self.symbols, expressions, "math")
-        found: list[list[float] | None] = []
-        for point in points:
+
+        def at(point: tuple[float, ...]) -> list[float] | None:
             try:
                 values = function(*point)
             except (ArithmeticError, NameError, TypeError, ValueError):
-                values = [None]
-            found.append(values if all(isinstance(v, int | float) and isfinite(v) for v in values) else None)
-        return found
+                return None
+            return values if all(isinstance(v, int | float) and isfinite(v) for v in values) else None
+
+        return at
 
 
 def _drawn(symbol: Any, random: Random) -> float:
