@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 from itertools import chain, islice
-from math import isfinite
 from random import Random
 from typing import Any
 
@@ -22,8 +21,8 @@ from chasles.vocabulary.shorthand import opened
 __all__ = ["changes_without_form"]
 
 _AtPoint = Callable[[tuple[float, ...]], list[float] | None]
-POINTS, TRIES, NEAR = 4, 400, 1e-9
-"""So many points are compared, of so many that are tried; sides so near to each other agree."""
+POINTS, TRIES, NEAR, LARGEST = 4, 400, 1e-9, 1e9
+"""So many points are compared, of so many that are tried; sides so near to each other agree, none may be larger."""
 TURNED = {"arcsin": "arccos", "arccos": "arcsin", "sinh": "cosh", "cosh": "sinh", "max": "min", "min": "max"}
 MOST = 400
 """Edits of a side that are tried."""
@@ -141,7 +140,7 @@ class _FloatTest:
                 values = function(*point)
             except (ArithmeticError, NameError, TypeError, ValueError):
                 return None
-            return values if all(isinstance(v, int | float) and isfinite(v) for v in values) else None
+            return values if all(isinstance(v, int | float) and abs(v) < LARGEST for v in values) else None
 
         return at
 
