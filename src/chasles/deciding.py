@@ -36,9 +36,12 @@ def _by_scalars(problem: Problem, own: tuple[Hypothesis, ...]) -> Verdict:
     try:
         question = scalar_question(problem)
         verdict = prove(*question.asked)
-        whole = scalar_question(problem, proving=False)
-        if isinstance(verdict, Fails | Undecided) and whole.asked != question.asked:
-            question, verdict = whole, prove(*whole.asked)
+        asked_whole = False
+        if isinstance(verdict, Fails | Undecided):
+            whole = scalar_question(problem, proving=False)
+            asked_whole = whole.asked != question.asked
+            if asked_whole:
+                question, verdict = whole, prove(*whole.asked)
     except (Rejected, Untreatable, TypeError) as error:
         return Undecided(str(error))
     match verdict:
@@ -50,7 +53,7 @@ def _by_scalars(problem: Problem, own: tuple[Hypothesis, ...]) -> Verdict:
         case Contradictory(hypotheses, certificate):
             return Contradictory(_said(hypotheses, question.sources), certificate)
         case Holds() | HoldsUnder():
-            return _proved(verdict, problem, own, question, whole=question is whole)
+            return _proved(verdict, problem, own, question, asked_whole)
         case _:
             return verdict
 

@@ -50,9 +50,7 @@ def _check(problem: Problem, certificate: Mapping[str, Any]) -> None:
     if not problem.goals:
         raise Rejected("there is nothing to prove")
     if "scalars" in certificate:
-        from chasles.checker.expressions.scalars import (
-            check_scalars,  # SymPy is loaded for what has no polynomial form only
-        )
+        from chasles.checker.expressions.scalars import check_scalars  # loads SymPy
 
         check_scalars(problem, certificate)
         return

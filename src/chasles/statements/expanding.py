@@ -18,7 +18,6 @@ from chasles.vocabulary import (
     Call,
     Contract,
     Cross,
-    Determinant,
     Dot,
     Group,
     Misfit,
@@ -28,7 +27,6 @@ from chasles.vocabulary import (
     Number,
     Power,
     Quotient,
-    Rate,
     Scale,
     Skew,
     Sum,
@@ -69,11 +67,11 @@ def coefficients_of(left: Node, right: Node, rules: Mapping[Node, Node]) -> Iter
             one, other = (_Expansion(small, length, rules)(side) for side in sides)
             if min(one.known, other.known) >= exponent:
                 break
-        except TooShort:
-            if length > MOST_TERMS:
-                raise
+            reason = Misfit(f"no expansion of {left} to the order {exponent} in {small} is found")
+        except TooShort as error:
+            reason = error
         if length > MOST_TERMS:
-            raise Misfit(f"no expansion of {left} to the order {exponent} in {small} is found")
+            raise reason
         length *= 2
     for k in range(min(one.begin, other.begin, 0), exponent):
         a, b = one.coefficient(k), other.coefficient(k)
@@ -153,7 +151,7 @@ class _Expansion:
                 return self._norm(of)
             case Call(function, argument) | FunctionOf(function, (argument,)):
                 return self._function(function, argument, node)
-            case Rate() | Determinant() | _:
+            case _:
                 raise Misfit(f"{plain(node)} is not expanded where {plain(self.small)} is small")
 
     def _may_vary(self, part: Node) -> bool:

@@ -89,13 +89,12 @@ def taylor(name: str, at: Node | None, length: int, node: Node) -> list[Node | N
             return [scaled(Number(factorials[k]), signed[0]) for k in range(length)]
         made = [(factorials[k] * (1 if value[k % 4] > 0 else -1), signed[abs(value[k % 4])]) for k in range(length)]
         return [scaled(Number(factor), function) for factor, function in made]
-    powers = {"sqrt": Fraction(1, 2)}
-    if name in powers and at is not None:
+    if name == "sqrt" and at is not None:
         root: Node = at if at == Number(Fraction(1)) else FunctionOf("sqrt", (at,))
         found, factor, below = list[Node | None](), Fraction(1), root
         for k in range(length):
             found.append(scaled(Number(factor), below))
-            factor *= (powers[name] - k) / (k + 1)
+            factor *= (Fraction(1, 2) - k) / (k + 1)
             below = scaled(below, _over(at))
         return found
     if name in ("log", "arctan", "arcsin") and (at is None) != (name == "log"):

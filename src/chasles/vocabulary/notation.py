@@ -22,7 +22,8 @@ __all__ = ["BOOK", "Notation", "notation_of"]
 PLACE = re.compile(r"#(\d)")
 POSTFIX = re.compile(r"#1\s*\^\s*(?:\{(.*)\}|(\\?\w+))$")
 ENCLOSED = re.compile(r"(?:[{\[(|,]|\\left\S|\\langle)\s*#(\d)\s*(?=[}\]),|]|\\\||\\right|\\rangle)")
-FORMS = '`{CPM: r"[#1]_\\times", Transpose: r"#1^\\top"}`, where #1 is the first part of the word'
+EXAMPLE = '{CPM: r"[#1]_\\times", Transpose: r"#1^\\top"}'
+FORMS = f"`{EXAMPLE}`, where #1 is the first part of the word"
 
 
 class Notation:
@@ -87,7 +88,7 @@ def notation_of(node: Node) -> Notation:
                 if isinstance(found, Notation):
                     return found
                 if isinstance(found, Mapping):
-                    raise TypeError(f"NOTATION of {module} is {found!r}: write Notation({FORMS.strip('`')})")
+                    raise TypeError(f"NOTATION of {module} is {found!r}: write Notation({EXAMPLE})")
             return BOOK
     return BOOK
 

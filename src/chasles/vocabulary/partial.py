@@ -81,13 +81,17 @@ def with_derivatives(node: Node, rules: Mapping[Node, Node]) -> Node:
         return node
     whole, entry = _place_of(node.by)
     of = opened(node.of)
-    while (told := opened(replace(of, {key: with_derivatives(value, rules) for key, value in rules.items()}))) != of:
+    values = {key: with_derivatives(value, rules) for key, value in rules.items()}
+    while (told := opened(replace(of, values))) != of:
         of = told
     rates: dict[Node, Node] = {}
     of, moved = _at_rest(of, rates), _at_rest(whole, rates)
-    directions = [_unit(whole.shape, i) for i in range(whole.shape[0])] if entry is None else [_at(whole.shape, entry)]
-    if node.by.is_scalar and entry is None:
+    if isinstance(entry, Submatrix):
+        directions: list[Node] = [_unit(whole.shape, entry.rows[0] - 1, entry.columns[0] - 1)]
+    elif node.by.is_scalar:
         directions = [Number(Fraction(1))]
+    else:
+        directions = [_unit(whole.shape, i, 0) for i in range(whole.shape[0])]
     columns = tuple(_along(of, moved, direction) for direction in directions)
     back = {quantity: rate for rate, quantity in rates.items()}
     return replace(columns[0] if len(columns) == 1 else Block((columns,)), back)
@@ -132,13 +136,8 @@ def _ruled(node: Node) -> Node:
         raise Misfit(str(error)) from None
 
 
-def _unit(shape: tuple[int, int], row: int) -> Node:
-    return Block(tuple((Number(Fraction(1)) if i == row else Zero(1, 1),) for i in range(shape[0])))
-
-
-def _at(shape: tuple[int, int], entry: Node) -> Node:
-    assert isinstance(entry, Submatrix)
-    row, column = entry.rows[0] - 1, entry.columns[0] - 1
+def _unit(shape: tuple[int, int], row: int, column: int) -> Node:
+    """A matrix with one in one place and zero elsewhere."""
     places = [[(i, j) == (row, column) for j in range(shape[1])] for i in range(shape[0])]
     return Block(tuple(tuple(Number(Fraction(1)) if here else Zero(1, 1) for here in line) for line in places))
 

@@ -52,12 +52,11 @@ class Bounds:
 
     def narrow(self, difference: Any, angle: Any, strict: bool, text: str) -> None:
         """Take into account that a multiple of the angle and a multiple of pi add up to nothing negative."""
-        slope, at_zero = difference.coeff(angle), difference.subs(angle, 0) / sp.pi
-        if difference.expand() != (slope * angle + at_zero * sp.pi).expand() or not slope.is_Rational:
+        multiples = _multiples(difference, angle)
+        if multiples is None:
             return
-        if not at_zero.is_Rational or not slope:
-            return
-        end = _fraction(-at_zero / slope)
+        slope, at_zero = multiples
+        end = -at_zero / slope
         if slope > 0 and (self.low is None or end > self.low or (end == self.low and strict)):
             self.low, self.strictly_above = end, strict
         if slope < 0 and (self.high is None or end < self.high or (end == self.high and strict)):
@@ -65,8 +64,14 @@ class Bounds:
         self.texts = (*self.texts, text)
 
 
-def _fraction(rational: Any) -> Fraction:
-    return Fraction(int(rational.p), int(rational.q))
+def _multiples(e: Any, angle: Any) -> tuple[Fraction, Fraction] | None:
+    """Of which multiples of an angle, not zero, and of pi an expression is the sum; None if it is no such sum."""
+    slope, rest = e.coeff(angle), e.subs(angle, 0) / sp.pi
+    if not (slope.is_Rational and rest.is_Rational and slope):
+        return None
+    if e.expand() != (slope * angle + rest * sp.pi).expand():
+        return None
+    return Fraction(int(slope.p), int(slope.q)), Fraction(int(rest.p), int(rest.q))
 
 
 class PrincipalValues:
@@ -114,12 +119,11 @@ class PrincipalValues:
         known = self.bounds.get(symbol)
         if others or known is None or known.low is None or known.high is None:
             return None
-        slope, rest = angle.coeff(symbol), angle.subs(symbol, 0) / sp.pi
-        if not (slope.is_Rational and rest.is_Rational and slope):
+        multiples = _multiples(angle, symbol)
+        if multiples is None:
             return None
-        if angle.expand() != (slope * symbol + rest * sp.pi).expand():
-            return None
-        low, high = (_fraction(slope) * end + _fraction(rest) for end in (known.low, known.high))
+        slope, rest = multiples
+        low, high = (slope * end + rest for end in (known.low, known.high))
         above, below = known.strictly_above, known.strictly_below
         return _Ends(low, high, above, below, known.texts) if slope > 0 else _Ends(high, low, below, above, known.texts)
 
@@ -176,11 +180,11 @@ def in_fewer_squares(e: Any, units: Mapping[str, list[Any]]) -> tuple[Any, tuple
             exponent = int(power.exp)
             return square ** (exponent // 2) * last ** (exponent % 2)
 
-        found = e.expand().replace(
+        before = e.expand()
+        found = before.replace(
             lambda p, last=last: p.is_Pow and p.base == last and p.exp.is_Integer and p.exp > 1, lowered
-        )
-        found = sp.expand(found)
-        if found != e and found.count_ops() < e.expand().count_ops():
+        ).expand()
+        if found != e and found.count_ops() < before.count_ops():
             e = found
             used.append(text)
     return e, tuple(used)

@@ -176,7 +176,7 @@ class EntriesOfWords:
         """A function's value; where it is real is taken note of."""
         value = FUNCTIONS[function](*arguments)
         if function in DOMAINS:
-            self.applied[FUNCTIONS[function](*arguments)] = DOMAINS[function](*arguments)
+            self.applied[value] = DOMAINS[function](*arguments)
         return self.principal(value)
 
     def lost_divisors(self, sides: Any) -> list[Any]:
