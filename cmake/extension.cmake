@@ -18,3 +18,27 @@ target_include_directories(
 )
 target_link_libraries(_kernels PRIVATE Python::NumPy $<$<PLATFORM_ID:Linux>:m>)
 install(TARGETS _kernels DESTINATION chasles)
+
+# What knows no kernel, for kernels compiled later (src/chasles/compiling/compiler.py): objects, in a folder called after
+# the texts that they are made of.
+if(chasles_levels GREATER 1)
+    set(chasles_texts)
+    foreach(name batches.c trigonometry_blocks.c batches.h vectors.h)
+        file(SHA256 "${PROJECT_SOURCE_DIR}/generated/c/src/${name}" hash)
+        string(APPEND chasles_texts "${hash}")
+    endforeach()
+    string(SHA256 chasles_texts "${chasles_texts}")
+    set(chasles_objects "chasles/objects/${chasles_texts}-${chasles_levels}")
+    install(FILES $<FILTER:$<TARGET_OBJECTS:_kernels>,INCLUDE,/batches> DESTINATION ${chasles_objects} RENAME batches.o)
+    set(level 0)
+    foreach(target own x86-64-v3 x86-64-v4)
+        if(TARGET chasles_blocks_${target})
+            install(
+                FILES $<FILTER:$<TARGET_OBJECTS:chasles_blocks_${target}>,INCLUDE,/trigonometry_blocks>
+                DESTINATION ${chasles_objects}
+                RENAME trigonometry_blocks_${level}.o
+            )
+            math(EXPR level "${level} + 1")
+        endif()
+    endforeach()
+endif()

@@ -24,6 +24,10 @@ class Floats(Operators):
     def not_a_number(self) -> float:
         return math.nan
 
+    def function(self, name: str, *operands: float) -> float:
+        value: float = getattr(math, name)(*operands)
+        return value
+
     def square_root(self, value: float) -> float:
         return math.sqrt(value) if value >= 0 else math.nan
 
@@ -43,6 +47,9 @@ class Fractions(Operators):
     """
 
     constant = Fraction
+
+    def function(self, name: str, *operands: Fraction) -> Fraction:
+        raise ValueError(f"{name} of {operands} is not known to be rational")
 
     def __init__(self, circle: Callable[[Fraction], tuple[Fraction, Fraction]] | None) -> None:
         self.circle = circle

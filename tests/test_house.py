@@ -48,7 +48,7 @@ def test_one_version() -> None:
 
 
 SYMBOLIC = {"sympy", "mpmath", "flint"}
-HEAVY = {*SYMBOLIC, "numpy", "click", "rich", "jinja2", "latex2mathml"}
+HEAVY = {*SYMBOLIC, "numpy", "click", "rich", "jinja2", "latex2mathml", "lark"}
 
 
 @pytest.mark.parametrize(

@@ -19,6 +19,7 @@ ORDER = (
     "cache",
     "nearest",
     "vocabulary",
+    "reading",
     "evaluation",
     "statements",
     "rewriting",
@@ -33,6 +34,7 @@ ORDER = (
     "deciding",
     "repairs",
     "decisions",
+    "pages",
     "deriving",
     "asking",
     "exact",
@@ -50,7 +52,7 @@ ORDER = (
     "__main__",
 )
 # SymPy and floating point come in with `algebra`.
-SYMBOLS_ONLY = ("vocabulary", "statements", "rewriting")
+SYMBOLS_ONLY = ("vocabulary", "reading", "statements", "rewriting")
 COMPUTING = ("sympy", "flint", "numpy", "mpmath")
 # What the numbers are to check; they borrow nothing from it.
 CHECKED_BY_NUMBERS = ("lowering", "bounds", "targets", "compiling")

@@ -100,7 +100,7 @@ NAMED: list[tuple[Callable[[], Any], str]] = [
     (lambda: scalar("x", "x", "", "LENGTH"), "scalar: `dimension` is 'LENGTH', and must be a Dimension"),
     (lambda: scalar("x", "x", LENGTH), "scalar: `meaning` is a Dimension, .*: `dimension` takes that"),
     (lambda: Take((defined,)), r"Take: statements\[0] is a tuple (a Definition), .*: leave the brackets"),
-    (lambda: Zero("3", 1), "Zero: `rows` is '3', and must be a whole number"),
+    (lambda: Zero("3", 1), "'3' is no size: write a whole number, or a letter for one"),
     (lambda: vocabulary.Dot(v, 3), "Dot: `right` is 3, and must be an expression"),
 ]  # fmt: skip
 

@@ -10,7 +10,7 @@ import pytest
 from chasles import kernels
 from chasles.decisions.session import Session
 from chasles.lowering.declaration import requested
-from chasles.lowering.equivalence import differences
+from chasles.lowering.equivalence.requests import differences
 from chasles.lowering.lower import program_of
 from chasles.lowering.program import Op
 from chasles.numerics import specification_of

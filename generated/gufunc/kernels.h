@@ -23,7 +23,7 @@
 #include <numpy/ndarraytypes.h>
 #include <numpy/ufuncobject.h>
 
-#include "batches.h"
+#include "loops.h"
 
 /* Runs a batch of items without gaps of a loop compiled elsewhere, at the level that is best there. */
 typedef void (*chasles_runner)(const chasles_loop *loop, ptrdiff_t count, char *const *at, const ptrdiff_t *steps);

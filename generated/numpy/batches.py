@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from importlib import import_module
 from typing import Any
@@ -25,6 +26,13 @@ class Batch:
     def number(self, value: float) -> Any:
         """The number as an array without axes."""
         return self.xp.asarray(value, dtype=self.dtype, device=self.device)
+
+    def special(self, name: str, *arrays: Any) -> Any:
+        """A function of SciPy, as the array library offers it; Python's own where NumPy is alone.
+
+        Raises NotImplementedError for a library that has none of it.
+        """
+        return _special(self.xp, name)(*arrays)
 
     def array(self, shape: tuple[int, ...], *entries: Any) -> Any:
         """A new array with these entries, row-major, on its core axes."""
@@ -102,6 +110,37 @@ def _device(xp: Any, values: list[Any]) -> Any:
     """Where the arrays are; None for NumPy, and where a library puts numbers beside the arrays by itself, as JAX."""
     own = [] if xp is numpy else [value for value in values if _namespace(value) is xp]
     return next((value.device for value in own if hasattr(value, "device") and not hasattr(value, "sharding")), None)
+
+
+_PLACES = {"jax": "jax.scipy.special", "torch": "torch.special", "cupy": "cupyx.scipy.special"}
+_CALLED = {"tgamma": "gamma", "lgamma": "gammaln", "digamma": "psi"}
+
+
+def _special(xp: Any, name: str) -> Any:
+    """The function of the library's special ones, by its name in C."""
+    library = xp.__name__.removeprefix("array_api_compat.").partition(".")[0]
+    try:
+        module = import_module(_PLACES.get(library, "scipy.special"))
+    except ModuleNotFoundError:
+        module = None
+    for called in (name, _CALLED.get(name, name)):
+        if hasattr(module, called):
+            return getattr(module, called)
+    if xp is numpy and hasattr(math, name.removeprefix("t")):
+        return numpy.vectorize(_quiet(getattr(math, name.removeprefix("t"))), otypes=[float])
+    raise NotImplementedError(f"{name}: {library} has no such function; with SciPy installed NumPy has")
+
+
+def _quiet(function: Any) -> Any:
+    """The function, NaN where it has no value."""
+
+    def called(*numbers: float) -> float:
+        try:
+            return float(function(*numbers))
+        except (ValueError, OverflowError):
+            return math.nan
+
+    return called
 
 
 def _real(xp: Any, device: Any, kernel: str, name: str, value: Any) -> Any:

@@ -4,8 +4,9 @@
 book, ``chasles.chapter``, by number; ``chasles.load`` reads another one, ``chasles.solve`` works an exercise,
 ``chasles.practice`` draws new data for one and grades answers, ``chasles.kernels`` holds the compiled formulas,
 ``chasles.checked`` the same with their inputs tested, and ``chasles.compile`` makes a kernel of an expression of your
-own; ``chasles.kernel`` says what is known of one of the book's. Each is imported on first use, so that ``import
-chasles`` costs neither SymPy nor NumPy. In a notebook each thing is displayed as the report shows it.
+own; ``chasles.read`` decides the equations of a page in LaTeX; ``chasles.kernel`` says what is known of one of the
+book's. Each is imported on first use, so that ``import chasles`` costs neither SymPy nor NumPy. In a notebook each
+thing is displayed as the report shows it.
 """
 
 from __future__ import annotations
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
     from chasles.emitted import kernel as kernel
     from chasles.exercises.practice import practice as practice
     from chasles.exercises.solving import solve as solve
+    from chasles.pages.page import read as read
     from chasles.prove import prove as prove
     from chasles.statements import Chapter
     from chasles.statements import load as load
@@ -46,6 +48,7 @@ __all__ = [
     "load",
     "practice",
     "prove",
+    "read",
     "repair",
     "solve",
 ]
@@ -60,6 +63,7 @@ _HELD = {
     "load": "chasles.statements",
     "practice": "chasles.exercises.practice",
     "solve": "chasles.exercises.solving",
+    "read": "chasles.pages.page",
     "compile": "chasles.compiling",
     "kernel": "chasles.emitted",
 }

@@ -6,7 +6,9 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
+from chasles.checker.any_size.at_sizes import sizes_in
 from chasles.prover.decide import BUDGET, decide_problem
+from chasles.prover.squares import decide_by_squares
 from chasles.statements import Hypothesis, Problem
 from chasles.verdict import Contradictory, Counterexample, Fails, Holds, HoldsUnder, Undecided, Verdict
 
@@ -18,8 +20,12 @@ __all__ = ["decided"]
 
 def decided(problem: Problem, own: tuple[Hypothesis, ...] = (), budget: float = BUDGET) -> Verdict:
     """The verdict on a problem; `own` are the hypotheses whose use it reports."""
+    if sizes_in(problem):
+        from chasles.prover.symbolic import decide_words  # few chapters have letters for sizes
+
+        return decide_words(problem, own)
     if problem.has_functions:
-        return _by_scalars(problem, own)
+        return decide_by_squares(problem, own) or _by_scalars(problem, own)
     verdict = decide_problem(problem, own, budget)
     if isinstance(verdict, Undecided) and verdict.without_form:
         again = _by_scalars(problem, own)

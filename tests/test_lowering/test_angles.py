@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from chasles.lowering.builder import Builder
 from chasles.lowering.circular import constant, multiple_of_angle
-from chasles.lowering.equivalence import differences
+from chasles.lowering.equivalence.requests import differences
 from chasles.lowering.lower import expanded, program_of
 from chasles.lowering.passes.angles import respelled
 from chasles.lowering.passes.prune import pruned

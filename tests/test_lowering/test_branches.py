@@ -13,7 +13,7 @@ from chasles.decisions.session import Decision
 from chasles.lowering.branches import choices_of
 from chasles.lowering.cases import largest_of, oriented
 from chasles.lowering.declaration import requested
-from chasles.lowering.equivalence import differences
+from chasles.lowering.equivalence.requests import differences
 from chasles.lowering.lower import lower, program_of
 from chasles.lowering.program import Op
 from chasles.lowering.refusal import LoweringError

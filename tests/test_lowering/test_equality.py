@@ -8,7 +8,7 @@ from fractions import Fraction
 import pytest
 
 from chasles.lowering.cases import Case, Choice, Comparison
-from chasles.lowering.equivalence import differences
+from chasles.lowering.equivalence.requests import differences
 from chasles.lowering.lower import program_of
 from chasles.lowering.passes.guard import guarded
 from chasles.lowering.passes.prune import pruned
@@ -229,7 +229,7 @@ def test_without_flint(backend, tmp_path):
     script = (
         "from chasles.algebra.rings import backend; from chasles.vocabulary import *; assert backend() == 'sympy'\n"
         "from chasles.lowering.request import Output, composed; from chasles.lowering.lower import program_of\n"
-        "from chasles.lowering.equivalence import differences\n"
+        "from chasles.lowering.equivalence.requests import differences\n"
         "v = vector('v', 'v', 'v'); r = composed('f', (v,), (Output('z', '', CPM(v) @ CPM(v) @ v / norm(v)),))\n"
         "assert differences(r, program_of(r)) == ()\n"
         "s = composed('f', (v,), (Output('z', '', CPM(v) @ v / norm(v) + v),))\n"

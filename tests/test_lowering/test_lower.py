@@ -11,7 +11,7 @@ import pytest
 
 from chasles.decisions.session import Decision
 from chasles.lowering.declaration import requested
-from chasles.lowering.equivalence import differences
+from chasles.lowering.equivalence.requests import differences
 from chasles.lowering.lower import lower, program_of
 from chasles.lowering.program import Op
 from chasles.lowering.refusal import LoweringError

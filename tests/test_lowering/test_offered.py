@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from chasles.lowering.declaration import requested
-from chasles.lowering.equivalence import differences
+from chasles.lowering.equivalence.requests import differences
 from chasles.lowering.lower import program_of
 from chasles.lowering.offered import counterexample, in_words
 from chasles.lowering.program import Op

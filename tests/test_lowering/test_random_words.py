@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from chasles.lowering.builder import Builder
 from chasles.lowering.divisors import divisors_of
-from chasles.lowering.equivalence import differences
+from chasles.lowering.equivalence.requests import differences
 from chasles.lowering.expansion import Expansion
 from chasles.lowering.lower import program_of
 from chasles.lowering.passes.prune import pruned

@@ -9,7 +9,7 @@ import pytest
 
 from chasles.decisions.session import Session
 from chasles.lowering.declaration import requested
-from chasles.lowering.equivalence import differences
+from chasles.lowering.equivalence.requests import differences
 from chasles.lowering.evaluate import decimals, run
 from chasles.lowering.lower import program_of
 from chasles.lowering.program import Op, Program

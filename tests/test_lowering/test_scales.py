@@ -13,7 +13,7 @@ from chasles.bounds import bound_of
 from chasles.decisions.session import Session
 from chasles.lowering.builder import Builder
 from chasles.lowering.declaration import requested
-from chasles.lowering.equivalence import differences
+from chasles.lowering.equivalence.requests import differences
 from chasles.lowering.lower import program_of
 from chasles.lowering.passes import scale
 from chasles.lowering.passes.scale import scaled

@@ -162,16 +162,78 @@ static int overlaps(
     return over;
 }
 
-/* Copies the numbers of an item from where its strides say to `to`, or the other way where `back` is set. */
-static void copy(ptrdiff_t number, chasles_shape shape, Stride stride, char *to, char *from, int back)
+/* Copies `width` bytes of each of some items that lie so far apart. */
+static void copy_some(ptrdiff_t width, char *to, ptrdiff_t to_step, const char *from, ptrdiff_t from_step, ptrdiff_t items)
 {
-    const size_t width = (size_t)(stride.dense ? number * shape.rows * shape.columns : number);
-    const int rows = stride.dense ? 1 : shape.rows, columns = stride.dense ? 1 : shape.columns;
-    for (int i = 0; i < rows; i++) {
-        for (int j = 0; j < columns; j++) {
-            char *apart = from + i * stride.down + j * stride.across;
-            char *together = to + (i * columns + j) * number;
-            memcpy(back ? apart : together, back ? together : apart, width);
+#define COPY(bytes) \
+    for (ptrdiff_t i = 0; i < items; i++) { \
+        memcpy(to + i * to_step, from + i * from_step, (size_t)(bytes)); \
+    } \
+    break
+    switch (width) {
+    case 4:
+        COPY(4);
+    case 8:
+        COPY(8);
+    case 12:
+        COPY(12);
+    case 16:
+        COPY(16);
+    case 24:
+        COPY(24);
+    case 32:
+        COPY(32);
+    case 48:
+        COPY(48);
+    default:
+        COPY(width);
+    }
+#undef COPY
+}
+
+#if CHASLES_VECTORS && defined(__SSE2__)
+/* Copies an even number of pairs from two rows to items that lie `step` apart, or back. */
+static void copy_pairs(char *first, char *second, char *together, ptrdiff_t step, ptrdiff_t items, int back)
+{
+    for (ptrdiff_t i = 0; i < items; i += 2) {
+        double *const one = (double *)(void *)(together + i * step), *const other = (double *)(void *)(together + (i + 1) * step);
+        double *const a = (double *)(void *)(first + i * 8), *const b = (double *)(void *)(second + i * 8);
+        const __m128d x = _mm_loadu_pd(back ? one : a), y = _mm_loadu_pd(back ? other : b);
+        _mm_storeu_pd(back ? a : one, _mm_unpacklo_pd(x, y));
+        _mm_storeu_pd(back ? b : other, _mm_unpackhi_pd(x, y));
+    }
+}
+#define CHASLES_PAIRS 1
+#else
+static void copy_pairs(char *first, char *second, char *together, ptrdiff_t step, ptrdiff_t items, int back)
+{
+    (void)first, (void)second, (void)together, (void)step, (void)items, (void)back;
+}
+#define CHASLES_PAIRS 0
+#endif
+
+/* Copies `items` items from where their strides say to `together`, where they lie one after the other, or back. */
+static void copy(
+    ptrdiff_t number, chasles_shape shape, Stride stride, char *apart, ptrdiff_t step, char *together, ptrdiff_t items,
+    int back)
+{
+    const ptrdiff_t entries = (ptrdiff_t)shape.rows * shape.columns, size = number * entries;
+    const ptrdiff_t row = stride.across == number ? shape.columns : 1, wide = stride.dense ? entries : row;
+    const ptrdiff_t paired = CHASLES_PAIRS && number == 8 && step == number && entries > 1 ? items - items % 2 : 0;
+    for (ptrdiff_t e = 0; e < entries; e += paired > 0 ? 1 : wide) {
+        char *const here = together + e * number;
+        char *const there = apart + e / shape.columns * stride.down + e % shape.columns * stride.across;
+        if (paired > 0 && (e % 2 == 0 || e + 1 == entries)) {
+            /* Two entries at a time, of an odd number of them the last one with the one before it. */
+            const ptrdiff_t f = e + 1 < entries ? e + 1 : e - 1;
+            char *const other = apart + f / shape.columns * stride.down + f % shape.columns * stride.across;
+            copy_pairs(f > e ? there : other, f > e ? other : there, f > e ? here : here - number, size, paired, back);
+        }
+        const ptrdiff_t width = number * (paired > 0 ? 1 : wide), rest = items - paired;
+        if (back) {
+            copy_some(width, there + paired * step, step, here + paired * size, size, rest);
+        } else {
+            copy_some(width, here + paired * size, size, there + paired * step, step, rest);
         }
     }
 }
@@ -182,30 +244,39 @@ typedef struct {
     ptrdiff_t steps[CHASLES_OPERANDS];
 } Part;
 
-/* Copies `items` items of each input to `store`, and the last one again up to `filled`; gives outputs room there. */
+/* Gives the operands that are not in place room in `store`, and copies `items` items of the inputs there, the last one
+ * again up to `filled`. */
 static void gather(
-    const chasles_loop *loop, Part *part, const Part *batch, const Stride *strides, ptrdiff_t items, ptrdiff_t filled,
-    char *store)
+    const chasles_loop *loop, Part *part, const Part *batch, const Stride *strides, const int *in_place, ptrdiff_t items,
+    ptrdiff_t filled, char *store)
 {
     for (int k = 0; k < loop->operands; k++) {
         const ptrdiff_t size = size_of(loop, k);
+        part->at[k] = batch->at[k];
+        part->steps[k] = batch->steps[k];
+        if (in_place != NULL && in_place[k]) {
+            continue;
+        }
         part->at[k] = store;
         part->steps[k] = size;
-        for (ptrdiff_t i = 0; k < loop->inputs && i < filled; i++) {
-            char *from = batch->at[k] + (i < items ? i : items - 1) * batch->steps[k];
-            copy(loop->number, loop->shapes[k], strides[k], store + i * size, from, 0);
+        if (k < loop->inputs) {
+            copy(loop->number, loop->shapes[k], strides[k], batch->at[k], batch->steps[k], store, items, 0);
+            for (ptrdiff_t i = items; i < filled; i++) {
+                memcpy(store + i * size, store + (items - 1) * size, (size_t)size);
+            }
         }
         store += filled * size;
     }
 }
 
-/* Copies `items` items of each output to their places. */
-static void scatter(const chasles_loop *loop, const Part *part, const Part *batch, const Stride *strides, ptrdiff_t items)
+/* Copies `items` items of each output that is not in place to their places. */
+static void scatter(
+    const chasles_loop *loop, const Part *part, const Part *batch, const Stride *strides, const int *in_place,
+    ptrdiff_t items)
 {
     for (int k = loop->inputs; k < loop->operands; k++) {
-        for (ptrdiff_t i = 0; i < items; i++) {
-            char *to = batch->at[k] + i * batch->steps[k];
-            copy(loop->number, loop->shapes[k], strides[k], part->at[k] + i * part->steps[k], to, 1);
+        if (in_place == NULL || !in_place[k]) {
+            copy(loop->number, loop->shapes[k], strides[k], batch->at[k], batch->steps[k], part->at[k], items, 1);
         }
     }
 }
@@ -267,7 +338,8 @@ static ptrdiff_t room_of(const chasles_loop *loop, ptrdiff_t lanes)
 #define CHASLES_WIDE 3
 
 /* The output whose items lie one after the other and are so many that the cache could not keep them: then a line of
- * memory is better not read before it is written. -1 where there is none. */
+ * memory is better not read before it is written. Where more is read than written that saves little, and on machines
+ * of some makers it costs more than it saves. -1 where there is none. */
 static int streamed_output(const chasles_loop *loop, ptrdiff_t count, const ptrdiff_t *steps)
 {
     int widest = loop->inputs;
@@ -275,9 +347,13 @@ static int streamed_output(const chasles_loop *loop, ptrdiff_t count, const ptrd
         widest = size_of(loop, k) > size_of(loop, widest) ? k : widest;
     }
     const ptrdiff_t size = size_of(loop, widest);
+    ptrdiff_t read = 0;
+    for (int k = 0; k < loop->inputs; k++) {
+        read += steps[k] == 0 ? 0 : size_of(loop, k);
+    }
     const int many = size >= CHASLES_WIDE * loop->number && count * size >= CHASLES_STREAMED;
-    const int fits = size * CHASLES_LANES <= CHASLES_STORE / 2 - 2 * CHASLES_LINE;
-    return many && fits && steps[widest] == size ? widest : -1;
+    const int fits = size * CHASLES_LANES <= CHASLES_STORE / 2 - 2 * CHASLES_LINE && !loop->gaps;
+    return many && fits && size > read && steps[widest] == size ? widest : -1;
 }
 
 /* Waits until what went around the cache is where others see it. */
@@ -305,6 +381,7 @@ typedef struct {
     int shift;
     ptrdiff_t lanes;
     Part rest;
+    const int *in_place;
     int singular;
 } Run;
 
@@ -337,15 +414,18 @@ static ptrdiff_t run_in_place(Run *run, ptrdiff_t left)
     return items;
 }
 
-/* Computes items copied to the store, and copies the results back; gives how many of the rest. */
+/* Computes items of which the operands that are not in place are copied to the store, and the results back; gives how
+ * many of the rest. */
 static ptrdiff_t run_gathered(Run *run, ptrdiff_t left, char *store)
 {
-    const ptrdiff_t room = room_of(run->loop, run->lanes), items = left > room ? room : left;
+    const ptrdiff_t room = room_of(run->loop, run->lanes), most = left > room ? room : left;
+    const int *const in_place = most >= run->lanes ? run->in_place : NULL;
+    const ptrdiff_t items = in_place != NULL ? most >> run->shift << run->shift : most;
     const ptrdiff_t filled = (items + run->lanes - 1) >> run->shift << run->shift;
     Part part;
-    gather(run->loop, &part, &run->rest, run->strides, items, filled, store);
+    gather(run->loop, &part, &run->rest, run->strides, in_place, items, filled, store);
     advance(run, &part, items, &nothing);
-    scatter(run->loop, &part, &run->rest, run->strides, items);
+    scatter(run->loop, &part, &run->rest, run->strides, in_place, items);
     go_on(run, items);
     return items;
 }
@@ -399,15 +479,22 @@ void chasles_run(
     double store[CHASLES_STORE / sizeof(double)];
     Stride strides[CHASLES_OPERANDS];
     Run run;
-    const int lies_well = find_strides(loop, core, strides) && !overlaps(loop, count, at, steps, strides);
-    if (level == 2 && !(lies_well && count >> shift_of(loop, level) > 0 && is_packed(loop, steps))) {
+    int in_place_each[CHASLES_OPERANDS];
+    const int dense = find_strides(loop, core, strides), over = overlaps(loop, count, at, steps, strides);
+    const int lies_well = dense && !over;
+    const int fills = count >> shift_of(loop, level) > 0;
+    if (level == 2 && !loop->gaps && (!fills || (lies_well && !is_packed(loop, steps)))) {
         level = 1;
+    }
+    for (int k = 0; k < loop->operands; k++) {
+        in_place_each[k] = strides[k].dense && (level < 2 || loop->gaps || steps[k] == size_of(loop, k));
     }
     run.loop = loop;
     run.block = loop->blocks[level];
     run.strides = strides;
     run.shift = shift_of(loop, level);
     run.lanes = (ptrdiff_t)1 << run.shift;
+    run.in_place = over ? NULL : in_place_each;
     run.singular = 0;
     memcpy(run.rest.at, at, (size_t)loop->operands * sizeof *at);
     memcpy(run.rest.steps, steps, (size_t)loop->operands * sizeof *steps);

@@ -5,8 +5,8 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "batches.h"
 #include "chasles.h"
+#include "loops.h"
 
 static const chasles_shape chasles_normal_matrix_inverse_loop_shapes[] = {
     {1, 1, 3},
@@ -14,7 +14,7 @@ static const chasles_shape chasles_normal_matrix_inverse_loop_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_normal_matrix_inverse_loop = {
-    sizeof(double), 0, 2, 3,
+    sizeof(double), 0, 0, 2, 3,
     chasles_normal_matrix_inverse_loop_shapes,
     CHASLES_BLOCKS(chasles_normal_matrix_inverse_block),
 };
@@ -25,7 +25,7 @@ static const chasles_shape chasles_normal_matrix_inverse_loopf_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_normal_matrix_inverse_loopf = {
-    sizeof(float), 0, 2, 3,
+    sizeof(float), 0, 0, 2, 3,
     chasles_normal_matrix_inverse_loopf_shapes,
     CHASLES_BLOCKS(chasles_normal_matrix_inverse_blockf),
 };
@@ -38,7 +38,7 @@ static const chasles_shape chasles_screw_axis_point_loop_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_screw_axis_point_loop = {
-    sizeof(double), 0, 4, 5,
+    sizeof(double), 0, 0, 4, 5,
     chasles_screw_axis_point_loop_shapes,
     CHASLES_BLOCKS(chasles_screw_axis_point_block),
 };
@@ -51,10 +51,12 @@ static const chasles_shape chasles_screw_axis_point_loopf_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_screw_axis_point_loopf = {
-    sizeof(float), 0, 4, 5,
+    sizeof(float), 0, 0, 4, 5,
     chasles_screw_axis_point_loopf_shapes,
     CHASLES_BLOCKS(chasles_screw_axis_point_blockf),
 };
+
+#if !(CHASLES_VECTORS && defined(CHASLES_BLOCKS_ALONE))
 
 /*
  * (3.16) The inverse of the matrix of the normal equations.
@@ -283,3 +285,5 @@ void chasles_screw_axis_point_batchf(
     const chasles_loop *loop = &chasles_screw_axis_point_loopf;
     chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
+
+#endif

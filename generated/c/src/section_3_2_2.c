@@ -5,19 +5,19 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "batches.h"
 #include "chasles.h"
+#include "loops.h"
 
 static const chasles_shape chasles_plucker_line_loop_shapes[] = {{1, 1, 3}, {1, 1, 3}, {1, 1, 6}};
 const chasles_loop chasles_plucker_line_loop = {
-    sizeof(double), 0, 2, 3,
+    sizeof(double), 0, 0, 2, 3,
     chasles_plucker_line_loop_shapes,
     CHASLES_BLOCKS(chasles_plucker_line_block),
 };
 
 static const chasles_shape chasles_plucker_line_loopf_shapes[] = {{1, 1, 3}, {1, 1, 3}, {1, 1, 6}};
 const chasles_loop chasles_plucker_line_loopf = {
-    sizeof(float), 0, 2, 3,
+    sizeof(float), 0, 0, 2, 3,
     chasles_plucker_line_loopf_shapes,
     CHASLES_BLOCKS(chasles_plucker_line_blockf),
 };
@@ -29,7 +29,7 @@ static const chasles_shape chasles_plucker_transfer_loop_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_plucker_transfer_loop = {
-    sizeof(double), 0, 3, 4,
+    sizeof(double), 0, 0, 3, 4,
     chasles_plucker_transfer_loop_shapes,
     CHASLES_BLOCKS(chasles_plucker_transfer_block),
 };
@@ -41,10 +41,12 @@ static const chasles_shape chasles_plucker_transfer_loopf_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_plucker_transfer_loopf = {
-    sizeof(float), 0, 3, 4,
+    sizeof(float), 0, 0, 3, 4,
     chasles_plucker_transfer_loopf_shapes,
     CHASLES_BLOCKS(chasles_plucker_transfer_blockf),
 };
+
+#if !(CHASLES_VECTORS && defined(CHASLES_BLOCKS_ALONE))
 
 /*
  * (3.23) The Plücker array of a line: its direction and its moment.
@@ -264,3 +266,5 @@ void chasles_plucker_transfer_batchf(
     const chasles_loop *loop = &chasles_plucker_transfer_loopf;
     chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
+
+#endif

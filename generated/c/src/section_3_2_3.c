@@ -5,8 +5,8 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "batches.h"
 #include "chasles.h"
+#include "loops.h"
 
 static const chasles_shape chasles_rotation_in_triad_axes_loop_shapes[] = {
     {2, 3, 3},
@@ -14,7 +14,7 @@ static const chasles_shape chasles_rotation_in_triad_axes_loop_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_rotation_in_triad_axes_loop = {
-    sizeof(double), 0, 2, 3,
+    sizeof(double), 0, 0, 2, 3,
     chasles_rotation_in_triad_axes_loop_shapes,
     CHASLES_BLOCKS(chasles_rotation_in_triad_axes_block),
 };
@@ -25,7 +25,7 @@ static const chasles_shape chasles_rotation_in_triad_axes_loopf_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_rotation_in_triad_axes_loopf = {
-    sizeof(float), 0, 2, 3,
+    sizeof(float), 0, 0, 2, 3,
     chasles_rotation_in_triad_axes_loopf_shapes,
     CHASLES_BLOCKS(chasles_rotation_in_triad_axes_blockf),
 };
@@ -36,7 +36,7 @@ static const chasles_shape chasles_rotation_from_triads_loop_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_rotation_from_triads_loop = {
-    sizeof(double), 0, 2, 3,
+    sizeof(double), 0, 0, 2, 3,
     chasles_rotation_from_triads_loop_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_triads_block),
 };
@@ -47,10 +47,12 @@ static const chasles_shape chasles_rotation_from_triads_loopf_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_rotation_from_triads_loopf = {
-    sizeof(float), 0, 2, 3,
+    sizeof(float), 0, 0, 2, 3,
     chasles_rotation_from_triads_loopf_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_triads_blockf),
 };
+
+#if !(CHASLES_VECTORS && defined(CHASLES_BLOCKS_ALONE))
 
 /*
  * text 3.2.3 h The rotation in the axes of the triad, as a product of matrices.
@@ -287,3 +289,5 @@ void chasles_rotation_from_triads_batchf(
     const chasles_loop *loop = &chasles_rotation_from_triads_loopf;
     chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
+
+#endif

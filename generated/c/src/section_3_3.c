@@ -5,22 +5,24 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "batches.h"
 #include "chasles.h"
+#include "loops.h"
 
 static const chasles_shape chasles_axial_vector_loop_shapes[] = {{2, 3, 3}, {1, 1, 3}};
 const chasles_loop chasles_axial_vector_loop = {
-    sizeof(double), 0, 1, 2,
+    sizeof(double), 0, 0, 1, 2,
     chasles_axial_vector_loop_shapes,
     CHASLES_BLOCKS(chasles_axial_vector_block),
 };
 
 static const chasles_shape chasles_axial_vector_loopf_shapes[] = {{2, 3, 3}, {1, 1, 3}};
 const chasles_loop chasles_axial_vector_loopf = {
-    sizeof(float), 0, 1, 2,
+    sizeof(float), 0, 0, 1, 2,
     chasles_axial_vector_loopf_shapes,
     CHASLES_BLOCKS(chasles_axial_vector_blockf),
 };
+
+#if !(CHASLES_VECTORS && defined(CHASLES_BLOCKS_ALONE))
 
 /*
  * (3.45) The angular velocity: the axial vector of the angular-velocity matrix.
@@ -91,3 +93,5 @@ void chasles_axial_vector_batchf(
     const chasles_loop *loop = &chasles_axial_vector_loopf;
     chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
+
+#endif

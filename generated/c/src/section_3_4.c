@@ -5,8 +5,8 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "batches.h"
 #include "chasles.h"
+#include "loops.h"
 
 static const chasles_shape chasles_velocity_of_point_loop_shapes[] = {
     {1, 1, 3},
@@ -16,7 +16,7 @@ static const chasles_shape chasles_velocity_of_point_loop_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_velocity_of_point_loop = {
-    sizeof(double), 0, 4, 5,
+    sizeof(double), 0, 0, 4, 5,
     chasles_velocity_of_point_loop_shapes,
     CHASLES_BLOCKS(chasles_velocity_of_point_block),
 };
@@ -29,10 +29,12 @@ static const chasles_shape chasles_velocity_of_point_loopf_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_velocity_of_point_loopf = {
-    sizeof(float), 0, 4, 5,
+    sizeof(float), 0, 0, 4, 5,
     chasles_velocity_of_point_loopf_shapes,
     CHASLES_BLOCKS(chasles_velocity_of_point_blockf),
 };
+
+#if !(CHASLES_VECTORS && defined(CHASLES_BLOCKS_ALONE))
 
 /*
  * (3.50) The velocity of a point from that of the landmark.
@@ -139,3 +141,5 @@ void chasles_velocity_of_point_batchf(
     const chasles_loop *loop = &chasles_velocity_of_point_loopf;
     chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
+
+#endif

@@ -5,8 +5,8 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "batches.h"
 #include "chasles.h"
+#include "loops.h"
 
 static const chasles_shape chasles_instant_screw_point_loop_shapes[] = {
     {1, 1, 3},
@@ -15,7 +15,7 @@ static const chasles_shape chasles_instant_screw_point_loop_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_instant_screw_point_loop = {
-    sizeof(double), 0, 3, 4,
+    sizeof(double), 0, 0, 3, 4,
     chasles_instant_screw_point_loop_shapes,
     CHASLES_BLOCKS(chasles_instant_screw_point_block),
 };
@@ -27,10 +27,12 @@ static const chasles_shape chasles_instant_screw_point_loopf_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_instant_screw_point_loopf = {
-    sizeof(float), 0, 3, 4,
+    sizeof(float), 0, 0, 3, 4,
     chasles_instant_screw_point_loopf_shapes,
     CHASLES_BLOCKS(chasles_instant_screw_point_blockf),
 };
+
+#if !(CHASLES_VECTORS && defined(CHASLES_BLOCKS_ALONE))
 
 /*
  * (3.70) The point of the instant screw axis nearest the origin, with vector products.
@@ -152,3 +154,5 @@ void chasles_instant_screw_point_batchf(
     const chasles_loop *loop = &chasles_instant_screw_point_loopf;
     chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
+
+#endif

@@ -9,8 +9,8 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "batches.h"
 #include "chasles.h"
+#include "loops.h"
 #include "vectors.h"
 
 #if CHASLES_VECTORS

@@ -5,8 +5,8 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "batches.h"
 #include "chasles.h"
+#include "loops.h"
 
 static const chasles_shape chasles_moving_frame_velocity_loop_shapes[] = {
     {1, 1, 3},
@@ -17,7 +17,7 @@ static const chasles_shape chasles_moving_frame_velocity_loop_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_moving_frame_velocity_loop = {
-    sizeof(double), 0, 5, 6,
+    sizeof(double), 0, 0, 5, 6,
     chasles_moving_frame_velocity_loop_shapes,
     CHASLES_BLOCKS(chasles_moving_frame_velocity_block),
 };
@@ -31,7 +31,7 @@ static const chasles_shape chasles_moving_frame_velocity_loopf_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_moving_frame_velocity_loopf = {
-    sizeof(float), 0, 5, 6,
+    sizeof(float), 0, 0, 5, 6,
     chasles_moving_frame_velocity_loopf_shapes,
     CHASLES_BLOCKS(chasles_moving_frame_velocity_blockf),
 };
@@ -47,7 +47,7 @@ static const chasles_shape chasles_moving_frame_acceleration_loop_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_moving_frame_acceleration_loop = {
-    sizeof(double), 0, 7, 8,
+    sizeof(double), 0, 0, 7, 8,
     chasles_moving_frame_acceleration_loop_shapes,
     CHASLES_BLOCKS(chasles_moving_frame_acceleration_block),
 };
@@ -63,10 +63,12 @@ static const chasles_shape chasles_moving_frame_acceleration_loopf_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_moving_frame_acceleration_loopf = {
-    sizeof(float), 0, 7, 8,
+    sizeof(float), 0, 0, 7, 8,
     chasles_moving_frame_acceleration_loopf_shapes,
     CHASLES_BLOCKS(chasles_moving_frame_acceleration_blockf),
 };
+
+#if !(CHASLES_VECTORS && defined(CHASLES_BLOCKS_ALONE))
 
 /*
  * (3.103) The velocity of P in the fixed frame from that in the moving frame.
@@ -369,3 +371,5 @@ void chasles_moving_frame_acceleration_batchf(
     const chasles_loop *loop = &chasles_moving_frame_acceleration_loopf;
     chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
+
+#endif

@@ -5,8 +5,8 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "batches.h"
 #include "chasles.h"
+#include "loops.h"
 
 static const chasles_shape chasles_wrench_axis_loop_shapes[] = {
     {1, 1, 3},
@@ -16,7 +16,7 @@ static const chasles_shape chasles_wrench_axis_loop_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_wrench_axis_loop = {
-    sizeof(double), 0, 3, 5,
+    sizeof(double), 0, 0, 3, 5,
     chasles_wrench_axis_loop_shapes,
     CHASLES_BLOCKS(chasles_wrench_axis_block),
 };
@@ -29,21 +29,21 @@ static const chasles_shape chasles_wrench_axis_loopf_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_wrench_axis_loopf = {
-    sizeof(float), 0, 3, 5,
+    sizeof(float), 0, 0, 3, 5,
     chasles_wrench_axis_loopf_shapes,
     CHASLES_BLOCKS(chasles_wrench_axis_blockf),
 };
 
 static const chasles_shape chasles_power_loop_shapes[] = {{1, 1, 6}, {1, 1, 6}, {0, 1, 1}};
 const chasles_loop chasles_power_loop = {
-    sizeof(double), 0, 2, 3,
+    sizeof(double), 0, 0, 2, 3,
     chasles_power_loop_shapes,
     CHASLES_BLOCKS(chasles_power_block),
 };
 
 static const chasles_shape chasles_power_loopf_shapes[] = {{1, 1, 6}, {1, 1, 6}, {0, 1, 1}};
 const chasles_loop chasles_power_loopf = {
-    sizeof(float), 0, 2, 3,
+    sizeof(float), 0, 0, 2, 3,
     chasles_power_loopf_shapes,
     CHASLES_BLOCKS(chasles_power_blockf),
 };
@@ -54,7 +54,7 @@ static const chasles_shape chasles_reciprocal_product_loop_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_reciprocal_product_loop = {
-    sizeof(double), 0, 2, 3,
+    sizeof(double), 0, 0, 2, 3,
     chasles_reciprocal_product_loop_shapes,
     CHASLES_BLOCKS(chasles_reciprocal_product_block),
 };
@@ -65,7 +65,7 @@ static const chasles_shape chasles_reciprocal_product_loopf_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_reciprocal_product_loopf = {
-    sizeof(float), 0, 2, 3,
+    sizeof(float), 0, 0, 2, 3,
     chasles_reciprocal_product_loopf_shapes,
     CHASLES_BLOCKS(chasles_reciprocal_product_blockf),
 };
@@ -77,7 +77,7 @@ static const chasles_shape chasles_wrench_transfer_loop_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_wrench_transfer_loop = {
-    sizeof(double), 0, 3, 4,
+    sizeof(double), 0, 0, 3, 4,
     chasles_wrench_transfer_loop_shapes,
     CHASLES_BLOCKS(chasles_wrench_transfer_block),
 };
@@ -89,10 +89,12 @@ static const chasles_shape chasles_wrench_transfer_loopf_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_wrench_transfer_loopf = {
-    sizeof(float), 0, 3, 4,
+    sizeof(float), 0, 0, 3, 4,
     chasles_wrench_transfer_loopf_shapes,
     CHASLES_BLOCKS(chasles_wrench_transfer_blockf),
 };
+
+#if !(CHASLES_VECTORS && defined(CHASLES_BLOCKS_ALONE))
 
 /*
  * text 3.7 d The axis and the pitch of the wrench.
@@ -482,3 +484,5 @@ void chasles_wrench_transfer_batchf(
     const chasles_loop *loop = &chasles_wrench_transfer_loopf;
     chasles_run(loop, chasles_best_level(), (ptrdiff_t)count, at, moves, NULL);
 }
+
+#endif

@@ -41,15 +41,11 @@ typedef unsigned long long unsigned_bits CHASLES_VECTOR(CHASLES_REGISTER);
 
 static inline int any(truths is)
 {
-#if CHASLES_REGISTER == 64
-    return _mm512_test_epi64_mask((__m512i)is, (__m512i)is) != 0;
-#else
     long long bits = 0;
     for (int i = 0; i < LANES; i++) {
         bits |= is[i];
     }
     return bits != 0;
-#endif
 }
 
 /* Which of the two is the sine, and the signs: k odd swaps them; the sine changes sign with k's second bit, the cosine

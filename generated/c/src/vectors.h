@@ -15,9 +15,29 @@
 #include <math.h>
 #include <stddef.h>
 
-#if CHASLES_LEVEL == 2
+/* What shuffles do not say well. gcc's header of these takes longer to read than most blocks take to compile. */
+#if CHASLES_LEVEL == 2 && !defined(__clang__)
+typedef double of_2 __attribute__((vector_size(16)));
+typedef double of_4 __attribute__((vector_size(32)));
+typedef double of_8 __attribute__((vector_size(64)));
+typedef float of_16 __attribute__((vector_size(64)));
+#define JOINED_2(a, b) __builtin_ia32_vinsertf128_pd256(__builtin_ia32_pd256_pd((of_2)(a)), (of_2)(b), 1)
+#define JOINED_4(a, b) \
+    __builtin_ia32_insertf64x4_mask(__builtin_ia32_pd512_256pd((of_4)(a)), (of_4)(b), 1, (of_8){0}, 0xff)
+#define PART_OF_2(x, k) __builtin_ia32_extractf64x2_512_mask((of_8)(x), k, (of_2){0}, 0xff)
+#define PART_OF_4(x, k) __builtin_ia32_extractf64x4_mask((of_8)(x), k, (of_4){0}, 0xff)
+#define ROOTS(x) __builtin_ia32_sqrtpd512_mask((of_8)(x), (of_8){0}, -1, 4)
+#define ROOTSF(x) __builtin_ia32_sqrtps512_mask((of_16)(x), (of_16){0}, -1, 4)
+#elif CHASLES_LEVEL == 2
 #include <immintrin.h>
-#elif defined(__SSE2__)
+#define JOINED_2(a, b) _mm256_insertf128_pd(_mm256_castpd128_pd256((__m128d)(a)), (__m128d)(b), 1)
+#define JOINED_4(a, b) _mm512_insertf64x4(_mm512_castpd256_pd512((__m256d)(a)), (__m256d)(b), 1)
+#define PART_OF_2(x, k) _mm512_extractf64x2_pd((__m512d)(x), k)
+#define PART_OF_4(x, k) _mm512_extractf64x4_pd((__m512d)(x), k)
+#define ROOTS(x) _mm512_sqrt_pd((__m512d)(x))
+#define ROOTSF(x) _mm512_sqrt_ps((__m512)(x))
+#endif
+#if defined(__SSE2__)
 #include <emmintrin.h>
 #endif
 
@@ -29,10 +49,8 @@
 #endif
 
 #define CHASLES_INLINE static inline __attribute__((always_inline, unused))
+#define CHASLES_APART __attribute__((noinline))
 #define CHASLES_VECTOR(bytes) __attribute__((vector_size(bytes), may_alias))
-
-/* All lanes: as a mask, since gcc takes what its header leaves open without one for used. */
-#define ALL 0xff
 
 typedef double doubles CHASLES_VECTOR(CHASLES_REGISTER);
 typedef float floats CHASLES_VECTOR(CHASLES_REGISTER);
@@ -104,7 +122,7 @@ CHASLES_INLINE doubles spread(double x)
 CHASLES_INLINE doubles roots(doubles x)
 {
 #if CHASLES_REGISTER == 64
-    return (doubles)_mm512_maskz_sqrt_pd(ALL, (__m512d)x);
+    return (doubles)ROOTS(x);
 #else
 #define AT(i) sqrt(x[i])
     const doubles all = LIST(AT);
@@ -140,7 +158,7 @@ CHASLES_INLINE floats spreadf(float x)
 CHASLES_INLINE floats rootsf(floats x)
 {
 #if CHASLES_REGISTER == 64
-    return (floats)_mm512_maskz_sqrt_ps(0xffff, (__m512)x);
+    return (floats)ROOTSF(x);
 #else
 #define AT(i) sqrtf(x[i])
     const floats all = LISTF(AT);
@@ -175,10 +193,7 @@ CHASLES_INLINE doubles row(const char *at, ptrdiff_t step, int first, int apart)
 #elif CHASLES_REGISTER == 32
     return SHUFFLE(PART(0), PART(1), 0, 1, 2, 3);
 #else
-#define PAIR(a, b) _mm256_insertf128_pd(_mm256_castpd128_pd256((__m128d)(a)), (__m128d)(b), 1)
-    const __m256d low = PAIR(PART(0), PART(1)), high = PAIR(PART(2), PART(3));
-    return (doubles)_mm512_maskz_insertf64x4(ALL, _mm512_castpd256_pd512(low), high, 1);
-#undef PAIR
+    return (doubles)JOINED_4(JOINED_2(PART(0), PART(1)), JOINED_2(PART(2), PART(3)));
 #endif
 #undef PART
 }
@@ -228,14 +243,10 @@ CHASLES_INLINE void stream_lines(chasles_stream *stream)
 {
 #ifdef __SSE2__
     for (ptrdiff_t i = 0; i < stream->share && stream->lines > 0; i++) {
-#if CHASLES_REGISTER == 64
-        _mm512_stream_si512((__m512i *)(void *)stream->to, _mm512_load_si512((const void *)stream->from));
-#else
         for (int k = 0; k < CHASLES_LINE; k += 16) {
             const __m128i part = _mm_load_si128((const __m128i *)(const void *)(stream->from + k));
             _mm_stream_si128((__m128i *)(void *)(stream->to + k), part);
         }
-#endif
         stream->from += CHASLES_LINE;
         stream->to += CHASLES_LINE;
         stream->lines--;
@@ -355,8 +366,8 @@ CHASLES_INLINE void load_3f(const char *at, ptrdiff_t step, floats *to)
 CHASLES_INLINE void load_4(const char *at, ptrdiff_t step, doubles *to)
 {
 #if CHASLES_REGISTER == 64
-#define ROW(i) ((__m256d) * (const double_4 *)(at + (i) * step))
-#define ROWS(i, j) (doubles)_mm512_maskz_insertf64x4(ALL, _mm512_castpd256_pd512(ROW(i)), ROW(j), 1)
+#define ROW(i) (*(const double_4 *)(at + (i) * step))
+#define ROWS(i, j) (doubles)JOINED_4(ROW(i), ROW(j))
     const doubles a = ROWS(0, 2), b = ROWS(1, 3), c = ROWS(4, 6), d = ROWS(5, 7);
 #undef ROWS
 #undef ROW
@@ -395,9 +406,9 @@ CHASLES_INLINE void put_row(char *at, ptrdiff_t step, int first, int apart, doub
     PART(1) = SHUFFLE(x, x, 2, 3);
 #else
     PART(0) = (double_2)SHUFFLE(x, x, 0, 1);
-    PART(1) = (double_2)_mm512_maskz_extractf64x2_pd(ALL, (__m512d)x, 1);
-    PART(2) = (double_2)_mm512_maskz_extractf64x2_pd(ALL, (__m512d)x, 2);
-    PART(3) = (double_2)_mm512_maskz_extractf64x2_pd(ALL, (__m512d)x, 3);
+    PART(1) = (double_2)PART_OF_2(x, 1);
+    PART(2) = (double_2)PART_OF_2(x, 2);
+    PART(3) = (double_2)PART_OF_2(x, 3);
 #endif
 #undef PART
 #endif
@@ -470,10 +481,10 @@ CHASLES_INLINE void store_4(char *at, ptrdiff_t step, doubles x, doubles y, doub
     FOUR(1) = (double_4)SHUFFLE(b, b, 0, 1, 2, 3);
     FOUR(2) = (double_4)SHUFFLE(c, c, 0, 1, 2, 3);
     FOUR(3) = (double_4)SHUFFLE(d, d, 0, 1, 2, 3);
-    FOUR(4) = (double_4)_mm512_maskz_extractf64x4_pd(ALL, (__m512d)a, 1);
-    FOUR(5) = (double_4)_mm512_maskz_extractf64x4_pd(ALL, (__m512d)b, 1);
-    FOUR(6) = (double_4)_mm512_maskz_extractf64x4_pd(ALL, (__m512d)c, 1);
-    FOUR(7) = (double_4)_mm512_maskz_extractf64x4_pd(ALL, (__m512d)d, 1);
+    FOUR(4) = (double_4)PART_OF_4(a, 1);
+    FOUR(5) = (double_4)PART_OF_4(b, 1);
+    FOUR(6) = (double_4)PART_OF_4(c, 1);
+    FOUR(7) = (double_4)PART_OF_4(d, 1);
 #endif
 #undef FOUR
 }
@@ -506,6 +517,38 @@ void CHASLES_LEVELED(chasles_directionsf)(floats *y, const floats *x);
 #ifdef __cplusplus
 }
 #endif
+
+/* A function of libm, lane by lane: a file of blocks begins with those that it calls. */
+#define CHASLES_LANEWISE_1(name) \
+    CHASLES_INLINE doubles name##_of(doubles x) \
+    { \
+        for (int i = 0; i < LANES; i++) { \
+            x[i] = name(x[i]); \
+        } \
+        return x; \
+    } \
+    CHASLES_INLINE floats name##_off(floats x) \
+    { \
+        for (int i = 0; i < LANESF; i++) { \
+            x[i] = name##f(x[i]); \
+        } \
+        return x; \
+    }
+#define CHASLES_LANEWISE_2(name) \
+    CHASLES_INLINE doubles name##_of(doubles x, doubles y) \
+    { \
+        for (int i = 0; i < LANES; i++) { \
+            x[i] = name(x[i], y[i]); \
+        } \
+        return x; \
+    } \
+    CHASLES_INLINE floats name##_off(floats x, floats y) \
+    { \
+        for (int i = 0; i < LANESF; i++) { \
+            x[i] = name##f(x[i], y[i]); \
+        } \
+        return x; \
+    }
 
 CHASLES_INLINE doubles sine_of(doubles x)
 {

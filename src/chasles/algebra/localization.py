@@ -12,7 +12,7 @@ from fractions import Fraction
 from chasles.algebra.rings import Polynomial, Ring
 from chasles.algebra.work_limit import afford, spend
 
-__all__ = ["Localization", "Ratio"]
+__all__ = ["Localization", "Ratio", "quotient"]
 
 
 @dataclass(slots=True)
@@ -89,6 +89,13 @@ class Ratio:
     def is_zero(self) -> bool:
         """Whether the numerator is the zero polynomial."""
         return bool(self.numerator == 0)
+
+
+def quotient(above: Ratio, below: Ratio, scale: Fraction, exponents: tuple[int, ...]) -> Ratio:
+    """One fraction over another, whose numerator is the scale times a product of powers of units."""
+    field = above.field
+    numerator = above.numerator * field.power_product(below.denominator)
+    return Ratio(field, numerator, above.denominator).divided(scale, exponents)
 
 
 def _times(one: Polynomial, other: Polynomial) -> Polynomial:

@@ -19,6 +19,7 @@ from chasles.bounds.outline import NoBound, Outline, with_cases
 from chasles.bounds.running import Running, no_angles
 from chasles.bounds.scaled import Scaled
 from chasles.bounds.sensitivity import entry_error
+from chasles.lowering.passes.series import expanded_in_series
 from chasles.lowering.program import Op, Program
 
 __all__ = ["BoxBound", "ResultBound", "bound_of_program"]
@@ -30,6 +31,7 @@ WHY = {
     Op.DIVIDE: "it divides by what may be zero",
     Op.SQUARE_ROOT: "it takes the root of what may be zero or negative",
     Op.ARCTANGENT2: "it takes the angle of a point that may be the origin, or where the angle jumps",
+    Op.FUNCTION: "it takes a function where that may have no value, or changes without bound",
 }
 
 
@@ -78,10 +80,11 @@ def bound_of_program(program: Program, box: Mapping[str, Any], dtype: Any = np.f
     Raises:
         ValueError: for a box that does not fit the program (NoBound where no bound can be proved over it: a divisor
             that may be zero, a root of what may be negative, numbers beyond the precision).
-        ModuleNotFoundError: for a program with sines, cosines or arctangents, without python-flint.
+        ModuleNotFoundError: for a program with sines, cosines, arctangents or functions of libm, without python-flint.
     """
     model, largest = precision(dtype)
     low, high = _ends(program, box)
+    program = expanded_in_series(program, most=2)
     try:
         outline = with_cases(program)
         errors, units = _Search(outline, model, largest).run(low, high)

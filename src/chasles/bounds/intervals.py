@@ -16,6 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from chasles.bounds.functions import ENCLOSED, slope
+
 __all__ = ["SAFE", "Array", "Interval", "below", "enclosed", "exactly", "function_of", "point"]
 
 Array = NDArray[np.float64]
@@ -97,6 +99,11 @@ class Interval:
         """The intersection; where that is empty, what lies between the two."""
         low, high = np.maximum(self.low, other.low), np.minimum(self.high, other.high)
         return Interval(np.minimum(low, high), np.maximum(low, high))
+
+    @property
+    def size(self) -> Interval:
+        """The absolute values."""
+        return Interval(self.below, self.above)
 
     def sized(self, size: Interval) -> Interval:
         """The part whose absolute values are in the given interval; low > high where there is none."""
@@ -187,4 +194,10 @@ def _within(ball: Any, most: int) -> Any:
     return low.union(high)
 
 
-_FUNCTIONS: dict[str, Callable[..., Any]] = {"sine": _sine, "cosine": _cosine, "arctangent2": _direction}
+_FUNCTIONS: dict[str, Callable[..., Any]] = {
+    "sine": _sine,
+    "cosine": _cosine,
+    "arctangent2": _direction,
+    **{name: function.value for name, function in ENCLOSED.items()},
+    **{slope(name, k): by for name, function in ENCLOSED.items() for k, by in enumerate(function.slopes)},
+}

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from chasles.bounds.functions import ENCLOSED
 from chasles.lowering.program import Op
 
 __all__ = ["DOUBLE", "SINGLE", "Model", "precision"]
@@ -21,11 +22,11 @@ __all__ = ["DOUBLE", "SINGLE", "Model", "precision"]
 class Model:
     """Each operation returns its exact result times 1 + d, |d| <= `roundoff`.
 
-    Sine and cosine are within `ulps` units in the last place, the arctangent within `directions`: they are what
-    rounding to nearest makes of something within that less one half. A unit in the last place is at most twice the
-    roundoff of the value. A contracted a b + c rounds once where the model lets it round twice, so that contraction is
-    allowed and never needed. Nothing overflows, and nothing underflows but where `least` says by how much a result
-    below the smallest normal number is rounded.
+    Sine and cosine are within `ulps` units in the last place, the arctangent within `directions`, what else libm has
+    within what its manual says: they are what rounding to nearest makes of something within that less one half. A unit
+    in the last place is at most twice the roundoff of the value. A contracted a b + c rounds once where the model lets
+    it round twice, so that contraction is allowed and never needed. Nothing overflows, and nothing underflows but where
+    `least` says by how much a result below the smallest normal number is rounded.
     """
 
     roundoff: Fraction
@@ -44,17 +45,19 @@ class Model:
         """The largest relative error of the operation itself."""
         return (1 + self.excess(op)) * (1 + self.rounding(op)) - 1
 
-    def rounding(self, op: Op) -> Fraction:
+    def rounding(self, op: Op, function: str = "") -> Fraction:
         """By how much a result is rounded, in parts of the largest power of two below what is rounded."""
-        return min(2 * self._within(op), Fraction(1)) * self.roundoff
+        return min(2 * self._within(op, function), Fraction(1)) * self.roundoff
 
-    def excess(self, op: Op) -> Fraction:
+    def excess(self, op: Op, function: str = "") -> Fraction:
         """How far what a function rounds is from its value, in parts of the largest power of two below the value."""
-        return 2 * self._within(op) * self.roundoff - self.rounding(op)
+        return 2 * self._within(op, function) * self.roundoff - self.rounding(op, function)
 
-    def _within(self, op: Op) -> Fraction:
+    def _within(self, op: Op, function: str) -> Fraction:
         if op in (Op.SINE, Op.COSINE):
             return self.ulps
+        if op is Op.FUNCTION:
+            return Fraction(ENCLOSED[function].ulps)
         return self.directions if op is Op.ARCTANGENT2 else Fraction(1, 2)
 
     def in_words(self, operations: Collection[Op]) -> str:
@@ -65,6 +68,8 @@ class Model:
             said.append(f"{' and '.join(turns)} within {float(self.ulps):g} ulp")
         if Op.ARCTANGENT2 in operations:
             said.append(f"arctangent within {float(self.directions):g} ulp")
+        if Op.FUNCTION in operations:
+            said.append("other functions within what the GNU C library's manual says")
         return ", ".join(said)
 
     def is_exact(self, value: Fraction) -> bool:

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chasles.bounds.choosing import ComparisonOutcome, chosen, truth
+from chasles.bounds.functions import ENCLOSED, slope
 from chasles.bounds.intervals import SAFE, Array, Interval, exactly, function_of
 from chasles.bounds.model import Model
 from chasles.bounds.outline import NoBound, Outline
@@ -33,7 +34,7 @@ def no_angles(argument: int, entry: int, factor: Fraction) -> tuple[Scaled, Scal
 
 
 COMPARISONS = (Op.LESS, Op.EQUAL)
-FUNCTIONS = (Op.SINE, Op.COSINE, Op.ARCTANGENT2)
+FUNCTIONS = (Op.SINE, Op.COSINE, Op.ARCTANGENT2, Op.FUNCTION)
 
 
 class Running:
@@ -159,18 +160,23 @@ class Running:
                 return self._turn(number, of[0], step.op)
             case Op.ARCTANGENT2:
                 return self._direction(number, of[0], of[1], operands)
+            case Op.FUNCTION if step.function == "fabs":
+                self.near[number] = Scaled(of[0].power, self.near[operands[0]].value.size, of[0].error)
+                return Scaled(of[0].power, of[0].value.size, of[0].error)
+            case Op.FUNCTION if step.function in ENCLOSED:
+                return self._of_libm(number, step.function, of, operands)
             case op:
-                raise NoBound(f"no bound over a box is known of the operation {op}")
+                raise NoBound(f"no bound over a box is known of {step.function or f'the operation {op}'}")
 
     def _graded(
         self, number: int, power: int, value: Interval, error: Array, op: Op, raw: Interval | None = None
     ) -> Scaled:
         """The value with the operation's own rounding; `raw` encloses what is rounded."""
         self.rounded.add(number)
-        own = self.zero
+        own, function = self.zero, self.outline.program.steps[number].function
         if op in FUNCTIONS:
             # What is rounded is not the function's value, but something near it, in units of that value's last place.
-            own = excess(value, float(self._model.excess(op)), op)
+            own = excess(value, float(self._model.excess(op, function)), op)
             error = (error + own) * SAFE
         around = value.widened(error)
         raw = around if raw is None else raw.common(around)
@@ -178,10 +184,10 @@ class Running:
         if places is not None:
             value, raw, empty = restricted(value, error, raw, places)
             self.empty |= empty
-        step, self._sides[number] = half_unit(raw, float(self._model.rounding(op)), op)
+        step, self._sides[number] = half_unit(raw, float(self._model.rounding(op, function)), op)
         step = np.maximum(step, np.where(raw.above == 0, 0, float(self._model.least)))
         self.losses[number] = (own + step) * SAFE
-        self.near[number] = Scaled(power, rounded(raw, step, float(self._model.rounding(op)), places), step)
+        self.near[number] = Scaled(power, rounded(raw, step, float(self._model.rounding(op, function)), places), step)
         return Scaled(power, value, (error + step) * SAFE)
 
     def _chosen(self, number: int, operands: tuple[int, ...]) -> Scaled:
@@ -260,3 +266,14 @@ class Running:
         seen = function_of(Op.ARCTANGENT2.value, *near)
         value = function_of(Op.ARCTANGENT2.value, y.value, x.value)
         return self._graded(number, 0, value, error + 0 * seen.low, Op.ARCTANGENT2)
+
+    def _of_libm(self, number: int, name: str, of: list[Scaled], operands: tuple[int, ...]) -> Scaled:
+        """The value moves by no more than the steepest slope times what the operands move (mean value theorem)."""
+        near = [self.around[k].value for k in operands]
+        error = self.zero
+        for k, x in enumerate(of):
+            steepest = function_of(slope(name, k), *near).above if x.error.any() else self.zero
+            error = (error + steepest * x.error) * SAFE
+        seen = function_of(name, *near)
+        value = function_of(name, *(x.value for x in of))
+        return self._graded(number, 0, value, error + 0 * seen.low, Op.FUNCTION)

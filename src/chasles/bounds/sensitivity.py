@@ -16,6 +16,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from chasles.bounds.functions import slope as slope_name
 from chasles.bounds.intervals import SAFE, Array, Interval, function_of
 from chasles.bounds.running import Running
 from chasles.lowering.program import Op
@@ -80,8 +81,8 @@ def _sum(running: Running, found: list[_Slope]) -> _Slope:
 
 def _passed_on(running: Running, number: int, found: list[_Slope]) -> Iterator[tuple[int, _Slope]]:
     """The derivatives by the operands."""
-    op = running.outline.program.steps[number].op
-    operands = running.outline.operands(number)
+    step = running.outline.program.steps[number]
+    op, operands = step.op, running.outline.operands(number)
     if number in running.outline.angles or running.rounded.isdisjoint(operands):
         return
     if op is Op.NEGATE:
@@ -124,3 +125,12 @@ def _passed_on(running: Running, number: int, found: list[_Slope]) -> Iterator[t
             square = x.squared + y.squared
             yield operands[0], _Slope(slope.power, slope.value * (x / square))
             yield operands[1], _Slope(slope.power, slope.value * -(y / square))
+        case Op.FUNCTION if step.function == "fabs":
+            low, high = np.where(near[0].value.low < 0, -1.0, 1.0), np.where(near[0].value.high > 0, 1.0, -1.0)
+            yield operands[0], _Slope(slope.power, slope.value * Interval(low, high))
+        case Op.FUNCTION:
+            values = [value.value for value in near]
+            for k, operand in enumerate(operands):
+                if operand in running.rounded:
+                    by = function_of(slope_name(step.function, k), *values)
+                    yield operand, _Slope(slope.power, slope.value * by)

@@ -78,7 +78,7 @@ class Reading(Quantities):
             place = next((k for k, (_, node) in waiting.items() if self._is_read(node)), min(waiting))
             hypothesis, node = waiting.pop(place)
             self.nonzero[place] = cleared(self(node)[0][0], self.nonzero)[0]
-            self._positive(hypothesis)
+            self._positive(hypothesis, place)
         for goal in problem.goals:
             self.difference(goal.left, goal.right)
         self._close([*self._conditions(), *self._hypotheses()])
@@ -91,14 +91,14 @@ class Reading(Quantities):
             return False
         return True
 
-    def _positive(self, hypothesis: Hypothesis) -> None:
+    def _positive(self, hypothesis: Hypothesis, place: int) -> None:
         """What is greater than zero: a positive scalar, the leading minors of a positive-definite matrix."""
         entries = self(hypothesis.subjects[0]) if hypothesis.kind in ("positive", "definite") else []
         for size in range(1, len(entries) + 1):
             minor, below = cleared(determinant([row[:size] for row in entries[:size]]), self.nonzero)
             self.positive.append((hypothesis.text, minor * product(self.nonzero, below)))
             if size == len(entries) and not below:
-                self.greater[len(self.nonzero) - 1] = minor
+                self.greater[place] = minor
 
     def _conditions(self) -> Iterator[Said]:
         for goal in self.problem.conditions:

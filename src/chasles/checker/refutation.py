@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from math import isqrt
-from typing import Protocol
+from typing import TYPE_CHECKING
 
 from chasles.checker.expansion import Formless
 from chasles.checker.motion import require_motion
@@ -19,7 +19,10 @@ from chasles.checker.witness import Point, point_of, require, value_at
 from chasles.statements import Goal, Problem
 from chasles.vocabulary import Node
 
-__all__ = ["Shown", "check_counterexample"]
+if TYPE_CHECKING:
+    from chasles.checker.any_size.at_sizes import Shown
+
+__all__ = ["check_counterexample"]
 
 Value = Mapping[int, Fraction]
 SIMPLEST = {
@@ -30,26 +33,13 @@ SIMPLEST = {
 """Entries of the subjects of a hypothesis, zeros behind them, where a counterexample leaves all of them out."""
 
 
-class Shown(Protocol):
-    """A point by name, row and column counted from one, the two sides there as text, and the equation's label."""
-
-    @property
-    def at(self) -> Mapping[str, Fraction]: ...
-    @property
-    def entry(self) -> tuple[int, int]: ...
-    @property
-    def left(self) -> str: ...
-    @property
-    def right(self) -> str: ...
-    @property
-    def goal(self) -> str: ...
-
-
 def check_counterexample(problem: Problem, shown: Shown) -> None:
-    """The point satisfies every hypothesis and condition, and there the entry's two sides differ and are as shown.
+    """The point satisfies all that is assumed, and there the entry's two sides differ, as shown; else `Rejected`."""
+    from chasles.checker.any_size.at_sizes import check_at_sizes, sizes_in
 
-    Raises `Rejected` with the reason if not.
-    """
+    if sizes_in(problem):
+        check_at_sizes(problem, shown)
+        return
     try:
         reasons = list(_objections(problem, shown))
     except Formless:

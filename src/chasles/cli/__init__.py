@@ -11,7 +11,7 @@ __all__ = ["main"]
 
 COMMANDS = (
     "list", "show", "decide", "derive", "repair", "solve", "practice", "emit", "verify", "summary", "report",
-    "new", "build", "doctor", "completion",
+    "new", "read", "build", "doctor", "completion",
 )  # fmt: skip
 EXIT_STATUS = """\b
 Exit status:

@@ -21,11 +21,11 @@ from chasles.report.pages import pages
 from chasles.report.waiting import progress
 from chasles.statements import Chapter, Entry
 from chasles.statements import Kernel as Asked
-from chasles.targets import MANIFEST, EmissionError, Origin, TargetKernel, discover, render
+from chasles.targets import MANIFEST, EmissionError, Origin, TargetKernel, discover, render, spelled_out
 from chasles.targets.commission import kernel_of
 from chasles.targets.kernel import require_plain
 
-__all__ = ["commissioned", "emitted", "everything"]
+__all__ = ["commissioned", "emitted", "everything", "in_languages"]
 
 A_KERNEL = 0.025
 """About how many seconds it takes to make a kernel and to prove it equal to its statement."""
@@ -36,6 +36,19 @@ def everything(book: Chapter, folder: Path, anew: bool) -> tuple[tuple[TargetKer
     session = session_of(book, anew)
     kernels = commissioned(book.entries, session, installed_folder(book), folder)
     return kernels, emitted(book, kernels, pages(book, session) | answers(book, session))
+
+
+def in_languages(book: Chapter, names: Sequence[str], anew: bool) -> tuple[tuple[TargetKernel, ...], dict[str, str]]:
+    """The kernels of a chapter, and the text of each file in the languages of these names. Raises Failure."""
+    try:
+        targets = discover(named=names)
+    except EmissionError as error:
+        raise Failure(str(error), BAD_INPUT) from error
+    kernels = commissioned(book.entries, session_of(book, anew), installed_folder(book))
+    try:
+        return kernels, spelled_out(kernels, targets, origin=_origin(book))
+    except EmissionError as error:
+        raise Failure(f"nothing was emitted: {error}") from error
 
 
 def commissioned(entries: Sequence[Entry], session: Session, *folders: Path | None) -> tuple[TargetKernel, ...]:

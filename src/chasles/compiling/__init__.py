@@ -9,38 +9,82 @@ from __future__ import annotations
 
 from typing import Any
 
-from chasles.compiling.kernel import CompiledKernel, kernel_of
+from chasles.compiling.kernel import CompiledKernel, kernel_for, kernel_of
 from chasles.compiling.operands import inputs_of, outputs_of, require_kernel_name
-from chasles.compiling.program_of import program_of
+from chasles.compiling.recall import key_of
+from chasles.lowering.program import Program
 from chasles.lowering.refusal import LoweringError
 
 __all__ = ["CompiledKernel", "LoweringError", "compile"]
 
 
 def compile(
-    expr: Any, inputs: Any, outputs: Any = None, name: str = "expression", *, jacobian: bool = False
+    expr: Any,
+    inputs: Any = None,
+    outputs: Any = None,
+    name: str = "expression",
+    *,
+    jacobian: bool = False,
+    levels: str = "own",
 ) -> CompiledKernel:
     """The kernel that computes SymPy expressions, with NaN wherever something is divided by zero.
 
     What is compiled is the cheapest spelling that is proved equal and loses no digits that another one keeps: a sum is
     nested, 1 - cos(x) is 2 sin(x/2)^2. A quotient of functions of one angle that has a limit has that for its value.
 
-    Symbols are real. A comparison with NaN does not hold, as in C; a Piecewise without a piece that applies is NaN.
+    Symbols are real; those of an expression are the inputs of their names, whatever is assumed of either. Functions of
+    anything and their derivatives go in like symbols, each for itself: what is no input is refused, never derived from
+    one that is. The kernel takes its inputs in their order or by name.
+
+    A comparison with NaN does not hold, as in C; a Piecewise without a piece that applies is NaN.
 
     Args:
         expr: a scalar or a matrix, or a list or tuple of them: one result each. A matrix with one row or one column is
-            a vector, one of a single entry a scalar.
-        inputs: the arguments in their order: symbols, indexed ones too, matrix symbols, and matrices or lists of
-            symbols; or a mapping of names to them.
-        outputs: the results' names; else `result`, or `result_1`, `result_2`...
+            a vector, one of a single entry a scalar. Or a `KanesMethod`, `LagrangesMethod`, `System` or `JointsMethod`
+            of `sympy.physics.mechanics` whose equations M a = f are formed.
+        inputs: the arguments in their order: symbols, indexed ones too, functions such as q(t), derivatives of these,
+            matrix symbols, `IndexedBase` with a shape, and matrices or lists of symbols; or a mapping of names to them.
+            Where no name is given it is made of the symbols': q_dot of q(t).diff(t), omega of a Greek letter.
+            For a method it may be left out: the coordinates are `q`, the speeds `u` (rates of coordinates, for
+            Lagrange), other functions of time `specified`, constants `parameters`, by name; what each holds is in the
+            kernel's `inputs`.
+        outputs: the results' names; else `result`, or `result_1`, `result_2`... For a method, some of `mass_matrix`,
+            `forcing`, `accelerations`, which are all three if nothing is said, `state_rates` and `multipliers`. M is
+            supposed positive definite and factorised as L D L^T without pivots; with constraints rows are exchanged.
         name: what the kernel is called.
         jacobian: adds a result for each result: the derivatives of its entries, row by row, by all numbers that go in,
             in their order, as columns. A scalar has one row, which is a vector; where one scalar goes in there is no
             axis of columns. Of Abs, Min, Max, sign and Piecewise it is the derivative of the piece taken.
+        levels: "own" compiles for the instructions of this machine, "all" for lesser ones, too, so that
+            `chasles_limit` of the shared object can be asked for them.
 
     Raises:
         LoweringError: a ValueError that names what cannot be compiled.
     """
+    if levels not in ("own", "all"):
+        raise LoweringError(f"levels must be 'own' or 'all', not {levels!r}")
+    if any(str(each.__module__).startswith("sympy.physics.mechanics.") for each in type(expr).__mro__):
+        method = _program_of_method(require_kernel_name(name), expr, inputs, outputs, jacobian=jacobian)
+        return kernel_of(method, levels)
     given = inputs_of(inputs)
     results = outputs_of(expr, given, outputs)
-    return kernel_of(program_of(require_kernel_name(name), given, results, jacobian=jacobian))
+    given_as = [(item.argument, [symbol.name for symbol in item.symbols]) for item in given]
+    shapes = [(result.name, result.shape) for result in results]
+    key = key_of(
+        (entry for result in results for entry in result.entries), require_kernel_name(name), given_as, shapes, jacobian
+    )
+
+    def made() -> Program:
+        # What is recalled is not made: SymPy is not read.
+        from chasles.compiling.program_of import program_of
+
+        return program_of(name, given, results, jacobian=jacobian)
+
+    return kernel_for(key, made, levels)
+
+
+def _program_of_method(name: str, method: Any, inputs: Any, outputs: Any, *, jacobian: bool) -> Program:
+    # What is not needed is not imported.
+    from chasles.compiling.mechanics import program_of_method
+
+    return program_of_method(name, method, inputs, outputs, jacobian=jacobian)

@@ -22,7 +22,7 @@ def error_bound(program: Program, box: Mapping[str, Any], dtype: Any) -> BoxBoun
         if error.name != "flint":
             raise
         raise ModuleNotFoundError(
-            f"{program.name}: an error bound with sines, cosines or arctangents needs python-flint; install it with: "
-            "pip install 'chasles[fast]'",
+            f"{program.name}: an error bound with sines, exponentials and the like needs python-flint; install "
+            "it with: pip install 'chasles[fast]'",
             name="flint",
         ) from None

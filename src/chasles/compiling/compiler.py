@@ -10,19 +10,31 @@ import platform
 import shlex
 import shutil
 import subprocess
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from dataclasses import replace as with_fields
 from functools import cache
+from hashlib import sha256
+from importlib.util import find_spec
 from pathlib import Path
+
+from chasles.compiling.store import kept
 
 __all__ = ["Compiler", "CompilerFailed", "found"]
 
 _ALWAYS = ("-std=c99", "-fPIC", "-fvisibility=hidden", "-fno-math-errno", "-ffp-contract=off")
 _ONCE = ("-O2",)
 _BLOCK = ("-O3", "-fno-trapping-math")
-_INCLUDES = ("include", "src")
-_CONTRACTED = "trigonometry_blocks"
+_INCLUDES = ("-Iinclude", "-Isrc")
+_CONTRACTED = "src/trigonometry_blocks.c"
+_CIRCULAR = ("chasles_sincos", "sine_of", "directions")
+"""What blocks take from there: `cosine_of` holds the second."""
+_PACKED = "CHASLES_STEP"
+"""What is in blocks of which those of x86-64-v4 leave items with gaps to those of x86-64-v3."""
+_FIXED = ("src/batches.c", _CONTRACTED)
+_FIXED_HEADERS = ("src/batches.h", "src/vectors.h")
+"""What knows no kernel, and so came with the package, or else is compiled once and kept."""
 _LEVELS = ("x86-64-v3", "x86-64-v4")
 """Beyond the compiler's own target, in the order of `batches.h`."""
 _PATIENCE = 300.0
@@ -34,50 +46,103 @@ class CompilerFailed(RuntimeError):
 
 
 @dataclass(frozen=True, slots=True)
+class _Job:
+    """A source to be compiled, and the flags."""
+
+    source: str
+    flags: tuple[str, ...]
+
+    @property
+    def ready(self) -> str:
+        """What the object of it is called that came with the package."""
+        level = next((f"_{flag[-1]}" for flag in self.flags if flag.startswith("-DCHASLES_LEVEL=")), "")
+        return f"{Path(self.source).stem}{level}.o"
+
+
+@dataclass(frozen=True, slots=True)
 class Compiler:
-    """A compiler: its command, what it says of itself, and for which instructions blocks are compiled."""
+    """A compiler: its command, what it says of itself, and the flags of each level, of which `least` are left out.
+
+    Code without the first levels is for machines of this one's instructions alone.
+    """
 
     command: tuple[str, ...]
     version: str
     levels: tuple[str, ...]
+    least: int = 0
 
-    def key(self, files: Iterable[str]) -> str:
+    @property
+    def key(self) -> str:
         """All that the compiled code depends on besides what is in the files."""
-        jobs = map(tuple, self._jobs("x", files))
-        return repr((self.version, self.levels, platform.machine(), platform.system(), *jobs))
+        flags = (_ALWAYS, _INCLUDES, _ONCE, _BLOCK, self.levels, self.least)
+        return repr((self.version, platform.machine(), platform.system(), flags))
 
     def shared_object(self, files: Mapping[str, str], folder: Path) -> Path:
         """The shared object made of the files, in the folder. Raises `CompilerFailed`."""
         for path, text in files.items():
             (folder / path).parent.mkdir(parents=True, exist_ok=True)
             (folder / path).write_text(text, encoding="utf-8")
-        jobs = list(self._jobs(".", files))
+        jobs = list(self._jobs(files))
         objects = [f"{number}.o" for number in range(len(jobs))]
         with ThreadPoolExecutor(min(len(jobs), os.cpu_count() or 1)) as pool:
-            commands = [(*self.command, *job, "-o", made) for job, made in zip(jobs, objects, strict=True)]
-            list(pool.map(_run, commands, [folder] * len(jobs)))
+            list(pool.map(self._make, jobs, [files] * len(jobs), [folder / name for name in objects]))
         _run((*self.command, "-shared", "-o", "made.so", *objects, "-lm"), folder)
         return folder / "made.so"
 
-    def _jobs(self, root: str, files: Iterable[str]) -> Iterator[Sequence[str]]:
-        """What to compile, and how, but for where to: blocks for each level, other sources once."""
-        shared = (*_ALWAYS, *(f"-I{root}/{include}" for include in _INCLUDES), f"-DCHASLES_LEVELS={len(self.levels)}")
+    def _make(self, job: _Job, files: Mapping[str, str], place: Path) -> None:
+        """Compile; what is the same for all kernels is taken from the package or the cache where these have it."""
+
+        def made() -> bytes:
+            _run((*self.command, *job.flags, "-c", job.source, "-o", place.name), place.parent)
+            return place.read_bytes()
+
+        ready = _ready(files, len(self.levels)) / job.ready
+        if job.source in _FIXED and ready.is_file():
+            place.write_bytes(ready.read_bytes())
+        elif job.source in _FIXED:
+            machine = self.version, platform.machine(), platform.system()
+            texts = [files[path] for path in (job.source, *_FIXED_HEADERS)]
+            place.write_bytes(kept(sha256(repr((machine, job, texts)).encode()).hexdigest(), made))
+        else:
+            made()
+
+    def _jobs(self, files: Mapping[str, str]) -> Iterator[_Job]:
+        """Blocks for each level, the largest first, and other sources once."""
+        count, least = len(self.levels), self.least
+        if any(_PACKED in text for path, text in files.items() if path.endswith("_blocks.c")):
+            least = min(least, 1)
+        shared = (*_ALWAYS, *_INCLUDES, f"-DCHASLES_LEVELS={count}", *([f"-DCHASLES_LEAST={least}"] if least else ()))
         sources = sorted(path for path in files if path.endswith(".c"))
         blocks = [path for path in sources if path.endswith("_blocks.c")]
+        circular = any(word in files[path] for path in blocks if path not in _FIXED for word in _CIRCULAR)
+        for level, flag in reversed(list(enumerate(self.levels))[least:]):
+            for source in blocks:
+                if source != _CONTRACTED or circular:
+                    contracted = ("-ffp-contract=fast",) if source == _CONTRACTED else ()
+                    flags = (*_BLOCK, *contracted, f"-DCHASLES_LEVEL={level}", *((flag,) if flag else ()))
+                    yield _Job(source, (*shared, *flags))
+        alone = ("-DCHASLES_BLOCKS_ALONE",) if least else ()
         for source in sources:
             if source not in blocks:
-                yield (*shared, *_ONCE, "-c", f"{root}/{source}")
-        for level, flag in enumerate(self.levels):
-            for source in blocks:
-                contracted = ("-ffp-contract=fast",) if _CONTRACTED in source else ()
-                flags = (*_BLOCK, *contracted, f"-DCHASLES_LEVEL={level}", *((flag,) if flag else ()))
-                yield (*shared, *flags, "-c", f"{root}/{source}")
+                yield _Job(source, (*shared, *_ONCE, *(alone if source not in _FIXED else ())))
 
 
-def found(instructions: str) -> Compiler | None:
-    """The compiler that $CC names, else cc, for machines of these instructions; None where there is none."""
+def _ready(files: Mapping[str, str], levels: int) -> Path:
+    """The folder of the objects that the package brought of the same texts, as cmake/extension.cmake calls it."""
+    extension = find_spec("chasles._kernels")
+    hashes = [sha256(files[path].encode()).hexdigest() for path in (*_FIXED, *_FIXED_HEADERS)]
+    place = Path(extension.origin or "") if extension else Path()
+    return place.parent / "objects" / f"{sha256(''.join(hashes).encode()).hexdigest()}-{levels}"
+
+
+def found(instructions: str, *, alone: bool = False) -> Compiler | None:
+    """The compiler that $CC names, else cc, for machines of these instructions; None where there is none.
+
+    For machines of fewer instructions, too, unless for these `alone`.
+    """
     command = tuple(shlex.split(os.environ.get("CC", ""))) or ("cc",)
-    return _found(command, instructions) if shutil.which(command[0]) else None
+    compiler = _found(command, instructions) if shutil.which(command[0]) else None
+    return with_fields(compiler, least=len(compiler.levels) - 1) if compiler and alone else compiler
 
 
 @cache

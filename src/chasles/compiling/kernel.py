@@ -2,27 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from functools import wraps
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
+from functools import cached_property, wraps
 from hashlib import sha256
-from typing import Any
+from inspect import cleandoc
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 from warnings import warn
 
 import numpy
 
 from chasles import kernels
-from chasles.bounds import BoxBound
-from chasles.compiling.bound import error_bound
 from chasles.compiling.compiler import Compiler, CompilerFailed, found
-from chasles.compiling.sources import Sources, sources_of
+from chasles.compiling.packing import packing_of
+from chasles.compiling.recall import Sources, recalled
 from chasles.compiling.store import loaded
 from chasles.display import Displayed
 from chasles.kernels.chapter import functions_of
 from chasles.kernels.signatures import signature_of_call
 from chasles.lowering.program import Op, Program
-from chasles.targets.kernel import Heading, TargetKernel, signature
 
-__all__ = ["CompiledKernel", "kernel_of"]
+if TYPE_CHECKING:
+    from chasles.bounds import BoxBound
+
+__all__ = ["CompiledKernel", "kernel_for", "kernel_of"]
 
 
 class CompiledKernel(Displayed):
@@ -32,7 +37,9 @@ class CompiledKernel(Displayed):
         name: what it is called.
         signature: its core shapes, as NumPy writes them.
         backend: "c" or "numpy".
-        ufunc: the `numpy.ufunc` of the "c" backend, else None.
+        inputs: what goes in, by name: how many numbers, and which variables they are.
+        ufunc: the `numpy.ufunc` of the "c" backend, else None; it takes the scalars of more than 32 operands, and gives
+            results of as many, in one array.
         one: the same for one element or a C-contiguous batch of one shape, all of one precision, for a fraction of a
             call's time, as in `chasles.kernels.one`; the kernel itself of the "numpy" backend.
         program: the straight-line program of which all texts are made.
@@ -44,7 +51,7 @@ class CompiledKernel(Displayed):
 
     def __init__(self, program: Program, sources: Sources, ufunc: Any, one: Any, written: Callable[..., Any]) -> None:
         self.name = program.name
-        self.signature = signature(program)
+        self.signature = sources.signature
         self.backend = "numpy" if ufunc is None else "c"
         self.ufunc = ufunc
         self.program = program
@@ -54,17 +61,35 @@ class CompiledKernel(Displayed):
         self.numpy_source = sources.numpy
         self.array_api = written
         self.__doc__ = written.__doc__
-        self._function: Callable[..., Any] = _undisturbed(written) if ufunc is None else ufunc
-        self.one: Callable[..., Any] = one or self._function
-        self.__signature__ = signature_of_call(self._function, (argument.name for argument in program.arguments))
+        packing = packing_of(program) if ufunc is not None else None
+        called, alone = (ufunc, one) if packing is None else map(packing.around, (ufunc, one))
+        self._function: Callable[..., Any] = _undisturbed(written) if ufunc is None else called
+        self.one: Callable[..., Any] = alone or self._function
+        self.inputs = {argument.name: argument.meaning for argument in program.arguments}
+        self._names = tuple(self.inputs)
+        self.__signature__ = signature_of_call(self._function, self._names, by_name=True)
 
     def __call__(self, *inputs: Any, **options: Any) -> Any:
-        """The results for the inputs; a tuple where there are several. Raises ValueError for masked arrays."""
+        """The results for the inputs, in their order or by name; a tuple where there are several.
+
+        Raises ValueError for masked arrays, TypeError where inputs are missing or come twice.
+        """
+        if len(inputs) != len(self._names):
+            inputs = self._in_order(inputs, options)
         found = self._function(*inputs, **options)
         if isinstance(found[0] if type(found) is tuple else found, numpy.ma.MaskedArray):
             # NumPy gives a result the mask of an input, whose shape is another.
             raise ValueError(f"{self.name}: an input is a masked array: hand over its numbers, as .filled(nan)")
         return found
+
+    def _in_order(self, inputs: tuple[Any, ...], options: dict[str, Any]) -> tuple[Any, ...]:
+        """The inputs with those that are among the options, by their names."""
+        wanted = self._names[len(inputs) :]
+        missing = [name for name in wanted if name not in options]
+        if missing or not wanted:
+            said = f"without {', '.join(missing)}" if missing else f"with {len(inputs)} inputs"
+            raise TypeError(f"{self.name} is called {said}: it takes {', '.join(self._names)}")
+        return (*inputs, *(options.pop(name) for name in wanted))
 
     def error_bound(self, box: Mapping[str, Any], dtype: Any = numpy.float64) -> BoxBound:
         """How far rounding takes the results from the exact values of the expressions, proved for all floats of a box.
@@ -83,7 +108,36 @@ class CompiledKernel(Displayed):
             ValueError: for a box that does not fit; where the box holds a singularity, with the place.
             ModuleNotFoundError: where expressions with sines or arctangents are to be bounded without python-flint.
         """
+        from chasles.compiling.bound import error_bound
+
         return error_bound(self.program, box, dtype)
+
+    def write(
+        self,
+        folder: str | PathLike[str],
+        targets: str | Iterable[str] = ("c",),
+        *,
+        box: Mapping[str, Any] | None = None,
+        license: str = "BSD-3-Clause",
+    ) -> tuple[Path, ...]:
+        """The files below the folder that hold the kernel in other languages and need nothing of this package.
+
+        Args:
+            folder: where each target gets a folder of its own; it is made where it is missing.
+            targets: names of languages: "c" for C99, "cpp" for C++20, "rust" for a crate, "cuda", "jax", "torch".
+            box: inputs as for `error_bound`, whose bounds in both precisions then stand in the heads of the files.
+            license: the SPDX identifier in the first line of each file.
+
+        Raises:
+            ValueError: for a target that there is not or that cannot spell the kernel, and as `error_bound` does.
+            OSError: where a file cannot be written; then none is.
+        """
+        from chasles.compiling.sources import target_kernel
+        from chasles.compiling.written import written
+
+        precisions = (numpy.float64, numpy.float32) if box is not None else ()
+        bounds = tuple(self.error_bound(box or {}, precision) for precision in precisions)
+        return written(replace(target_kernel(self.program), box_bounds=bounds), Path(folder), targets, license)
 
     def __repr__(self) -> str:
         return f"<chasles kernel {self.name} {self.signature}, {self.backend}>"
@@ -92,43 +146,84 @@ class CompiledKernel(Displayed):
         return kernel_of, (self.program,)
 
 
-def kernel_of(program: Program) -> CompiledKernel:
+def kernel_of(program: Program, levels: str = "own") -> CompiledKernel:
     """The kernel of a program: compiled, from the cache where that has it; the NumPy text where nothing compiles.
 
-    A compiler that fails is warned of. Raises `LoweringError` where no target can spell the program.
+    The `levels` are those of `chasles.compile`. A compiler that fails is warned of. Raises `LoweringError` where no
+    target can spell the program.
     """
-    digest = sha256(repr(program).encode()).hexdigest()
-    heading = Heading("Expression", "given to chasles.compile.", "nothing is claimed", (), digest, section="expression")
-    sources = sources_of(TargetKernel(program, heading))
-    written = _written_out(program, sources)
-    ufunc, one = _compiled(program, sources, written.__doc__ or "")
+    return _kernel(program, *_sources_of(program), levels)
+
+
+def kernel_for(key: str, make: Callable[[], Program], levels: str = "own") -> CompiledKernel:
+    """The kernel of a program that is made now, or was made before for this key; as `kernel_of` does it."""
+    files: dict[str, str] = {}
+
+    def made() -> tuple[Program, Sources]:
+        program = make()
+        sources, texts = _sources_of(program)
+        files.update(texts)
+        return program, sources
+
+    return _kernel(*recalled(key, made), files, levels)
+
+
+def _kernel(program: Program, sources: Sources, files: dict[str, str], levels: str) -> CompiledKernel:
+    written = _WrittenOut(program.name, sources.numpy)
+    ufunc, one = _compiled(program, sources, files, written.__doc__ or "", levels)
     return CompiledKernel(program, sources, ufunc, one, written)
 
 
-def _compiled(program: Program, sources: Sources, doc: str) -> tuple[Any, Any]:
+def _sources_of(program: Program) -> tuple[Sources, dict[str, str]]:
+    # What is kept needs no languages: they are imported where texts are written.
+    from chasles.compiling.sources import sources_of
+
+    return sources_of(program)
+
+
+def _compiled(program: Program, sources: Sources, files: dict[str, str], doc: str, levels: str) -> tuple[Any, Any]:
     """The ufunc of the compiled program and its light function; None where nothing compiles or nothing makes these."""
-    compiler = found(kernels.instructions) if kernels.make_ufunc is not None else None
-    if compiler is None:
+    alone = levels == "own"
+    compiler = found(kernels.instructions, alone=alone) if kernels.make_ufunc is not None else None
+    if compiler is None or not sources.paths:
         return None, None
+
+    def made(folder: Path) -> Path:
+        return compiler.shared_object(files or _sources_of(program)[1], folder)
+
     try:
-        library = loaded(_key(sources, compiler), lambda folder: compiler.shared_object(sources.files, folder))
+        library = loaded(_key(sources, compiler), made)
     except (CompilerFailed, OSError) as error:
         warn(f"{program.name} runs as NumPy kernel: it could not be compiled: {error}", RuntimeWarning, stacklevel=4)
         return None, None
-    names = ([item.name for item in items] for items in (program.arguments, program.results))
-    return functions_of(library, 0, program.name, doc, signature(program), *names)
+    packing = packing_of(program)
+    inner = program if packing is None else packing.program
+    names = ([item.name for item in items] for items in (inner.arguments, inner.results))
+    return functions_of(library, 0, program.name, doc, sources.packed, *names)
 
 
 def _key(sources: Sources, compiler: Compiler) -> str:
-    return sha256(repr((compiler.key(sources.files), sorted(sources.files.items()))).encode()).hexdigest()
+    return sha256(repr((compiler.key, sources.digest)).encode()).hexdigest()
 
 
-def _written_out(program: Program, sources: Sources) -> Callable[..., Any]:
-    """The function that the NumPy text defines."""
-    names: dict[str, Any] = {"__name__": f"{__name__}.{program.name}"}
-    exec(compile(sources.numpy, f"<chasles.compile: {program.name}>", "exec"), names)
-    function: Callable[..., Any] = names[program.name]
-    return function
+class _WrittenOut:
+    """The function that a NumPy text defines, which is read when it is first called."""
+
+    def __init__(self, name: str, text: str) -> None:
+        self.__name__ = name
+        # The first text within triple quotes is the module's; to parse a long program takes longer than to start it.
+        self.__doc__ = cleandoc(text.split('"""')[3]) if text.count('"""') > 3 else ""
+        self._text = text
+
+    @cached_property
+    def _function(self) -> Callable[..., Any]:
+        names: dict[str, Any] = {"__name__": f"{__name__}.{self.__name__}"}
+        exec(compile(self._text, f"<chasles.compile: {self.__name__}>", "exec"), names)
+        function: Callable[..., Any] = names[self.__name__]
+        return function
+
+    def __call__(self, *inputs: Any, **options: Any) -> Any:
+        return self._function(*inputs, **options)
 
 
 def _undisturbed(function: Callable[..., Any]) -> Callable[..., Any]:

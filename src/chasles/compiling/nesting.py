@@ -13,17 +13,25 @@ import sympy
 
 __all__ = ["nested"]
 
+_HELD = (sympy.sin, sympy.cos, sympy.exp, sympy.log)
 Monomial = dict[sympy.Expr, int]
 """Whole powers by what is raised to them; the number in front has the key 1, and the power 1."""
 
 
-def nested(expression: sympy.Basic) -> sympy.Basic:
-    """The expression with every sum in it nested; conditions stay as they are."""
+def nested(expression: sympy.Basic, done: dict[sympy.Basic, sympy.Basic] | None = None) -> sympy.Basic:
+    """The expression with every sum in it nested; conditions stay as they are. What is `done` is not done again."""
+    done = {} if done is None else done
     if not expression.args or isinstance(expression, sympy.logic.boolalg.Boolean):
         return expression
-    parts = [nested(part) for part in expression.args]
-    changed = expression if list(expression.args) == parts else expression.func(*parts)
-    return _sum([_factors(term) for term in changed.args]) if isinstance(changed, sympy.Add) else changed
+    if expression not in done:
+        parts = [nested(part, done) for part in expression.args]
+        # Functions of what is the same are not evaluated again: SymPy would ask what it knows of it for long.
+        held = {"evaluate": False} if isinstance(expression, _HELD) else {}
+        changed = expression if list(expression.args) == parts else expression.func(*parts, **held)
+        done[expression] = (
+            _sum([_factors(term) for term in changed.args]) if isinstance(changed, sympy.Add) else changed
+        )
+    return done[expression]
 
 
 def _factors(term: sympy.Expr) -> tuple[sympy.Expr, Monomial]:

@@ -3,35 +3,38 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import product
 from keyword import iskeyword
 from typing import Any
 
 import sympy
-from sympy.matrices.expressions.matexpr import MatrixElement
+from sympy.core.function import UndefinedFunction
 
+from chasles.compiling.identifiers import name_of_group
 from chasles.compiling.scalars import shown
+from chasles.compiling.variables import Substitution, correspondence, is_variable
+from chasles.kernels.signatures import OPTIONS
+from chasles.lowering.names import Names
 from chasles.lowering.program import Argument
 from chasles.lowering.refusal import LoweringError
 
 __all__ = ["Input", "ResultEntries", "inputs_of", "outputs_of", "require_kernel_name"]
 
+PLAIN = re.compile(r"[\w\[\](), .+-]+", re.ASCII)
+"""What may stand in a comment of any language."""
 TAKEN = ("best_level", "block", "data", "entry", "loop", "run", "shape")
 
 
 @dataclass(frozen=True, slots=True)
 class Input:
-    """An input: how it is called, its core shape, and the user's symbols for its entries, row-major."""
+    """An input: its name and core shape, the user's variables for its entries, row-major, and real symbols for them."""
 
     argument: Argument
     entries: tuple[sympy.Expr, ...]
+    symbols: tuple[sympy.Symbol, ...]
     whole: sympy.MatrixSymbol | None = None
-
-    @property
-    def symbols(self) -> tuple[sympy.Symbol, ...]:
-        """The real symbols that stand for the entries, by their names."""
-        return tuple(sympy.Symbol(str(entry), real=True) for entry in self.entries)
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,20 +49,28 @@ class ResultEntries:
 def inputs_of(given: Any) -> tuple[Input, ...]:
     """The inputs, in the order given.
 
-    Raises `LoweringError` for what is no symbol, and for a symbol that comes twice.
+    Raises `LoweringError` for what is no variable, and for a variable that comes twice.
     """
     if isinstance(given, sympy.Basic | sympy.MatrixBase):
         given = (given,)
+    if given is None:
+        raise LoweringError("inputs is missing: name the symbols that go in, as in compile(x*y, [x, y])")
     if isinstance(given, str) or not isinstance(given, Iterable):
         raise LoweringError(f"inputs must be symbols, not {given!r}")
-    names: list[str] = []
-    found = [_input(item, names) for item in (given.items() if isinstance(given, Mapping) else given)]
+    names, symbols = Names(OPTIONS), Names(())
+    met: set[sympy.Basic] = set()
+    found: list[Input] = []
+    for number, item in enumerate(given.items() if isinstance(given, Mapping) else given, 1):
+        wanted, entries, shape, whole = _read(item)
+        for entry in entries:
+            if entry in met:
+                raise LoweringError(f"{entry} comes twice among the inputs: every entry needs a symbol of its own")
+            met.add(entry)
+        name = names.take(wanted or (str(whole.name) if whole else "") or name_of_group(entries) or f"input_{number}")
+        standing = tuple(sympy.Symbol(symbols.take(str(entry)), real=True) for entry in entries)
+        found.append(Input(Argument(name, shape, _meaning(name, shape, entries, whole)), entries, standing, whole))
     if not found:
         raise LoweringError("inputs is empty: name at least one symbol")
-    entries = [str(entry) for item in found for entry in item.entries]
-    twice = next((entry for entry in entries if entries.count(entry) > 1), None)
-    if twice is not None:
-        raise LoweringError(f"{twice} comes twice among the inputs: every entry of an input needs a symbol of its own")
     return tuple(found)
 
 
@@ -73,12 +84,17 @@ def outputs_of(expression: Any, given: Sequence[Input], names: Any) -> tuple[Res
     if not values:
         raise LoweringError("there is nothing to compile: the list of expressions is empty")
     called = _names(names, len(values))
-    table: dict[sympy.Basic, sympy.Basic] = {}
+    known: dict[sympy.Basic, sympy.Basic] = {}
     for item in given:
-        table |= dict(zip(item.entries, item.symbols, strict=True))
+        known |= dict(zip(item.entries, item.symbols, strict=True))
         if item.whole is not None:
-            table[item.whole] = sympy.ImmutableDenseMatrix(*item.whole.shape, item.symbols)
-    return tuple(_output(name, value, table) for name, value in zip(called, values, strict=True))
+            known[item.whole] = sympy.ImmutableDenseMatrix(*item.whole.shape, item.symbols)
+    parts = [_entries(value) for value in values]
+    standing = Substitution(correspondence((entry for _, entries in parts for entry in entries), known))
+    return tuple(
+        ResultEntries(name, shape, tuple(map(standing.of, entries)))
+        for name, (shape, entries) in zip(called, parts, strict=True)
+    )
 
 
 def require_name(name: Any, what: str) -> str:
@@ -95,43 +111,47 @@ def require_kernel_name(name: Any) -> str:
     return require_name(name, "the kernel")
 
 
-def _input(item: Any, taken: list[str]) -> Input:
-    wanted = None
+def _read(item: Any) -> tuple[str, tuple[sympy.Expr, ...], tuple[int, ...], sympy.MatrixSymbol | None]:
+    """The name that an input is given, its entries, its core shape, and the matrix symbol that it is, if any."""
+    wanted = ""
     if isinstance(item, tuple) and len(item) == 2 and isinstance(item[0], str):
         wanted, item = require_name(item[0], "the input"), item[1]
-    if isinstance(item, list | tuple):
-        item = sympy.Matrix(list(item))
-    whole: sympy.MatrixSymbol | None = None
-    if isinstance(item, sympy.MatrixSymbol):
-        whole, item = item, _explicit(item)
-    if isinstance(item, sympy.MatrixBase):
-        shape, entries = _core(item.shape), tuple(item)
-    else:
-        shape, entries = (), (item,)
+    if isinstance(item, list | tuple | sympy.NDimArray):
+        item = sympy.Matrix(item if isinstance(item, sympy.NDimArray) else list(item))
+    whole = item if isinstance(item, sympy.MatrixSymbol) else None
+    if isinstance(item, sympy.IndexedBase):
+        item = _entries_of(item)
+    elif whole is not None:
+        item = _explicit(whole)
+    shape, entries = (_core(item.shape), tuple(item)) if isinstance(item, sympy.MatrixBase) else ((), (item,))
     for entry in entries:
-        if not isinstance(entry, sympy.Symbol | sympy.Indexed | MatrixElement):
-            raise LoweringError(f"an input must be a symbol or hold symbols; {shown(entry)} is none")
-    name = wanted or _name(whole.name if whole else "", [str(getattr(entry, "name", entry)) for entry in entries])
-    name = name if name and not iskeyword(name) else f"input_{len(taken) + 1}"
-    while name in taken:
-        name += "_"
-    taken.append(name)
-    return Input(Argument(name, shape, _meaning(shape)), entries, whole)
+        if isinstance(entry, UndefinedFunction):
+            raise LoweringError(f"the function {entry} is no input: give its value, as {entry}(t)")
+        if not is_variable(entry):
+            raise LoweringError(
+                f"an input must be a symbol or hold symbols, values of functions or their derivatives; {shown(entry)} "
+                "is none"
+            )
+    return wanted, entries, shape, whole
 
 
-def _meaning(shape: tuple[int, ...]) -> str:
-    return f"{' x '.join(map(str, shape))} numbers" if shape else "a number"
+def _entries_of(array: sympy.IndexedBase) -> sympy.Matrix:
+    """The entries of an indexed array, in one row or as a matrix."""
+    shape = array.shape or ()
+    if len(shape) not in (1, 2) or not all(extent.is_Integer for extent in shape):
+        raise LoweringError(
+            f"{array} has no shape of one or two numbers: write IndexedBase({str(array)!r}, shape=(3,)), or name the "
+            "entries that go in"
+        )
+    places = product(*(range(int(extent)) for extent in shape))
+    return sympy.Matrix(*(1, *map(int, shape))[-2:], [array[place] for place in places])
 
 
-def _name(whole: str, entries: Sequence[str]) -> str:
-    """What an input is called: as it is, or by what the names of its entries begin with."""
-    text = whole or entries[0]
-    if not whole and len(entries) > 1:
-        while text and not all(entry.startswith(text) for entry in entries):
-            text = text[:-1]
-        text = text.rstrip("0123456789")
-    text = re.sub(r"[^A-Za-z0-9]+", "_", text).strip("_")
-    return text if text.isidentifier() else ""
+def _meaning(name: str, shape: tuple[int, ...], entries: Sequence[sympy.Expr], whole: sympy.MatrixSymbol | None) -> str:
+    """The extents, and what the entries are where the name does not tell."""
+    extents = f"{' x '.join(map(str, shape))} numbers" if shape else "a number"
+    said = ", ".join(map(str, entries))
+    return f"{extents}: {said}" if whole is None and said != name and PLAIN.fullmatch(said) else extents
 
 
 def _names(names: Any, count: int) -> tuple[str, ...]:
@@ -156,35 +176,20 @@ def _value(item: Any) -> Any:
     try:
         value = sympy.sympify(item, strict=True)
     except sympy.SympifyError:
+        if hasattr(item, "to_matrix"):
+            raise LoweringError(f"{shown(item)} has components in a frame: give them, as .to_matrix(frame)") from None
         raise LoweringError(f"{item!r} is no SymPy expression") from None
-    if not isinstance(value, sympy.Expr | sympy.MatrixBase | sympy.MatrixExpr):
+    if not isinstance(value, sympy.Expr | sympy.MatrixBase | sympy.MatrixExpr | sympy.logic.boolalg.Boolean):
         raise LoweringError(f"{shown(value)} is no scalar and no matrix ({type(value).__name__})")
     return value
 
 
-def _output(name: str, value: Any, table: Mapping[sympy.Basic, sympy.Basic]) -> ResultEntries:
-    shape: tuple[int, ...] = ()
-    entries: Iterator[Any] = iter((value,))
-    if isinstance(value, sympy.MatrixBase | sympy.MatrixExpr):
-        value = _explicit(value) if isinstance(value, sympy.MatrixExpr) else value
-        shape, entries = _core(value.shape), iter(value)
-    return ResultEntries(name, shape, tuple(_closed(sympy.sympify(entry), table) for entry in entries))
-
-
-def _closed(entry: sympy.Expr, table: Mapping[sympy.Basic, sympy.Basic]) -> sympy.Expr:
-    """The entry in symbols of inputs alone."""
-    known = {symbol for key in table for symbol in key.free_symbols}
-    try:
-        closed = entry.xreplace(table)
-    except (TypeError, ValueError) as error:
-        raise LoweringError(f"{shown(entry)} has no value for real inputs: {error}") from None
-    if closed.has(sympy.MatrixExpr, sympy.MatrixBase):
-        closed = closed.doit()
-    stray = (entry.free_symbols - known) | (closed.free_symbols - set(table.values()))
-    if stray:
-        said = ", ".join(sorted(map(str, stray)))
-        raise LoweringError(f"{said} in {shown(entry)} is not among the inputs")
-    return closed
+def _entries(value: Any) -> tuple[tuple[int, ...], tuple[sympy.Expr, ...]]:
+    """The core shape of an expression, and its entries."""
+    if not isinstance(value, sympy.MatrixBase | sympy.MatrixExpr):
+        return (), (value,)
+    value = _explicit(value) if isinstance(value, sympy.MatrixExpr) else value
+    return _core(value.shape), tuple(map(sympy.sympify, value))
 
 
 def _explicit(value: Any) -> Any:

@@ -9,23 +9,29 @@ from dataclasses import replace as with_fields
 
 import sympy
 
+from chasles.algebra.work_limit import within
 from chasles.compiling.derivatives import derivatives
 from chasles.compiling.nesting import nested
 from chasles.compiling.operands import Input, ResultEntries
+from chasles.compiling.removable import without_removable
 from chasles.compiling.scalars import Scalars
 from chasles.lowering.builder import Builder
 from chasles.lowering.cost import price
-from chasles.lowering.equivalence import equivalent
+from chasles.lowering.equivalence.programs import equivalent
+from chasles.lowering.equivalence.sums import same_but_for_order
 from chasles.lowering.passes.angles import respelled
 from chasles.lowering.passes.guard import guarded
 from chasles.lowering.passes.prune import pruned
+from chasles.lowering.passes.scale import all_scaled
 from chasles.lowering.program import Op, Program, Result
 from chasles.lowering.rounding import points_of, steady
 
-__all__ = ["program_of"]
+__all__ = ["jacobians", "program_of"]
 
 MOST_STEPS = 1000
 """A program of more steps is not looked at in other spellings: that would take longer than it saves."""
+WORK_PER_STEP = 2_000
+"""Products of terms, for each step, in which another spelling is proved to be the same, or else is not taken."""
 
 
 def program_of(name: str, inputs: Sequence[Input], outputs: Sequence[ResultEntries], *, jacobian: bool) -> Program:
@@ -37,10 +43,24 @@ def program_of(name: str, inputs: Sequence[Input], outputs: Sequence[ResultEntri
     def spelled(outputs: Sequence[ResultEntries], *, common: bool) -> Program:
         return _program(name, inputs, outputs, common=common, jacobian=jacobian)
 
+    outputs = [with_fields(o, entries=tuple(map(without_removable, o.entries))) for o in outputs]
     stated = spelled(outputs, common=False)
-    candidates = dict.fromkeys(_candidates(stated, outputs, spelled))
-    ranked = sorted(steady(list(candidates), points_of(stated), stated), key=price)
-    return guarded(next((program for program in ranked if program == stated or equivalent(stated, program)), stated))
+    with within(WORK_PER_STEP * len(stated.steps)):
+        chosen = _chosen(stated, list(dict.fromkeys(_candidates(stated, outputs, spelled))))
+    scaled = all_scaled(chosen)
+    with within(WORK_PER_STEP * len(scaled.steps)):
+        return guarded(scaled if scaled != chosen and equivalent(chosen, scaled) else chosen)
+
+
+def _chosen(stated: Program, candidates: Sequence[Program]) -> Program:
+    """The cheapest of the steadiest that are proved to be the same; after them the next steadiest are looked at."""
+    points = points_of(stated)
+    while True:
+        ranked = sorted(steady(candidates, points, stated), key=price)
+        for program in ranked:
+            if program == stated or same_but_for_order(stated, program) or equivalent(stated, program):
+                return program
+        candidates = [program for program in candidates if program not in ranked]
 
 
 def _candidates(
@@ -51,7 +71,8 @@ def _candidates(
     if len(stated.steps) > MOST_STEPS:
         yield spelled(outputs, common=True)
         return
-    inner = [with_fields(output, entries=tuple(map(nested, output.entries))) for output in outputs]
+    done: dict[sympy.Basic, sympy.Basic] = {}
+    inner = [with_fields(output, entries=tuple(nested(entry, done) for entry in output.entries)) for output in outputs]
     programs = [stated, spelled(outputs, common=True), spelled(inner, common=False), spelled(inner, common=True)]
     for program in dict.fromkeys(programs):
         yield program
@@ -73,7 +94,9 @@ def _program(
     scalars = Scalars(build, places)
     entries = [entry for output in outputs for entry in output.entries]
     if common:
-        replacements, entries = sympy.cse(entries, symbols=sympy.numbered_symbols("common_", cls=sympy.Dummy))
+        # In SymPy's order of its own it takes a time that grows with the tree.
+        symbols = sympy.numbered_symbols("common_", cls=sympy.Dummy)
+        replacements, entries = sympy.cse(entries, symbols=symbols, order="none")
         for symbol, meaning in replacements:
             scalars.define(symbol, meaning)
     numbers = iter([scalars.of(entry) for entry in entries])
@@ -82,11 +105,11 @@ def _program(
         for place, output in enumerate(outputs, 1)
     ]
     if jacobian:
-        results += list(_jacobians(build, inputs, results))
+        results += list(jacobians(build, inputs, results))
     return pruned(Program(name, tuple(item.argument for item in inputs), build.steps, tuple(results)))
 
 
-def _jacobians(build: Builder, inputs: Sequence[Input], results: Sequence[Result]) -> Iterator[Result]:
+def jacobians(build: Builder, inputs: Sequence[Input], results: Sequence[Result]) -> Iterator[Result]:
     """For each result its derivatives, the entries of the result by those of all inputs."""
     numbers = [entry for result in results for entry in result.entries]
     variables = [(place, entry) for place, item in enumerate(inputs) for entry in range(len(item.entries))]

@@ -5,13 +5,17 @@ Symbols are real. A number that is not rational, such as pi or the root of 2, st
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
+from functools import reduce
+from itertools import islice
 
 import sympy
+from sympy.codegen import cfunctions
 from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 
+from chasles.compiling.elementary import functions_by_class, power
 from chasles.lowering.builder import Builder
 from chasles.lowering.refusal import LoweringError
 
@@ -20,10 +24,11 @@ __all__ = ["Scalars", "shown"]
 DIGITS = 60
 NEGLIGIBLE = sympy.Float("1e-40")
 _SHOWN = 60
+_LONG = 500
 
 KNOWN = (
-    "sums, products, quotients, whole and half powers, sqrt, sin, cos, tan, cot, sec, csc, sinc, asin, acos, atan, "
-    "atan2, Abs, sign, Min, Max and Piecewise"
+    "sums, products, quotients, powers, roots, exp, log, circular and hyperbolic functions and their inverses, sinc, "
+    "erf, gamma, Bessel functions, floor, ceiling, Mod, Abs, sign, Heaviside, Min, Max, Piecewise and comparisons"
 )
 
 
@@ -34,23 +39,7 @@ class Scalars:
         self.build = build
         self._places: dict[sympy.Basic, int] = dict(places)
         self._conditions: dict[sympy.Basic, sympy.Basic] = {}
-        self._functions: dict[type, Callable[..., int]] = {
-            sympy.sin: build.sine,
-            sympy.cos: build.cosine,
-            sympy.tan: lambda a: build.divide(build.sine(a), build.cosine(a)),
-            sympy.cot: lambda a: build.divide(build.cosine(a), build.sine(a)),
-            sympy.sec: lambda a: build.divide(build.one, build.cosine(a)),
-            sympy.csc: lambda a: build.divide(build.one, build.sine(a)),
-            sympy.sinc: self._sinc,
-            sympy.atan2: build.arctangent2,
-            sympy.atan: lambda a: build.arctangent2(a, build.one),
-            sympy.asin: lambda a: build.arctangent2(a, self._leg(a)),
-            sympy.acos: lambda a: build.arctangent2(self._leg(a), a),
-            sympy.Abs: lambda a: build.select(build.less(a, build.zero), build.negate(a), a),
-            sympy.sign: self._sign,
-            sympy.Max: lambda *many: self._extreme(many, largest=True),
-            sympy.Min: lambda *many: self._extreme(many, largest=False),
-        }
+        self._functions = functions_by_class(build)
 
     def define(self, symbol: sympy.Symbol, meaning: sympy.Basic) -> None:
         """Let a symbol stand for an expression or a condition."""
@@ -72,11 +61,7 @@ class Scalars:
             return self._number(expression)
         match expression:
             case sympy.Add():
-                terms = [self.of(term) for term in expression.args]
-                total = terms[0]
-                for term in terms[1:]:
-                    total = build.add(total, term)
-                return total
+                return self._sum(expression.args)
             case sympy.Mul():
                 return self._product(expression.args)
             case sympy.Pow():
@@ -86,10 +71,21 @@ class Scalars:
                 for piece, condition in reversed(expression.args):
                     value = self._chosen(condition, self.of(piece), value)
                 return value
-            case sympy.Function() | sympy.Max() | sympy.Min() if type(expression) in self._functions:
+            case sympy.log():
+                return self._logarithm(expression.args[0])
+            case sympy.UnevaluatedExpr():
+                return self.of(expression.args[0])
+            case sympy.logic.boolalg.Boolean():
+                return self._chosen(expression, build.one, build.zero)
+            case _ if type(expression) in self._functions:
                 return self._functions[type(expression)](*map(self.of, expression.args))
             case sympy.Symbol():
                 raise LoweringError(f"{expression} is not among the inputs")
+            case sympy.Function():
+                # A curve of biomechanics, and whatever else says itself what it is.
+                meant = expression.doit(deep=False)
+                if meant != expression:
+                    return self.of(meant)
         raise LoweringError(_refusal(expression))
 
     def _number(self, expression: sympy.Expr) -> int:
@@ -103,60 +99,33 @@ class Scalars:
         exact = sympy.Rational(value)
         return self.build.constant(Fraction(int(exact.p), int(exact.q)))
 
+    def _sum(self, terms: Sequence[sympy.Expr]) -> int:
+        """The sum; exp(x) - 1 is a function of its own, which loses nothing near zero."""
+        minus = next((term for term in terms if term is sympy.S.NegativeOne), None)
+        powers = [term for term in terms if isinstance(term, sympy.exp)]
+        if minus is not None and powers:
+            terms = [cfunctions.expm1(powers[0].exp), *(term for term in terms if term not in (minus, powers[0]))]
+        first, *rest = [self.of(term) for term in terms]
+        return reduce(self.build.add, rest, first)
+
+    def _logarithm(self, of: sympy.Expr) -> int:
+        """The logarithm; that of 1 + x is a function of its own, which loses nothing near one."""
+        if isinstance(of, sympy.Add) and sympy.S.One in of.args:
+            return self.build.function("log1p", self._sum([term for term in of.args if term is not sympy.S.One]))
+        return self.build.function("log", self.of(of))
+
     def _product(self, factors: Iterable[sympy.Expr]) -> int:
         above: list[int] = []
         below: list[int] = []
         for factor in factors:
-            base, exponent = factor.as_base_exp() if isinstance(factor, sympy.Pow) else (factor, sympy.Integer(1))
-            halves = 2 * sympy.Rational(exponent) if isinstance(exponent, sympy.Rational | sympy.Float) else sympy.nan
-            if not halves.is_Integer:
-                raise LoweringError(_refusal(factor))
-            power = self._power(self.of(base), abs(int(halves)))
-            (below if halves.is_negative else above).append(power)
-        numerator = self._multiplied(above)
-        return self.build.divide(numerator, self._multiplied(below)) if below else numerator
-
-    def _multiplied(self, steps: Iterable[int]) -> int:
-        total = self.build.one
-        for step in steps:
-            total = self.build.multiply(total, step)
-        return total
-
-    def _power(self, base: int, halves: int) -> int:
-        """The base to so many halves, by squaring."""
-        total = self.build.square_root(base) if halves % 2 else self.build.one
-        whole = halves // 2
-        while whole:
-            if whole % 2:
-                total = self.build.multiply(total, base)
-            whole //= 2
-            base = self.build.multiply(base, base) if whole else base
-        return total
-
-    def _leg(self, a: int) -> int:
-        """The root of 1 - a^2, in factors, which lose nothing near 1."""
-        build = self.build
-        return build.square_root(build.multiply(build.subtract(build.one, a), build.add(build.one, a)))
-
-    def _sinc(self, a: int) -> int:
-        """The quotient sin(a) / a, and 1 for 0."""
-        build = self.build
-        is_zero = build.equal(a, build.zero)
-        return build.divide(build.select(is_zero, build.one, build.sine(a)), build.select(is_zero, build.one, a))
-
-    def _sign(self, a: int) -> int:
-        build = self.build
-        positive = build.select(build.less(build.zero, a), build.one, a)
-        return build.select(build.less(a, build.zero), build.negate(build.one), positive)
-
-    def _extreme(self, many: Iterable[int], *, largest: bool) -> int:
-        """The largest or the smallest; not a number where one of them is none."""
-        build, (found, *rest) = self.build, many
-        for other in rest:
-            low, high = (found, other) if largest else (other, found)
-            same = build.select(build.equal(found, other), found, build.not_a_number())
-            found = build.select(build.less(low, high), other, build.select(build.less(high, low), found, same))
-        return found
+            base, exponent = factor.as_base_exp() if isinstance(factor, sympy.Pow) else (factor, sympy.S.One)
+            if not isinstance(exponent, sympy.Rational | sympy.Float):
+                above.append(self.build.function("pow", self.of(base), self.of(exponent)))
+                continue
+            exact = Fraction(str(sympy.Rational(exponent)))
+            (below if exact < 0 else above).append(power(self.build, self.of(base), abs(exact)))
+        numerator = reduce(self.build.multiply, above, self.build.one)
+        return self.build.divide(numerator, reduce(self.build.multiply, below)) if below else numerator
 
     def _chosen(self, condition: sympy.Basic, one: int, other: int) -> int:
         """The one step where the condition holds, else the other."""
@@ -181,6 +150,8 @@ class Scalars:
                 return self._chosen(condition.args[0], other, one)
             case Relational():
                 return self._compared(condition, one, other)
+        if isinstance(condition, sympy.logic.boolalg.BooleanFunction):
+            return self._chosen(sympy.to_nnf(condition), one, other)
         raise LoweringError(
             f"the condition {shown(condition)} is no comparison of numbers; write it with <, <=, >, >=, Eq, Ne, And, "
             "Or and Not"
@@ -207,12 +178,12 @@ def _refusal(expression: sympy.Basic) -> str:
         return f"{said} is an unknown function: put what it is in its place, or a symbol that is an input"
     if isinstance(expression, sympy.Derivative | sympy.Integral | sympy.Sum | sympy.Product | sympy.Limit):
         return f"{said} is not carried out ({type(expression).__name__}): call .doit() first"
-    if isinstance(expression, sympy.Pow):
-        return f"the power {said}: exponents must be whole numbers or halves of them"
     return f"no program computes {said} ({type(expression).__name__}); it computes {KNOWN}"
 
 
 def shown(value: object) -> str:
-    """The beginning of what it reads, on one line."""
+    """The beginning of what it reads, on one line; nothing of what would take long to print."""
+    if isinstance(value, sympy.Basic) and next(islice(sympy.preorder_traversal(value), _LONG, None), None) is not None:
+        return f"{type(value).__name__}(...)"
     text = " ".join(str(value).split())
     return text if len(text) <= _SHOWN else f"{text[:_SHOWN]}..."

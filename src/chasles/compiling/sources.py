@@ -3,42 +3,59 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from dataclasses import replace as with_fields
+from hashlib import sha256
 from pathlib import Path
 
+from chasles.compiling.packing import packing_of
+from chasles.compiling.recall import Sources
+from chasles.lowering.functions import FUNCTIONS
+from chasles.lowering.passes.series import expanded_in_series
+from chasles.lowering.program import Program
 from chasles.lowering.refusal import LoweringError
-from chasles.targets import EmissionError, Origin, Page, Target, TargetKernel, render
+from chasles.targets import EmissionError, Origin, Page, Target, TargetKernel, spelled_out
 from chasles.targets.c import TARGET as C
 from chasles.targets.c.blocks import loop_name
 from chasles.targets.c.functions import PRECISIONS, single
 from chasles.targets.constants import DOUBLE, SINGLE
 from chasles.targets.emit import filled
+from chasles.targets.kernel import Heading, signature
 from chasles.targets.numpy import TARGET as NUMPY
 from chasles.targets.offering import c_sources
 
-__all__ = ["Sources", "library_of", "sources_of"]
+__all__ = ["library_of", "sources_of", "target_kernel"]
 
 _HERE = Path(__file__).parent
 ORIGIN = Origin(command="chasles.compile")
+_LIBRARY = with_fields(
+    C, pages=lambda kernels: (page for page in C.pages(kernels) if not page.path.startswith("test/"))
+)
+"""The files that are compiled."""
 
 
-@dataclass(frozen=True, slots=True)
-class Sources:
-    """The C and NumPy functions as text, and the `files` that a compiler takes, by path."""
-
-    c: str
-    numpy: str
-    files: Mapping[str, str]
+def target_kernel(program: Program) -> TargetKernel:
+    """What the targets spell: the program in operations that every language has, and what is said of it."""
+    digest = sha256(repr(program).encode()).hexdigest()
+    heading = Heading("Expression", "given to chasles.compile.", "nothing is claimed", (), digest, section="expression")
+    return TargetKernel(expanded_in_series(program), heading)
 
 
-def sources_of(kernel: TargetKernel) -> Sources:
-    """The texts of a kernel. Raises `LoweringError` where no target can spell it."""
+def sources_of(program: Program) -> tuple[Sources, dict[str, str]]:
+    """The texts of a program, and the files for a compiler. Raises `LoweringError` where no target can spell it."""
+    kernel = target_kernel(program)
+    is_special = any(FUNCTIONS[step.function].special for step in kernel.program.steps if step.function)
+    shown = Target("shown", _HERE, _in_python if is_special else _shown)
     try:
-        compiled = render([kernel], [C, Target("shown", _HERE, _shown)], head=(), origin=ORIGIN)
+        compiled = spelled_out([kernel], [shown], head=(), origin=ORIGIN)
+        packing = packing_of(kernel.program)
+        inner = kernel if packing is None else with_fields(kernel, program=packing.program)
+        files = {} if is_special else library_of([inner], spelled_out([inner], [_LIBRARY]))
     except EmissionError as error:
         raise LoweringError(str(error)) from None
-    return Sources(compiled["shown/function.c"], compiled["shown/function.py"], library_of([kernel], compiled))
+    digest = sha256(repr(sorted(files.items())).encode()).hexdigest()
+    texts = compiled.get("shown/function.c", ""), compiled["shown/function.py"]
+    shapes = signature(program), signature(inner.program)
+    return Sources(*texts, *shapes, tuple(sorted(files)), digest), files
 
 
 def library_of(kernels: Sequence[TargetKernel], texts: Mapping[str, str]) -> dict[str, str]:
@@ -53,6 +70,10 @@ def _shown(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
     [kernel] = kernels
     functions: Iterable[object] = [single(kernel, precision) for precision in PRECISIONS]
     yield Page("function.c", "function.c.jinja", {"functions": functions})
+    yield from _in_python(kernels)
+
+
+def _in_python(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
     for page in NUMPY.pages(kernels):
         if page.path == "kernels.py":
             yield with_fields(page, path="function.py", template="function.py.jinja")

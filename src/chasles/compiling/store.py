@@ -17,13 +17,14 @@ from time import time
 
 from chasles import cache
 
-__all__ = ["MOST", "loaded"]
+__all__ = ["MOST", "kept", "loaded"]
 
 Make = Callable[[Path], Path]
 """Makes a shared object in a folder."""
 
 MOST = 64 * 2**20
 """Bytes of shared objects that are kept: a thousand expressions or so."""
+_DIGEST = 32
 _ABANDONED = 3600.0
 """Seconds after which nobody writes any more."""
 
@@ -36,6 +37,25 @@ def loaded(key: str, make: Make) -> ctypes.CDLL:
     if library is None:
         library = _loaded[key] = _from_cache(key) or _made(key, make)
     return library
+
+
+def kept(key: str, make: Callable[[], bytes], suffix: str = ".o") -> bytes:
+    """The content of this key, from the cache or else made; the file has the hash of it before it."""
+    folder = _folder()
+    if folder is None:
+        return make()
+    path = folder / f"{key}{suffix}"
+    with suppress(OSError):
+        content = path.read_bytes()
+        if sha256(content[_DIGEST:]).digest() == content[:_DIGEST]:
+            cache.used(path)
+            return content[_DIGEST:]
+    content = make()
+    with suppress(OSError):
+        folder.mkdir(parents=True, exist_ok=True)
+        cache.keep(path, sha256(content).digest() + content)
+        cache.trim(folder.glob(f"*{suffix}"), MOST // 8)
+    return content
 
 
 def _from_cache(key: str) -> ctypes.CDLL | None:

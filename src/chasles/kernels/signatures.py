@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.ma import core as masked
 
-__all__ = ["MASKED", "named", "signature_of_call"]
+__all__ = ["MASKED", "OPTIONS", "named", "signature_of_call"]
 
 MASKED = "is a masked array: hand over its numbers, as .filled(nan), and mask the result"
 """What is said of an input that is refused for that."""
 
-_OPTIONS = {
+OPTIONS = {
     "out": None,
     "dtype": None,
     "casting": "same_kind",
@@ -26,13 +26,18 @@ _OPTIONS = {
 """What a call of a generalised ufunc takes by name, with NumPy's defaults."""
 
 
-def signature_of_call(kernel: Any, names: Iterable[str]) -> Signature:
-    """The signature of a kernel whose inputs have these names: a ufunc's, or that of a function as it is."""
-    if not isinstance(kernel, np.ufunc):
+def signature_of_call(kernel: Any, names: Iterable[str], *, by_name: bool = False) -> Signature:
+    """The signature of a kernel whose inputs have these names, and may be given by them: a ufunc's or a function's.
+
+    An option that an input is named like can be given only beside all inputs, and does not stand in it.
+    """
+    kind = Parameter.POSITIONAL_OR_KEYWORD if by_name else Parameter.POSITIONAL_ONLY
+    if not isinstance(kernel, np.ufunc) and not by_name:
         return signature(kernel)
-    inputs = [Parameter(name, Parameter.POSITIONAL_ONLY) for name in names]
-    options = [Parameter(name, Parameter.KEYWORD_ONLY, default=value) for name, value in _OPTIONS.items()]
-    return Signature([*inputs, *options])
+    inputs = {name: Parameter(name, kind) for name in names}
+    known = OPTIONS if isinstance(kernel, np.ufunc) else {"out": None}
+    options = [Parameter(name, Parameter.KEYWORD_ONLY, default=value) for name, value in known.items()]
+    return Signature([*inputs.values(), *(option for option in options if option.name not in inputs)])
 
 
 def named(kernel: Any, light: Any) -> Any:

@@ -31,6 +31,7 @@ class Arithmetic(Protocol[Value]):
     def less(self, a: Value, b: Value, /) -> Value: ...
     def equal(self, a: Value, b: Value, /) -> Value: ...
     def select(self, condition: Value, if_true: Value, if_false: Value, /) -> Value: ...
+    def function(self, name: str, /, *operands: Value) -> Value: ...
 
 
 class Operators:
@@ -53,6 +54,8 @@ class Operators:
 def applied(arithmetic: Arithmetic[Value] | Operators, step: Step, operands: Iterable[Value]) -> Value:
     """What a step that reads no argument comes to."""
     operation: Callable[..., Value] = getattr(arithmetic, step.op.value)
+    if step.op is Op.FUNCTION:
+        return operation(step.function, *operands)
     return operation(step.value) if step.op is Op.CONSTANT else operation(*operands)
 
 

@@ -35,6 +35,10 @@ class Builder:
         """All steps so far, in the order in which they were first asked for."""
         return tuple(self._steps)
 
+    def step(self, number: int) -> Step:
+        """One of the steps."""
+        return self._steps[number]
+
     def like(self, step: Step, operands: Sequence[int]) -> int:
         """The step that does to the operands what another one does to its own."""
         return self.input(step.argument, step.entry) if step.op is Op.INPUT else applied(self, step, operands)
@@ -177,6 +181,16 @@ class Builder:
         if other.op in _COSTLY and one.op is Op.NOT_A_NUMBER:
             return self._add(Step(other.op, (self.select(condition, if_true, other.operands[0]), *other.operands[1:])))
         return self._add(Step(Op.SELECT, (condition, if_true, if_false)))
+
+    def function(self, name: str, *operands: int) -> int:
+        """A function of the table; an even one of -a is that of a."""
+        if name == "stumpff" and (inner := self._opposite(operands[1])) is not None:
+            return self.function(name, operands[0], inner)
+        if name == "fabs":
+            inner, value = self._opposite(operands[0]), self.value(operands[0])
+            if inner is not None or value is not None:
+                return self.function(name, inner) if inner is not None else operands[0]
+        return self._add(Step(Op.FUNCTION, operands, function=name))
 
     def _scaled(self, factor: Fraction, constant: int, b: int) -> int:
         """A constant times b; constants that meet are multiplied exactly."""

@@ -21,6 +21,7 @@ WEIGHTS = {
     Op.SINE: 1,
     Op.COSINE: 1,
     Op.ARCTANGENT2: 300,
+    Op.FUNCTION: 100,
 }
 """Time in a vector loop relative to an addition; comparisons, selections and signs vanish beside the rest."""
 
@@ -33,6 +34,7 @@ LATENCIES = {
     Op.SINE: 12,
     Op.COSINE: 12,
     Op.ARCTANGENT2: 25,
+    Op.FUNCTION: 20,
     Op.LESS: 1,
     Op.EQUAL: 1,
     Op.SELECT: 1,
@@ -41,7 +43,7 @@ LATENCIES = {
 
 ROUNDINGS = {
     **dict.fromkeys((Op.ADD, Op.SUBTRACT, Op.MULTIPLY, Op.DIVIDE, Op.SQUARE_ROOT), 1),
-    **dict.fromkeys((Op.SINE, Op.COSINE, Op.ARCTANGENT2), 2),
+    **dict.fromkeys((Op.SINE, Op.COSINE, Op.ARCTANGENT2, Op.FUNCTION), 2),
 }
 
 ANGLE = 40

@@ -12,6 +12,7 @@ from typing import Any
 import mpmath
 
 from chasles.lowering.arithmetic import Arithmetic, Operators, evaluated
+from chasles.lowering.functions import FUNCTIONS
 from chasles.lowering.program import Program
 
 __all__ = ["Decimals", "decimals", "run"]
@@ -57,6 +58,14 @@ class Decimals(Operators):
     def arctangent2(self, y: Any, x: Any) -> Any:
         """The angle of the point (x, y), in (-pi, pi]."""
         return self.context.atan2(y, x)
+
+    def function(self, name: str, *operands: Any) -> Any:
+        """The value of a function of the table; NaN where it has none that is real, or none at all."""
+        try:
+            value = FUNCTIONS[name].value(self.context, *operands)
+        except (ValueError, ZeroDivisionError, OverflowError):
+            return self.context.nan
+        return self.context.nan if isinstance(value, self.context.mpc) else value
 
 
 @cache

@@ -181,7 +181,7 @@ class Expansion(Products):
     def _column(self, node: Node) -> Column:
         match node:
             case Zero(rows, _):
-                return (self.builder.zero,) * rows
+                return tuple(self.builder.zero for _ in range(rows))
             case Sum(terms):
                 return reduce(self.tensors.sum, map(self.column, terms))
             case Cross(left, right):

@@ -15,7 +15,7 @@ from chasles.lowering.passes.prune import pruned
 from chasles.lowering.passes.scale import scaled
 from chasles.lowering.program import Argument, Op, Program, Result
 from chasles.lowering.request import Request
-from chasles.lowering.rounding import stable
+from chasles.lowering.stability import stable
 from chasles.statements import Entry, Kernel
 from chasles.statements.arrays import argument_name, core_shape, meaning_of
 

@@ -11,11 +11,13 @@ from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
 
-__all__ = ["Argument", "Op", "Program", "Result", "Step", "is_power_of_two"]
+from chasles.lowering.functions import FUNCTIONS
+
+__all__ = ["MOST_OPERANDS", "Argument", "Op", "Program", "Result", "Step", "is_power_of_two"]
 
 
 class Op(StrEnum):
-    """The operations of a program; each takes the number of operands that `ARITY` says."""
+    """The operations of a program; each takes the number of operands that `ARITY` or the table of functions says."""
 
     INPUT = "input"
     CONSTANT = "constant"
@@ -32,6 +34,7 @@ class Op(StrEnum):
     LESS = "less"
     EQUAL = "equal"
     SELECT = "select"
+    FUNCTION = "function"
 
 
 ARITY = {
@@ -52,6 +55,8 @@ ARITY = {
     Op.SELECT: 3,
 }
 
+MOST_OPERANDS = 32
+"""How many operands a function over batches may have: NumPy's own limit is that of its iterators."""
 FREE_OF_CHARGE = frozenset({Op.INPUT, Op.CONSTANT, Op.NOT_A_NUMBER, Op.NEGATE, Op.SELECT, Op.LESS, Op.EQUAL})
 
 
@@ -68,8 +73,9 @@ class Argument:
 class Step:
     """One operation: `operands` are numbers of earlier steps.
 
-    `argument` and `entry` (flat, row-major) say which input an INPUT step reads; `value` is a CONSTANT's exact value.
-    LESS and EQUAL yield a truth value that only SELECT (condition, if true, if false) may read.
+    `argument` and `entry` (flat, row-major) say which input an INPUT step reads; `value` is a CONSTANT's exact value;
+    `function` is the name of a FUNCTION. LESS and EQUAL yield a truth value that only SELECT (condition, if
+    true, if false) may read.
     """
 
     op: Op
@@ -77,10 +83,20 @@ class Step:
     argument: int = 0
     entry: int = 0
     value: Fraction = Fraction(0)
+    function: str = ""
 
     def __post_init__(self) -> None:
-        if len(self.operands) != ARITY[self.op]:
-            raise ValueError(f"{self.op} takes {ARITY[self.op]} operands, not {len(self.operands)}")
+        arity = FUNCTIONS[self.function].operands if self.op is Op.FUNCTION else ARITY[self.op]
+        if len(self.operands) != arity:
+            raise ValueError(f"{self.function or self.op} takes {arity} operands, not {len(self.operands)}")
+
+    def __hash__(self) -> int:
+        """Of what tells most steps apart: a fraction's hash, and an operation's, take longer than all of it."""
+        return hash((self.operands, self.argument, self.entry, self.value.numerator, self.value.denominator))
+
+    def on(self, operands: tuple[int, ...]) -> Step:
+        """The same operation on other steps."""
+        return Step(self.op, operands, self.argument, self.entry, self.value, self.function)
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,6 +11,7 @@ from math import comb
 from operator import mul
 from random import Random
 
+from chasles.evaluation.matrices import product
 from chasles.points.rational import (
     CIRCLE,
     Numbers,
@@ -37,6 +38,11 @@ KINDS = (
     "symmetric",
     "positive",
     "perpendicular",
+    "orthogonal",
+    "orthonormal columns",
+    "skew-symmetric",
+    "idempotent",
+    "commuting",
 )
 """Of hypotheses on the same symbols, those that leave less of a choice come first."""
 
@@ -89,11 +95,45 @@ def bind(
                 for k in range(orders.get(matrix, 0) + 1):
                     m = (definite if hypothesis.kind == "definite" else free)(matrix.shape, draw, rich)
                     values[matrix, k] = [[m[min(i, j)][max(i, j)] for j in range(len(m))] for i in range(len(m))]
+        case "orthogonal" | "orthonormal columns" | "skew-symmetric" | "idempotent" | "commuting":
+            _bind_matrices(hypothesis.kind, subjects, values, draw, rich)
         case "perpendicular":
             return _perpendicular(subjects, values, draw, rich)
         case _:
             return set()
     return set(subjects)
+
+
+def _bind_matrices(
+    kind: str, subjects: list[Symbol], values: dict[tuple[Symbol, int], Numbers], draw: Random, rich: bool
+) -> None:
+    """The same of matrices of any size; those that move are not treated."""
+    (rows, columns), mirror = subjects[0].shape, _reflection(subjects[0].shape[0], draw)
+    if kind in ("orthogonal", "orthonormal columns"):
+        turned = product(mirror, _reflection(rows, draw)) if draw.randint(0, 1) else mirror
+        values[subjects[0], 0] = [row[:columns] for row in turned]
+    elif kind == "skew-symmetric":
+        values[subjects[0], 0] = _spin(_unit(rows), [row[0] for row in free((rows * (rows - 1) // 2, 1), draw, rich)])
+    elif kind == "idempotent":
+        kept, aslant = draw.randint(0, rows), draw.randint(0, 2)
+        part = [[Fraction(i == j < kept or (i < kept <= j and aslant)) for j in range(rows)] for i in range(rows)]
+        values[subjects[0], 0] = product(mirror, product(part, mirror))
+    else:
+        m = values.setdefault((subjects[0], 0), free((rows, rows), draw, rich))
+        a, b = (Fraction(draw.randint(-2, 2)) for _ in range(2))
+        shifted = _plus(product(m, m), [[a * x for x in row] for row in m])
+        values[subjects[1], 0] = _plus(shifted, [[b * x for x in row] for row in _unit(rows)])
+
+
+def _unit(size: int) -> Numbers:
+    return [[Fraction(i == j) for j in range(size)] for i in range(size)]
+
+
+def _reflection(size: int, draw: Random) -> Numbers:
+    """A reflection at a plane through the origin, or the identity."""
+    v = [draw.randint(-2, 2) for _ in range(size)]
+    square = sum(x * x for x in v) or 1
+    return [[Fraction(i == j) - Fraction(2 * v[i] * v[j], square) for j in range(size)] for i in range(size)]
 
 
 def _symmetric_too(rotation: Numbers, kind: str, draw: Random, rich: bool) -> Numbers:

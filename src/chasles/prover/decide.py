@@ -8,6 +8,7 @@ from math import inf
 
 from chasles.algebra.groebner import Basis, completed
 from chasles.algebra.work_limit import OutOfTime, remaining, within
+from chasles.checker.any_size.at_sizes import sizes_in
 from chasles.points import sampling as points
 from chasles.points.evaluation import measured
 from chasles.problems.context import Context, build, difference, entries
@@ -113,6 +114,10 @@ def determining(problem: Problem, symbols: tuple[Symbol, ...]) -> Problem:
 
 def pose(problem: Problem) -> Verdict:
     """A condition, with a point that satisfies it together with the hypotheses."""
+    if sizes_in(problem):
+        from chasles.prover.symbolic import pose_at_sizes  # few chapters have letters for sizes
+
+        return pose_at_sizes(problem)
     try:
         context = build(problem)
         witness = satisfying_point(context, islice(points.sample(context, {}), SAMPLES))

@@ -16,7 +16,7 @@ from chasles.prover.counterexample import transcendental_name
 from chasles.report.entry_parts import Part, parts_of_entry
 from chasles.statements import Statement, problem_of
 from chasles.verdict import Counterexample
-from chasles.vocabulary import PI, Node, Rate, Symbol
+from chasles.vocabulary import PI, Misfit, Node, Rate, Symbol
 
 __all__ = ["ByHand", "worked_out"]
 
@@ -37,11 +37,11 @@ def worked_out(statement: Statement, decision: Decision, found: Counterexample) 
     """
     sides = statement.printed
     place = found.entry[0] - 1, found.entry[1] - 1
-    if found.goal or any(place[0] >= side.shape[0] or place[1] >= side.shape[1] for side in sides):
-        return ByHand()
     values: dict[str, str] = {}
     definitions: list[tuple[Statement, ...]] = []
     try:
+        if found.goal or any(place[0] >= side.shape[0] or place[1] >= side.shape[1] for side in sides):
+            return ByHand()
         context = build(problem_of(statement, standing=decision.accepted))
         for side in sides:
             parts = [part for part in parts_of_entry(side, place) if part[0] in context.unfold.rules]
@@ -51,7 +51,7 @@ def worked_out(statement: Statement, decision: Decision, found: Counterexample) 
                 values |= known
                 rest += [] if known else [part[0]]
             definitions.append(_definitions(statement, rest))
-    except (Untreatable, UndeclaredDivisor, KeyError):
+    except (Untreatable, UndeclaredDivisor, KeyError, Misfit):
         return ByHand()
     return ByHand(values, *definitions)
 

@@ -3,15 +3,31 @@
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
+from dataclasses import replace as with_fields
 from fractions import Fraction
 
 from chasles.statements.hypotheses import Hypothesis
+from chasles.statements.problem import Goal, Problem
 from chasles.statements.statement import Equation
-from chasles.vocabulary import Misfit, Negative, Node, Number, Sum, Symbol, latex, plain, uniform
-from chasles.vocabulary.arguments import declaring
-from chasles.vocabulary.functions import Relation, sign
+from chasles.vocabulary import (
+    Contract,
+    Determinant,
+    Misfit,
+    Negative,
+    Node,
+    Number,
+    Sum,
+    Symbol,
+    Transpose,
+    latex,
+    plain,
+    uniform,
+)
+from chasles.vocabulary.arguments import Declared, declaring
+from chasles.vocabulary.functions import FunctionOf, Relation, sign
 
-__all__ = ["inequality", "says_that"]
+__all__ = ["PositiveDefinite", "as_differences", "inequality", "says_that"]
 
 PRINTED = {"<": "<", "<=": r"\leq", ">": ">", ">=": r"\geq"}
 ZERO = Number(Fraction(0))
@@ -48,3 +64,45 @@ def says_that(relation: Relation) -> Equation:
     if relation.sign in ("<", ">"):
         return sign(difference), Number(Fraction(1))
     return abs(difference), difference
+
+
+@dataclass(frozen=True, slots=True)
+class PositiveDefinite(Declared):
+    """The matrix is symmetric and x . M x is never negative; and unless it is only `semi`, its determinant is positive.
+
+    A symmetric matrix without negative eigenvalues, none of which is zero, is positive-definite.
+    """
+
+    matrix: Node
+    semi: bool = False
+
+    def equations(self) -> tuple[tuple[str, Node, Node], ...]:
+        """What is to be decided: a label and two sides, for each equation."""
+        x = Symbol("any_column", r"\mathbf{x}", uniform((self.matrix.shape[0], 1), None), "any column")
+        form = Relation(Contract((Transpose(x), self.matrix, x)), ">=", ZERO)
+        found: list[tuple[str, Node, Node]] = [("it is symmetric", self.matrix, Transpose(self.matrix))]
+        found.append(("its quadratic form is never negative", *says_that(form)))
+        if not self.semi:
+            found.append(("its determinant is positive", *says_that(Relation(Determinant(self.matrix), ">", ZERO))))
+        return tuple(found)
+
+
+def as_differences(problem: Problem) -> tuple[Problem, tuple[str, ...]] | None:
+    """The problem that says that each difference is zero which is said to be "positive" or "not negative".
+
+    None if the problem says nothing of this kind.
+    """
+    goals: list[Goal] = []
+    signs: list[str] = []
+    for goal in problem.goals:
+        match goal.left, goal.right:
+            case FunctionOf("abs", (of,)), same if of == same:
+                goals.append(Goal(goal.label, of, ZERO))
+                signs.append("not negative")
+            case FunctionOf("sign", (of,)), Number(value) if value == 1:
+                goals.append(Goal(goal.label, of, ZERO))
+                signs.append("positive")
+            case _:
+                goals.append(goal)
+                signs.append("")
+    return (with_fields(problem, goals=tuple(goals)), tuple(signs)) if any(signs) else None

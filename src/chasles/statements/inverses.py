@@ -33,6 +33,7 @@ from chasles.vocabulary import (
     Zero,
     replace,
 )
+from chasles.vocabulary.nodes import measured
 
 __all__ = ["Inverses", "reached"]
 
@@ -68,10 +69,13 @@ class Inverses:
         if found is not None:
             return found
         if of.is_scalar:
-            self._need(of)
+            self._need(self(of))
             return Quotient(Number(Fraction(1)), self(of))
-        self._need(Determinant(of))
-        return Quotient(Transpose(Cofactor(self(of))), Determinant(self(of)))
+        said = self(of)
+        self._need(Determinant(said))
+        if measured(of).partition is not None:
+            return Inverse(said)
+        return Quotient(Transpose(Cofactor(said)), Determinant(said))
 
     def _by_parts(self, of: Node) -> Node | None:
         """The inverse of what is made of others that have one, or is a rotation; None for anything else."""
@@ -109,7 +113,7 @@ class Inverses:
 
     def _of_rotation(self, of: Node) -> Node | None:
         """The transpose, where a hypothesis says that the matrix, or the triad of its columns, is a rotation."""
-        said: list[tuple[Any, Any]] = [("rotation", (of,)), ("half_turn", (of,))]
+        said: list[tuple[Any, Any]] = [("rotation", (of,)), ("half_turn", (of,)), ("orthogonal", (of,))]
         if isinstance(of, Block) and len(of.rows) == 1:
             said.append(("orthonormal", of.rows[0]))
         for key in said:

@@ -10,9 +10,9 @@ from typing import ClassVar
 from chasles.display import Displayed
 from chasles.statements.forms import Form
 from chasles.statements.hypotheses import Hypothesis
-from chasles.statements.kernel import Kernel
+from chasles.statements.kernel import Kernel, nodes_of
 from chasles.vocabulary import At, Group, Misfit, Node, Rate, Symbol, plain, replace
-from chasles.vocabulary.arguments import Declared
+from chasles.vocabulary.arguments import Declared, WrongArgument
 from chasles.vocabulary.measure import added
 
 __all__ = [
@@ -63,6 +63,11 @@ class Statement(Declared, Displayed):
         if fault and not self.sic and self.reading is None and self.corrected is None:
             raise Misfit(f"({self.number}) does not fit: {fault}. If the book prints it so, say `sic=True`")
         object.__setattr__(self, "fault", fault)
+        for node in (self.right, *(n for of in self.kernel.of for n in nodes_of(of))) if self.kernel else ():
+            if node.measure is not None and node.measure.partition is not None:
+                raise WrongArgument(
+                    f"({self.number}) has no kernel: {plain(node)} is of any size; give `with_sizes` one"
+                )
 
     def _find_fault(self) -> str | None:
         if self.left.fault or self.right.fault:

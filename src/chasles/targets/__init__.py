@@ -6,10 +6,10 @@ the languages.
 
 from __future__ import annotations
 
-from chasles.targets.emit import MANIFEST, render
+from chasles.targets.emit import MANIFEST, render, spelled_out, taken_away
 from chasles.targets.kernel import Check, EmissionError, Heading, TargetKernel, signature
 from chasles.targets.target import Origin, Page, Target, discover
-from chasles.targets.tree import Difference, Written, stale, write
+from chasles.targets.tree import Difference, Written, place, stale, write
 
 __all__ = [
     "MANIFEST",
@@ -23,8 +23,11 @@ __all__ = [
     "TargetKernel",
     "Written",
     "discover",
+    "place",
     "render",
     "signature",
+    "spelled_out",
     "stale",
+    "taken_away",
     "write",
 ]

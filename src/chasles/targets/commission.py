@@ -7,7 +7,7 @@ from collections.abc import Callable
 from chasles.bounds import Bound
 from chasles.decisions.decision import HOW, Decision
 from chasles.lowering.declaration import Decide, requested
-from chasles.lowering.equivalence import differences
+from chasles.lowering.equivalence.requests import differences
 from chasles.lowering.lower import program_of
 from chasles.lowering.offered import counterexample, in_words
 from chasles.lowering.program import Program

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from textwrap import wrap
 
-from chasles.bounds import SINGLE
 from chasles.lowering.program import Op, Program
 from chasles.targets.kernel import TargetKernel
 
@@ -62,12 +61,19 @@ def summary(kernel: TargetKernel, what: str) -> tuple[str, ...]:
 
 def _bounded(kernel: TargetKernel) -> tuple[str, ...]:
     """What is proved of the errors, a line for each result, what u is, and under which rounding model."""
-    if kernel.bound is None:
+    if not kernel.box_bounds and kernel.bound is None:
         return ()
+    # Where nothing is bounded that is not imported.
+    from chasles.bounds import SINGLE
+
+    supposed = f"supposed: {SINGLE.in_words(kernel.program.operations)}"
+    if kernel.box_bounds:
+        return (*(line for bound in kernel.box_bounds for line in str(bound).splitlines()), supposed)
+    assert kernel.bound is not None
     *lines, last = kernel.bound.in_words
     if all(guarantee.against == "nothing" for guarantee in kernel.bound.guarantees):
         return (*lines, last)
-    return (*lines, f"{last}; u = {ROUNDOFF}", f"supposed: {SINGLE.in_words(kernel.program.operations)}")
+    return (*lines, f"{last}; u = {ROUNDOFF}", supposed)
 
 
 def _labelled(label: str, items: Iterable[str]) -> tuple[str, ...]:

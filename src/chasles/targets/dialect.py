@@ -10,9 +10,9 @@ from dataclasses import dataclass
 from enum import IntEnum
 from fractions import Fraction
 
-from chasles.lowering.program import Op
+from chasles.lowering.program import Op, Program
 
-__all__ = ["ARITHMETIC", "Dialect", "Level", "Phrase", "Shape", "call", "infix"]
+__all__ = ["ARITHMETIC", "Dialect", "Level", "Phrase", "Shape", "call", "called", "circular", "infix", "nested"]
 
 Shape = tuple[int, ...]
 
@@ -52,6 +52,35 @@ def call(name: str, operands: int = 1) -> Phrase:
     return Phrase(f"{name}({', '.join(['{}'] * operands)})", Level.ATOM, (Level.CHOICE,) * operands)
 
 
+_CIRCULAR = {
+    Op.SQUARE_ROOT: ("sqrt", 1),
+    Op.SINE: ("sin", 1),
+    Op.COSINE: ("cos", 1),
+    Op.ARCTANGENT2: ("atan2", 2),
+}
+"""The operations that C calls by a name."""
+
+
+def circular(function: Callable[[str, int], Phrase]) -> dict[Op, Phrase]:
+    """The root, and the functions of the circle, as a language calls what in C has a name."""
+    return {op: function(*name) for op, name in _CIRCULAR.items()}
+
+
+def called(program: Program) -> set[tuple[str, int]]:
+    """The functions that a program calls: the names that they have in C, and how many operands each has."""
+    functions = {(step.function, len(step.operands)) for step in program.steps if step.op is Op.FUNCTION}
+    return functions | {_CIRCULAR[step.op] for step in program.steps if step.op in _CIRCULAR}
+
+
+def nested(name: str, shape: Shape, entry: int) -> str:
+    """The entry of arrays in arrays, row by row."""
+    places: list[int] = []
+    for extent in reversed(shape):
+        entry, place = divmod(entry, extent)
+        places.insert(0, place)
+    return name + "".join(f"[{place}]" for place in places)
+
+
 ARITHMETIC: Mapping[Op, Phrase] = {
     Op.ADD: infix("+", Level.SUM),
     Op.SUBTRACT: infix("-", Level.SUM),
@@ -68,11 +97,12 @@ ARITHMETIC: Mapping[Op, Phrase] = {
 class Dialect:
     """A language in one precision.
 
-    `constant(value)` spells an exact number and says how tightly the text binds; `component(name, shape, entry)`
-    reads an entry (flat, row-major) of an argument; `declare(name, text, truth)` is the statement that names a
-    temporary, `truth` where it holds a truth value. `lift` wraps a constant that is handed to a function. Where
-    `name_entries` is set, every entry of a result that has to be computed has a name before the first is stored.
-    An expression longer than `width` is broken by naming its longest part.
+    `function(name, operands)` spells a function of the table, `constant(value)` an exact number, and says how tightly
+    the text binds; `component(name, shape, entry)` reads an entry (flat, row-major) of an argument; `declare(name,
+    text, truth)` is the statement that names a temporary, `truth` where it holds a truth value. `lift` wraps one that
+    is handed to a function. Where `name_entries` is set, every entry of a result that has to be computed has a name
+    before the first is stored; where it is `special`, it has SciPy's functions. An expression longer than `width`
+    is broken by naming its longest part.
     """
 
     spell: Mapping[Op, Phrase]
@@ -83,3 +113,5 @@ class Dialect:
     lift: str = "{}"
     name_entries: bool = True
     width: int = 72
+    function: Callable[[str, int], Phrase] = call
+    special: bool = False

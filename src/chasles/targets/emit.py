@@ -5,25 +5,33 @@ from __future__ import annotations
 import json
 from collections import Counter
 from collections.abc import Iterable, Mapping
-from functools import partial
+from dataclasses import replace
+from functools import cache
 from pathlib import Path, PurePosixPath
+from typing import TYPE_CHECKING
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, TemplateError, TemplateRuntimeError
 
 from chasles import __version__
-from chasles.bounds import Bound
 from chasles.lowering.program import Op
 from chasles.targets.contract import cited, operations
 from chasles.targets.kernel import EmissionError, TargetKernel, signature
 from chasles.targets.offering import offering
-from chasles.targets.target import Origin, Page, Target
+from chasles.targets.target import Origin, Page, Target, discover, every_target
 
-__all__ = ["HEAD", "MANIFEST", "filled", "render"]
+if TYPE_CHECKING:
+    from chasles.bounds import Bound
+
+__all__ = ["HEAD", "MANIFEST", "filled", "render", "spelled_out", "taken_away"]
 
 MANIFEST = "MANIFEST.toml"
 HEAD = ("SPDX-License-Identifier: BSD-3-Clause", f"Emitted by chasles {__version__}.")
 """How every file of code begins: people copy single ones."""
-_COMMENTS = {".c": "/* {} */\n", ".h": "/* {} */\n", ".py": "# {}\n"}
+_COMMENTS = {
+    **dict.fromkeys((".c", ".h"), "/* {} */\n"),
+    **dict.fromkeys((".cu", ".cuh", ".hpp", ".rs"), "// {}\n"),
+    ".py": "# {}\n",
+}
 _INDEX = Path(__file__).parent / "templates"
 BOOK = Origin()
 
@@ -43,20 +51,48 @@ def render(
     The same kernels in the same order give the same bytes. Raises EmissionError where two kernels share a name, two
     files a path, or a target cannot spell a kernel.
     """
-    kernels, fill = tuple(kernels), partial(filled, origin=origin, head=tuple(head))
-    _require_distinct((kernel.name for kernel in kernels), "kernels are called")
-    pages: dict[str, str] = {}
-    for target in targets:
-        try:
-            made = [(f"{target.name}/{page.path}", fill(target.templates, page)) for page in target.pages(kernels)]
-        except EmissionError as error:
-            raise EmissionError(f"target {target.name}: {error}") from error
-        _require_distinct([*pages, *(path for path, _ in made)], "files are to be written to")
-        pages |= made
-    pages |= beside or {}
+    kernels = tuple(kernels)
+    pages = {**spelled_out(kernels, targets, head, origin), **(beside or {})}
     offered = offering(kernels, pages) if origin.package else ()
     top = [*offered, *_index(kernels, [*pages, *(page.path for page in offered)])]
-    return pages | {page.path: fill(_INDEX, page) for page in top}
+    return pages | {page.path: filled(_INDEX, page, origin, tuple(head)) for page in top}
+
+
+def taken_away(
+    kernels: Iterable[TargetKernel], names: Iterable[str], head: Iterable[str] = HEAD, origin: Origin = BOOK
+) -> dict[str, str]:
+    """The text of every file that stands alone in the languages of these names, by its path; there is no manifest.
+
+    Raises EmissionError as `render` does, and for a language in which nothing stands alone.
+    """
+    chosen = []
+    for target in discover(named=names):
+        if target.alone is None:
+            others = ", ".join(each.name for each in every_target() if each.alone is not None)
+            raise EmissionError(f"nothing of the target {target.name!r} stands alone; what can be taken away: {others}")
+        chosen.append(replace(target, pages=target.alone))
+    return spelled_out(kernels, chosen, head, origin)
+
+
+def spelled_out(
+    kernels: Iterable[TargetKernel], targets: Iterable[Target], head: Iterable[str] = HEAD, origin: Origin = BOOK
+) -> dict[str, str]:
+    """The text of every file of the languages, by its path, without what stands beside them.
+
+    Raises EmissionError as `render` does.
+    """
+    kernels, head = tuple(kernels), tuple(head)
+    _require_distinct((kernel.name for kernel in kernels), "kernels are called")
+    texts: dict[str, str] = {}
+    for target in targets:
+        try:
+            pages = [*target.pages(kernels)]
+            made = [(f"{target.name}/{page.path}", filled(target.templates, page, origin, head)) for page in pages]
+        except EmissionError as error:
+            raise EmissionError(f"target {target.name}: {error}") from error
+        _require_distinct([*texts, *(path for path, _ in made)], "files are to be written to")
+        texts |= made
+    return texts
 
 
 def _index(kernels: tuple[TargetKernel, ...], paths: list[str]) -> list[Page]:
@@ -118,12 +154,9 @@ class _Layout(Environment):
         return super().getattr(obj, attribute)
 
 
-def filled(templates: Path, page: Page, origin: Origin, head: tuple[str, ...] = ()) -> str:
-    """The page's text. Raises EmissionError where the template is missing, wrong, or asks for what is not there."""
-    path = PurePosixPath(page.path)
-    if path.is_absolute() or ".." in path.parts or not path.parts:
-        raise EmissionError(f"a page's path must lie below the target's folder, not at {page.path!r}")
-    environment = _Layout(
+@cache
+def _layout(templates: Path) -> _Layout:
+    return _Layout(
         loader=FileSystemLoader(templates),
         undefined=StrictUndefined,
         trim_blocks=True,
@@ -131,8 +164,15 @@ def filled(templates: Path, page: Page, origin: Origin, head: tuple[str, ...] = 
         keep_trailing_newline=True,
         autoescape=False,
     )
+
+
+def filled(templates: Path, page: Page, origin: Origin, head: tuple[str, ...] = ()) -> str:
+    """The page's text. Raises EmissionError where the template is missing, wrong, or asks for what is not there."""
+    path = PurePosixPath(page.path)
+    if path.is_absolute() or ".." in path.parts or not path.parts:
+        raise EmissionError(f"a page's path must lie below the target's folder, not at {page.path!r}")
     try:
-        text = environment.get_template(page.template).render({**origin.values, **page.values})
+        text = _layout(templates).get_template(page.template).render({**origin.values, **page.values})
     except TemplateError as error:
         raise EmissionError(f"template {page.template}: {type(error).__name__}: {error}") from error
     comment = _COMMENTS.get(path.suffix, "")

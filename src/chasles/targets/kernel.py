@@ -9,9 +9,12 @@ import math
 import re
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
-from chasles.bounds import Bound
 from chasles.lowering.program import Op, Program
+
+if TYPE_CHECKING:
+    from chasles.bounds import Bound, BoxBound
 
 __all__ = [
     "TESTED",
@@ -114,6 +117,8 @@ class Demand:
 class TargetKernel:
     """A program ready to be spelled in every language, with what is proved of its errors, if that was asked for.
 
+    A `bound` is for all inputs that the heading allows, `box_bounds` are for those of a box.
+
     Raises ValueError where a check has other sizes than the program, or the program cannot be spelled: nothing to
     read or to give, an entry that an argument lacks, a truth value where a number belongs.
     """
@@ -123,6 +128,7 @@ class TargetKernel:
     checks: tuple[Check, ...] = ()
     demands: tuple[Demand, ...] = ()
     bound: Bound | None = None
+    box_bounds: tuple[BoxBound, ...] = ()
 
     def __post_init__(self) -> None:
         program = self.program

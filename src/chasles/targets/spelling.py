@@ -10,10 +10,11 @@ from collections import Counter
 from dataclasses import dataclass
 from fractions import Fraction
 
+from chasles.lowering.functions import FUNCTIONS
+from chasles.lowering.names import Names
 from chasles.lowering.program import Op, Program, Step
 from chasles.targets.dialect import Dialect, Level, Phrase
 from chasles.targets.kernel import TRUTH, EmissionError
-from chasles.targets.names import Names
 
 __all__ = ["Spelled", "spelled"]
 
@@ -123,7 +124,7 @@ class _Writer:
             return _Expression(text, Level.ATOM, step.op)
         if step.op is Op.CONSTANT:
             return _Expression(*self.dialect.constant(step.value), step.op, constant=True)
-        phrase = self._phrase(step.op)
+        phrase = self._phrase(step)
         operands = [self.expressions[operand] for operand in step.operands]
         text = self._filled(phrase, operands)
         while len(text) > self.dialect.width and any(operand.size for operand in operands):
@@ -133,7 +134,14 @@ class _Writer:
         constant = all(operand.constant for operand in operands) and not phrase.is_call
         return _Expression(text, phrase.level, step.op, constant, 1 + sum(operand.size for operand in operands))
 
-    def _phrase(self, op: Op) -> Phrase:
+    def _phrase(self, step: Step) -> Phrase:
+        op = step.op
+        if op is Op.FUNCTION:
+            if FUNCTIONS[step.function].special and not self.dialect.special:
+                raise EmissionError(
+                    f"{self.program.name}: {step.function} is a function of SciPy, which Python alone has"
+                )
+            return self.dialect.function(step.function, len(step.operands))
         try:
             return self.dialect.spell[op]
         except KeyError:

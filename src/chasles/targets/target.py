@@ -16,7 +16,7 @@ from types import ModuleType
 
 from chasles.targets.kernel import EmissionError, TargetKernel
 
-__all__ = ["Origin", "Page", "Target", "discover"]
+__all__ = ["Origin", "Page", "Pages", "Target", "discover", "every_target"]
 
 _HOME = Path(__file__).parent
 _WIDTH = 112
@@ -54,20 +54,42 @@ class Origin:
         }
 
 
+Pages = Callable[[tuple[TargetKernel, ...]], Iterable[Page]]
+
+
 @dataclass(frozen=True, slots=True)
 class Target:
-    """A language: its name (also its folder in generated/), the folder of its templates, and its pages."""
+    """A language: its name (also its folder in generated/), the folder of its templates, and its pages.
+
+    What is `alone` are the pages that need no other file of ours, to be taken away; None where there are none. A
+    language that is not emitted `by_default` is emitted where it is asked for by its name.
+    """
 
     name: str
     templates: Path
-    pages: Callable[[tuple[TargetKernel, ...]], Iterable[Page]]
+    pages: Pages
+    alone: Pages | None = None
+    by_default: bool = True
 
 
-def discover(folders: Iterable[Path] = ()) -> tuple[Target, ...]:
-    """Every language that has a folder here, by name, then those of `folders` in their order.
+def discover(folders: Iterable[Path] = (), named: Iterable[str] | None = None) -> tuple[Target, ...]:
+    """The languages that have a folder here and are emitted by default, by name, then those of `folders`.
 
-    Raises EmissionError where a folder holds no target, or two targets have one name.
+    With `named`, those of these names, in their order. Raises EmissionError where a folder holds no target, two targets
+    have one name, or none has a name that is asked for.
     """
+    targets = every_target(folders)
+    if named is None:
+        return tuple(target for target in targets if target.by_default)
+    known = {target.name: target for target in targets}
+    for name in (wanted := tuple(dict.fromkeys(named))):
+        if name not in known:
+            raise EmissionError(f"there is no target {name!r}; there are {', '.join(known)}")
+    return tuple(known[name] for name in wanted)
+
+
+def every_target(folders: Iterable[Path] = ()) -> tuple[Target, ...]:
+    """Every language that has a folder here, and those of `folders`; raises EmissionError as `discover` does."""
     here = sorted(path.parent for path in _HOME.glob("*/__init__.py"))
     targets = [_loaded(folder, f"{__package__}.{folder.name}") for folder in here]
     targets += [_loaded(Path(folder), f"{__package__}.added.{Path(folder).name}") for folder in folders]

@@ -15,7 +15,7 @@ from uuid import uuid4
 from chasles.targets.emit import MANIFEST
 from chasles.targets.kernel import EmissionError
 
-__all__ = ["Difference", "Written", "stale", "write"]
+__all__ = ["Difference", "Written", "place", "stale", "write"]
 
 _IGNORED = {"__pycache__", "compiled"}
 _SHOWN = 40
@@ -50,10 +50,7 @@ def write(root: Path, texts: Mapping[str, str]) -> Written:
         former = [path for path in _listed(root) if path not in texts and (root / path).is_file()]
         wanted: dict[str, bytes | None] = {path: text.encode() for path, text in texts.items()}
         wanted |= dict.fromkeys(former)
-        before = {path: _content(root / path) for path in wanted}
-        changed = [path for path, content in wanted.items() if before[path] != content]
-        changed.sort(key=lambda path: path == MANIFEST)
-        _replace(root, {path: wanted[path] for path in changed}, before)
+        changed = _changed(root, wanted)
     for path in former:
         _remove_empty((root / path).parent, root)
     return Written(
@@ -61,6 +58,15 @@ def write(root: Path, texts: Mapping[str, str]) -> Written:
         tuple(sorted(former)),
         len(wanted) - len(changed),
     )
+
+
+def place(root: Path, texts: Mapping[str, str]) -> Written:
+    """Make the files below `root` read as `texts`; no other file there changes.
+
+    Nothing changes where a file cannot be written, which raises OSError.
+    """
+    changed = _changed(Path(root), {path: text.encode() for path, text in texts.items()})
+    return Written(tuple(sorted(changed)), (), len(texts) - len(changed))
 
 
 def stale(root: Path, texts: Mapping[str, str]) -> tuple[Difference, ...]:
@@ -78,6 +84,15 @@ def stale(root: Path, texts: Mapping[str, str]) -> tuple[Difference, ...]:
             if path not in texts:
                 differences.append(Difference(path, "superfluous", f"{path} is not among what is emitted; delete it"))
     return tuple(sorted(differences, key=lambda difference: difference.path))
+
+
+def _changed(root: Path, wanted: Mapping[str, bytes | None]) -> list[str]:
+    """The paths whose content was another and is now as wanted, all of them or none."""
+    before = {path: _content(root / path) for path in wanted}
+    changed = [path for path, content in wanted.items() if before[path] != content]
+    changed.sort(key=lambda path: path == MANIFEST)
+    _replace(root, {path: wanted[path] for path in changed}, before)
+    return changed
 
 
 def _replace(root: Path, contents: Mapping[str, bytes | None], before: Mapping[str, bytes | None]) -> None:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, fields
 from typing import Any, TypeVar, dataclass_transform
 
 from chasles.vocabulary.arguments import require
-from chasles.vocabulary.measure import Measure, Misfit
+from chasles.vocabulary.measure import Extent, Measure, Misfit
 
 __all__ = ["SCALAR", "Fitted", "measured", "printed", "square_measure", "word"]
 
@@ -54,7 +54,7 @@ class Fitted:
         return ()
 
     @property
-    def shape(self) -> tuple[int, int]:
+    def shape(self) -> tuple[Extent, Extent]:
         """Rows and columns; a scalar is 1 x 1. Raises `Misfit` for an expression that does not fit."""
         return measured(self).shape
 

@@ -6,7 +6,7 @@ from dataclasses import field
 
 from chasles.vocabulary.dimension import NO_DIMENSION, has_units
 from chasles.vocabulary.fitting import word
-from chasles.vocabulary.measure import Measure, uniform
+from chasles.vocabulary.measure import Extent, Measure, uniform
 from chasles.vocabulary.nodes import Node
 
 __all__ = ["Identity", "Symbol", "Zero", "is_measured"]
@@ -36,10 +36,14 @@ class Symbol(Node):
 class Identity(Node):
     """The identity matrix of the given size."""
 
-    size: int
+    size: Extent
     letter: str = r"\mathbf{1}"
 
     def _measured(self) -> Measure:
+        if not isinstance(self.size, int):
+            from chasles.vocabulary.sizes import uniform_blocks  # few chapters have such letters
+
+            return uniform_blocks(self.size, self.size, NO_DIMENSION, diagonal=True)
         one_on_the_diagonal = tuple(
             tuple(NO_DIMENSION if i == j else None for j in range(self.size)) for i in range(self.size)
         )
@@ -50,8 +54,8 @@ class Identity(Node):
 class Zero(Node):
     """A zero matrix; it fits every dimension."""
 
-    rows: int
-    columns: int
+    rows: Extent
+    columns: Extent
     letter: str = r"\mathbf{O}"
 
     def _measured(self) -> Measure:

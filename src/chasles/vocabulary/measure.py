@@ -9,23 +9,16 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import product
+from typing import Any
 
 from chasles.vocabulary.dimension import NO_DIMENSION, Dimension
 
-__all__ = [
-    "Grid",
-    "Measure",
-    "Misfit",
-    "added",
-    "completed",
-    "contracted",
-    "entrywise",
-    "scaled",
-    "stacked",
-    "uniform",
-]
+__all__ = ["Extent", "Grid", "Measure", "Misfit", "added", "completed", "contracted", "entrywise", "scaled", "stacked",
+           "uniform"]  # fmt: skip
 
 Grid = tuple[tuple[Dimension | None, ...], ...]
+Extent = Any
+"""How many rows or columns there are: a whole number, or a `Size` of `chasles.vocabulary.sizes`, a letter for one."""
 
 
 class Misfit(ValueError):
@@ -34,19 +27,24 @@ class Misfit(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class Measure:
-    """The dimension of every entry; the shape is that of the grid, a scalar is 1 x 1."""
+    """The dimension of every entry; the shape is that of the grid, a scalar is 1 x 1.
+
+    Where a letter says how many rows or columns there are, a place of the grid is a block, and the `partition` has the
+    heights and the widths of the blocks.
+    """
 
     grid: Grid
+    partition: Any = None
 
     @property
-    def shape(self) -> tuple[int, int]:
+    def shape(self) -> tuple[Extent, Extent]:
         """The numbers of rows and columns."""
-        return len(self.grid), len(self.grid[0])
+        return (len(self.grid), len(self.grid[0])) if self.partition is None else self.partition.shape
 
     @property
     def transposed(self) -> Measure:
         """The measure of the transpose."""
-        return Measure(tuple(zip(*self.grid, strict=True)))
+        return Measure(tuple(zip(*self.grid, strict=True)), self.partition and self.partition.transposed)
 
     def the_dimension(self, what: object) -> Dimension | None:
         """The one dimension that all entries share; a `Misfit` naming `what` if they differ."""
@@ -56,15 +54,19 @@ class Measure:
         return found.pop() if found else None
 
 
-def uniform(shape: tuple[int, int], dimension: Dimension | None = NO_DIMENSION) -> Measure:
+def uniform(shape: tuple[Extent, Extent], dimension: Dimension | None = NO_DIMENSION) -> Measure:
     """Every entry has the same dimension."""
     rows, columns = shape
-    return Measure(((dimension,) * columns,) * rows)
+    if type(rows) is type(columns) is int:
+        return Measure(((dimension,) * columns,) * rows)
+    from chasles.vocabulary.sizes import uniform_blocks  # few chapters have such letters
+
+    return uniform_blocks(rows, columns, dimension)
 
 
 def entrywise(rule: Callable[[Dimension], Dimension], measure: Measure) -> Measure:
     """Each entry's dimension is what the rule makes of it; zeros stay zeros."""
-    return Measure(tuple(tuple(None if d is None else rule(d) for d in row) for row in measure.grid))
+    return Measure(tuple(tuple(None if d is None else rule(d) for d in row) for row in measure.grid), measure.partition)
 
 
 def scaled(measure: Measure, factor: Dimension | None) -> Measure:
@@ -103,7 +105,7 @@ def added(first: Measure, second: Measure, names: tuple[object, object], verb: s
         ]
     except _Clash as clash:
         raise Misfit(f"cannot {verb} {names[0]} [{clash.one}] and {names[1]} [{clash.other}]") from None
-    return Measure(tuple(rows))
+    return Measure(tuple(rows), first.partition)
 
 
 def contracted(first: Measure, second: Measure, names: tuple[object, object]) -> Measure:
@@ -117,7 +119,7 @@ def contracted(first: Measure, second: Measure, names: tuple[object, object]) ->
         raise Misfit(
             f"multiplying {names[0]} by {names[1]} would add [{clash.one}] and [{clash.other}] in one entry"
         ) from None
-    return Measure(rows)
+    return _laid_out(rows, [first], [second])
 
 
 def _inner(line: Sequence[Dimension | None], column: Sequence[Dimension | None]) -> Dimension | None:
@@ -143,7 +145,16 @@ def stacked(rows: Sequence[Sequence[Measure]], names: Sequence[Sequence[object]]
             here = ", ".join(f"{name} is {_size(block)}" for name, block in zip(row_names, row, strict=True))
             raise Misfit(f"rows of blocks differ in width: {first}; but {here}")
         lines += [sum(parts, ()) for parts in zip(*(block.grid for block in row), strict=True)]
-    return Measure(tuple(lines))
+    return _laid_out(tuple(lines), [row[0] for row in rows], rows[0])
+
+
+def _laid_out(grid: Grid, left: Sequence[Measure], above: Sequence[Measure]) -> Measure:
+    """The grid with rows as high as those at the left and columns as wide as those above."""
+    if all(each.partition is None for each in (*left, *above)):
+        return Measure(grid)
+    from chasles.vocabulary.sizes import partition_beside  # few chapters have such letters
+
+    return Measure(grid, partition_beside(left, above))
 
 
 def completed(measure: Measure, what: object) -> Measure:
@@ -153,7 +164,7 @@ def completed(measure: Measure, what: object) -> Measure:
     naming `what` if they have not. Then neither a determinant nor an inverse has a meaning.
     """
     grid = [list(row) for row in measure.grid]
-    rows, columns = measure.shape
+    rows, columns = len(grid), len(grid[0])
     corners = [
         (i, j, k, m) for (i, j), (k, m) in product(product(range(rows), range(columns)), repeat=2) if i != k and j != m
     ]
@@ -169,7 +180,7 @@ def completed(measure: Measure, what: object) -> Measure:
             grid[i][j] = expected
         if grid == before:
             break
-    return Measure(tuple(map(tuple, grid)))
+    return Measure(tuple(map(tuple, grid)), measure.partition)
 
 
 def _size(measure: Measure) -> str:

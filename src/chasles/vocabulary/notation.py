@@ -34,8 +34,8 @@ class Notation:
     """
 
     def __init__(self, forms: Mapping[Any, str]) -> None:
-        self._forms = {_key(word): form for word, form in forms.items()}
-        for word, form in self._forms.items():
+        self.all_forms = {_key(word): form for word, form in forms.items()}
+        for word, form in self.all_forms.items():
             parts = None if isinstance(word, str) else node_fields(word)
             places = set(map(int, PLACE.findall(form))) if isinstance(form, str) else None
             if places is None or (parts and places != set(range(1, len(parts) + 1))):
@@ -44,7 +44,7 @@ class Notation:
 
     def form(self, node: Node) -> str | None:
         """The form in which the chapter prints the word; None where it is printed as usual."""
-        return self._forms.get(type(node)) or self._forms.get(getattr(node, "function", ""))
+        return self.all_forms.get(type(node)) or self.all_forms.get(getattr(node, "function", ""))
 
     def spelled(self, node: Node, style: Style, spell: Callable[[Node], Piece]) -> Piece | None:
         """The word in the chapter's form; None where it has no other than the usual one."""

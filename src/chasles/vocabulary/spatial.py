@@ -25,8 +25,10 @@ def _times(one: Dimension | None, other: Dimension | None) -> Dimension | None:
 
 
 def _of_determinant(measure: Measure) -> Dimension | None:
-    """The dimension of the determinant; None if it is zero wherever the zeros are."""
+    """The dimension of the determinant; None if it is zero wherever the zeros are, or depends on a letter."""
     grid = measure.grid
+    if measure.partition is not None and {d for row in grid for d in row} - {None, NO_DIMENSION}:
+        return None
     terms = ([row[j] for row, j in zip(grid, order, strict=True)] for order in permutations(range(len(grid))))
     term = next((term for term in terms if None not in term), [None])
     return reduce(_times, term)

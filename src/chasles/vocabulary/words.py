@@ -5,47 +5,20 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from fractions import Fraction
+from math import inf
 
 from chasles.vocabulary.arguments import declaring, declaring_module
 from chasles.vocabulary.body import Integral
 from chasles.vocabulary.dimension import NO_DIMENSION, Dimension, has_units
 from chasles.vocabulary.layout import At, Block, Call, Group, Rate
 from chasles.vocabulary.letters import Symbol, Zero
-from chasles.vocabulary.measure import Measure, uniform
+from chasles.vocabulary.measure import Extent, Measure, uniform
 from chasles.vocabulary.nodes import Node, Quotient, lifted
 from chasles.vocabulary.spatial import Cross, Determinant, Dot, Inverse, Norm, Skew, Trace, Vect
 
-__all__ = [
-    "CPM",
-    "PI",
-    "abbreviation",
-    "array",
-    "at",
-    "bracket",
-    "column",
-    "cos",
-    "cot",
-    "cross",
-    "det",
-    "dot",
-    "in_frame",
-    "integral",
-    "inverse",
-    "matrix",
-    "norm",
-    "number",
-    "over",
-    "paren",
-    "rate",
-    "row",
-    "scalar",
-    "sin",
-    "square",
-    "tan",
-    "tr",
-    "vect",
-    "vector",
-]
+__all__ = ["CPM", "PI", "abbreviation", "array", "at", "boldface", "bracket", "column", "cos", "cot", "cross", "det",
+           "dot", "in_frame", "integral", "inverse", "matrix", "norm", "number", "over", "paren", "rate", "row",
+           "scalar", "sin", "square", "tan", "tr", "vect", "vector"]  # fmt: skip
 
 COMMAND = re.compile(r"\\[A-Za-z]+\s*\{")
 PI = Symbol("pi", r"\pi", uniform((1, 1)), "ratio of a circle's circumference to its diameter", constant=True)
@@ -60,19 +33,17 @@ def scalar(
 
 
 @declaring
-def vector(
-    name: str, letter: str, meaning: str, dimension: Dimension = NO_DIMENSION, *, constant: bool = False
-) -> Symbol:
-    """A vector, a 3 x 1 column; its letter is printed bold."""
-    return Symbol(name, _bold(letter), _measure((3, 1), dimension), meaning, constant, home=declaring_module())
+def vector(name: str, letter: str, meaning: str, dimension: Dimension = NO_DIMENSION, *, constant: bool = False,
+           size: Extent = 3) -> Symbol:  # fmt: skip
+    """A vector, a column of three or another `size`; its letter is printed bold."""
+    return Symbol(name, boldface(letter), _measure((size, 1), dimension), meaning, constant, home=declaring_module())
 
 
 @declaring
-def square(
-    name: str, letter: str, meaning: str, dimension: Dimension = NO_DIMENSION, *, constant: bool = False
-) -> Symbol:
-    """A 3 x 3 matrix; its letter is printed bold."""
-    return Symbol(name, _bold(letter), _measure((3, 3), dimension), meaning, constant, home=declaring_module())
+def square(name: str, letter: str, meaning: str, dimension: Dimension = NO_DIMENSION, *, constant: bool = False,
+           size: Extent = 3) -> Symbol:  # fmt: skip
+    """A square matrix, 3 x 3 or of another `size`; its letter is printed bold."""
+    return Symbol(name, boldface(letter), _measure((size, size), dimension), meaning, constant, home=declaring_module())
 
 
 @declaring
@@ -83,7 +54,7 @@ def array(name: str, letter: str, meaning: str, measure: Measure | Node) -> Symb
         measure = measure.measure
     if not has_units(declaring_module()):
         measure = uniform(measure.shape)
-    return Symbol(name, _bold(letter), measure, meaning, home=declaring_module())
+    return Symbol(name, boldface(letter), measure, meaning, home=declaring_module())
 
 
 @declaring
@@ -91,15 +62,15 @@ def abbreviation(name: str, letter: str, stands_for: Node, meaning: str) -> Symb
     """A letter that stands for an expression wherever it occurs."""
     assert stands_for.measure is not None
     constant = isinstance(stands_for, Skew) and isinstance(stands_for.of, Symbol) and stands_for.of.constant
-    return Symbol(name, _bold(letter), stands_for.measure, meaning, constant, stands_for, declaring_module())
+    return Symbol(name, boldface(letter), stands_for.measure, meaning, constant, stands_for, declaring_module())
 
 
-def _measure(shape: tuple[int, int], dimension: Dimension) -> Measure:
+def _measure(shape: tuple[Extent, Extent], dimension: Dimension) -> Measure:
     """The measure of a symbol that is declared, in a chapter without units without dimension."""
     return uniform(shape, dimension if has_units(declaring_module()) else NO_DIMENSION)
 
 
-def _bold(letter: str) -> str:
+def boldface(letter: str) -> str:
     """The letter in bold, its decorations outside: of p_0' only the p is made bold.
 
     One that begins with a brace, or with a command that takes something in braces, is printed as it is.
@@ -253,11 +224,19 @@ def _blocks(rows: Sequence[Sequence[Node | int]]) -> Block:
     made = [[lifted(block) for block in line] for line in rows]
     nothing = lifted(0)
     if len({len(line) for line in made}) == 1:
-        heights = [max((b.shape[0] for b in line if b != nothing and not b.fault), default=1) for line in made]
+        heights = [
+            max((b.shape[0] for b in line if b != nothing and not b.fault), key=_rank, default=1) for line in made
+        ]
         columns = zip(*made, strict=True)
-        widths = [max((b.shape[1] for b in line if b != nothing and not b.fault), default=1) for line in columns]
+        widths = [
+            max((b.shape[1] for b in line if b != nothing and not b.fault), key=_rank, default=1) for line in columns
+        ]
         for line, height in zip(made, heights, strict=True):
             for place, width in enumerate(widths):
                 if line[place] == nothing and (height, width) != (1, 1):
                     line[place] = Zero(height, width)
     return Block(tuple(map(tuple, made)))
+
+
+def _rank(extent: Extent) -> float:
+    return extent if isinstance(extent, int) else inf

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
@@ -16,10 +16,12 @@ from chasles import vocabulary as w
 from chasles.checker.expressions.counterexample import check_refutation
 from chasles.checker.expressions.proof import check_proof
 from chasles.checker.expressions.words import EntriesOfWords
-from chasles.checker.refutation import Shown
 from chasles.checker.sparse import Rejected
 from chasles.statements import Hypothesis, Problem
 from chasles.vocabulary.functions import FunctionOf
+
+if TYPE_CHECKING:
+    from chasles.checker.any_size.at_sizes import Shown
 
 __all__ = ["ScalarQuestion", "check_scalar_counterexample", "check_scalars", "scalar_question", "spelled"]
 

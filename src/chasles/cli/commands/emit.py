@@ -26,27 +26,34 @@ __all__ = ["command"]
     type=click.Path(path_type=Path, file_okay=False),
     help="The folder to write to, rather than generated/ of the checkout, or of the chapter's package.",
 )
+@click.option(
+    "--target",
+    "targets",
+    multiple=True,
+    help="A language, as rust: its files alone, below the current folder. Can be given several times.",
+)
 @as_data
-def command(check: bool, anew: bool, out: Path | None, json: bool) -> int:
+def command(check: bool, anew: bool, out: Path | None, targets: tuple[str, ...], json: bool) -> int:
     """Write the kernels of all proved statements, in every language, and the verdicts on all statements.
 
     A kernel is refused unless its program is proved equal to its statement. Either all files are written or none; an
     unchanged file keeps its time. Status 1: something was refused or, with --check, is out of date.
     """
-    from chasles.cli.emission import everything
+    from chasles.cli.emission import everything, in_languages
     from chasles.report.words import number_of, seconds
     from chasles.targets import EmissionError
 
     started = perf_counter()
     book = chapter()
-    folder = out or generated_folder(book, Path.cwd())
-    kernels, texts = everything(book, folder, anew)
+    folder = out or (Path.cwd() if targets else generated_folder(book, Path.cwd()))
+    kernels, texts = in_languages(book, targets, anew) if targets else everything(book, folder, anew)
     head = f"{number_of(len(kernels), 'kernel')}, each proved equal to its statement"
     try:
         if check:
-            return _check(folder, texts, head, json)
-        report = _write(folder, texts)
-        remember(book, folder)
+            return _check(folder, texts, head, bool(targets), json)
+        report = _write(folder, texts, bool(targets))
+        if not targets:
+            remember(book, folder)
     except EmissionError as error:
         raise Failure(str(error)) from error
     if json:
@@ -59,10 +66,13 @@ def command(check: bool, anew: bool, out: Path | None, json: bool) -> int:
     return 0
 
 
-def _write(folder: Path, texts: Mapping[str, str]) -> dict[str, Any]:
-    from chasles.targets import write
+def _write(folder: Path, texts: Mapping[str, str], others_stay: bool) -> dict[str, Any]:
+    from chasles.targets import EmissionError, place, write
 
-    written = write(folder, texts)
+    try:
+        written = (place if others_stay else write)(folder, texts)
+    except OSError as error:
+        raise EmissionError(f"cannot write to {folder}, nothing was changed: {error.strerror or error}") from error
     return {"changed": list(written.changed), "removed": list(written.removed), "unchanged": written.unchanged}
 
 
@@ -71,15 +81,16 @@ def _counted(report: Mapping[str, Any]) -> str:
     return ", ".join(f"{count} {what}" for what, count in counts.items() if count)
 
 
-def _check(folder: Path, texts: Mapping[str, str], head: str, json: bool) -> int:
+def _check(folder: Path, texts: Mapping[str, str], head: str, others_stay: bool, json: bool) -> int:
     from chasles.targets import stale
 
-    differences = stale(folder, texts)
+    found = stale(folder, texts)
+    differences = tuple(each for each in found if not (others_stay and each.kind == "superfluous"))
     if json:
         from chasles.report.records import as_json
 
-        found = [{"path": d.path, "kind": d.kind, "summary": d.summary} for d in differences]
-        click.echo(as_json({"folder": str(folder), "stale": found}))
+        rows = [{"path": d.path, "kind": d.kind, "summary": d.summary} for d in differences]
+        click.echo(as_json({"folder": str(folder), "stale": rows}))
     elif not differences:
         click.echo(f"{head}; {folder} is as emitted")
     for difference in () if json else differences:

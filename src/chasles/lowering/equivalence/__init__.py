@@ -1,9 +1,5 @@
 """Does a program compute what it should? Programs are read as fractions in what goes in, and compared exactly.
 
-`differences` holds a program against a request, `equivalent` against another program.
+`requests.differences` holds a program against a request, `programs.equivalent` against another program;
+`sums.same_but_for_order` does that for programs of any length that share, order and group alike values in other ways.
 """
-
-from chasles.lowering.equivalence.programs import equivalent
-from chasles.lowering.equivalence.requests import differences
-
-__all__ = ["differences", "equivalent"]

@@ -8,22 +8,22 @@ in several variables (Cox, Little and O'Shea, Ideals, Varieties, and Algorithms,
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
-from math import gcd, lcm
+from math import factorial, gcd, lcm
 
-from chasles.algebra.localization import Localization, Ratio
+from chasles.algebra.localization import Localization, Ratio, quotient
 from chasles.algebra.normal_form import reduce_by
-from chasles.algebra.rings import Polynomial, make_ring
-from chasles.algebra.work_limit import OutOfTime, within
-from chasles.lowering.arithmetic import Operators, evaluated
+from chasles.algebra.rings import Exponents, Polynomial, make_ring
+from chasles.algebra.work_limit import OutOfTime, spend
+from chasles.lowering.arithmetic import Arithmetic, Operators, evaluated
 from chasles.lowering.circular import multiple_of_angle
-from chasles.lowering.equivalence.units import quotient
-from chasles.lowering.program import Op, Program
+from chasles.lowering.passes.prune import pruned
+from chasles.lowering.program import Op, Program, Step
+from chasles.lowering.scales import is_scale
 
 __all__ = ["equivalent"]
 
-WORK = 3e7
-"""What is not seen with so many products of terms is not said to be equivalent."""
 MOST_MULTIPLES = 12
 """So many times the part is an angle still written by it."""
 POLYNOMIAL = (Op.INPUT, Op.CONSTANT, Op.ADD, Op.SUBTRACT, Op.MULTIPLY, Op.DIVIDE, Op.NEGATE)
@@ -34,21 +34,36 @@ Angle = tuple[Ratio, Fraction, Polynomial, Polynomial]
 
 
 def equivalent(one: Program, other: Program) -> bool:
-    """Whether the results of the two are equal wherever both have values; no is also said where that is not seen."""
+    """Whether the results of the two are equal wherever both have values.
+
+    No is also said where that is not seen with the work that `chasles.algebra.work_limit.within` leaves.
+    """
     if [r.shape for r in one.results] != [r.shape for r in other.results]:
         return False
+    if one == other:
+        return True
+    one, other = _with_free_scales(one, 1), _with_free_scales(other, 2)
     algebra = _Fractions(one, other)
     try:
-        with within(WORK):
-            values, others = (evaluated(program.steps, algebra, algebra.entry) for program in (one, other))
-            pairs = dict.fromkeys(
-                pair
-                for r, s in zip(one.results, other.results, strict=True)
-                for pair in zip(r.entries, s.entries, strict=True)
-            )
-            return all(algebra.is_equal(values[a], others[b]) for a, b in pairs)
+        arithmetic: Arithmetic[Ratio] = algebra
+        values, others = (evaluated(program.steps, arithmetic, algebra.entry) for program in (one, other))
+        pairs = dict.fromkeys(
+            pair
+            for r, s in zip(one.results, other.results, strict=True)
+            for pair in zip(r.entries, s.entries, strict=True)
+        )
+        return all(algebra.is_equal(values[a], others[b]) for a, b in pairs)
     except (OutOfTime, ZeroDivisionError):
         return False
+
+
+def _with_free_scales(program: Program, which: int) -> Program:
+    """The program with each of its scales read: whatever positive number it is, nothing is to depend on it."""
+    steps = tuple(
+        Step(Op.INPUT, argument=-which, entry=number) if is_scale(program.steps, number) else step
+        for number, step in enumerate(program.steps)
+    )
+    return pruned(replace(program, steps=steps))
 
 
 class _Fractions(Operators):
@@ -57,19 +72,21 @@ class _Fractions(Operators):
     def __init__(self, *programs: Program) -> None:
         steps = [step for program in programs for step in program.steps]
         entries = list(dict.fromkeys((step.argument, step.entry) for step in steps if step.op is Op.INPUT))
-        circular = sum(step.op in CIRCULAR for step in steps)
+        circular = sum((step.op in CIRCULAR) + 2 * (step.function == "stumpff") for step in steps)
         others = sum(step.op not in (*POLYNOMIAL, *CIRCULAR) for step in steps)
         # A root comes before all that can stand under it, and a cosine before its sine and before those of a part.
         names = [f"f{k}" for k in range(others)] + [f"{kind}{k}" for k in range(circular) for kind in "cs"]
+        self._words = 1 + (len(names) + len(entries)) // 64
         ring = make_ring([*names, *(f"x{k}" for k in range(len(entries)))])
         self._field = Localization(ring, [])
         made = iter(ring.generators)
         self._free = [next(made) for _ in range(others)]
         self._circles = iter([(next(made), next(made)) for _ in range(circular)])
         self._entries = {entry: self._field.ratio(variable) for entry, variable in zip(entries, made, strict=True)}
-        self._generators: list[Polynomial] = []
+        self._positive = [value.numerator for (argument, _), value in self._entries.items() if argument < 0]
+        self._rules: dict[int, list[tuple[Polynomial, Exponents]]] = {}
         self._angles: list[Angle] = []
-        self._known: list[tuple[Op, tuple[Ratio, ...], Ratio]] = []
+        self._known: list[tuple[Op | str, tuple[Ratio, ...], Ratio]] = []
 
     def entry(self, argument: int, entry: int) -> Ratio:
         """An entry of an argument."""
@@ -77,12 +94,22 @@ class _Fractions(Operators):
 
     def is_equal(self, one: Ratio, other: Ratio) -> bool:
         """Whether two fractions are the same."""
-        return one is other or self._reduced(one - other).is_zero
+        same = one is other or (one.denominator == other.denominator and one.numerator == other.numerator)
+        return same or self._reduced(self.subtract(one, other)).is_zero
 
     def constant(self, value: Fraction) -> Ratio:
         return self._field.constant(value)
 
+    def add(self, a: Ratio, b: Ratio) -> Ratio:
+        """The sum; its terms are as long as there are variables."""
+        spend((len(a.numerator) + len(b.numerator)) * self._words)
+        return a + b
+
+    def subtract(self, a: Ratio, b: Ratio) -> Ratio:
+        return self.add(a, -b)
+
     def multiply(self, a: Ratio, b: Ratio) -> Ratio:
+        spend(len(a.numerator) * len(b.numerator) * self._words)
         return self._reduced(a * b)
 
     def divide(self, a: Ratio, b: Ratio) -> Ratio:
@@ -98,10 +125,23 @@ class _Fractions(Operators):
         return self._reduced(quotient(a, divisor, scale, (*(0,) * place, 1)))
 
     def square_root(self, a: Ratio) -> Ratio:
+        """The root; what is positive and stands in it in an even power is taken out."""
+        units, ring = self._field.nonzero, self._field.ring
+        numerator, outside = a.numerator, ring.constant(Fraction(1))
+        for positive in self._positive:
+            while not a.is_zero and (parts := ring.divide(numerator, positive * positive))[1] == 0:
+                numerator, outside = parts[0], outside * positive
+        below = a.denominator
+        if not all(power % 2 == 0 and (not power or units[k] in self._positive) for k, power in enumerate(below)):
+            below = ()
+        if below or outside != ring.constant(Fraction(1)):
+            inside = Ratio(self._field, numerator, () if below else a.denominator)
+            root = self.square_root(inside) * self._field.ratio(outside)
+            return root.divided(Fraction(1), tuple(power // 2 for power in below))
         known = len(self._known)
         root = self._function(Op.SQUARE_ROOT, a)
         if len(self._known) > known and not a.denominator:
-            self._generators.append(root.numerator * root.numerator - a.numerator)
+            self._let_vanish(root.numerator * root.numerator - a.numerator)
         return root
 
     def sine(self, a: Ratio) -> Ratio:
@@ -123,9 +163,33 @@ class _Fractions(Operators):
         return self._function(Op.EQUAL, a, b)
 
     def select(self, condition: Ratio, if_true: Ratio, if_false: Ratio) -> Ratio:  # type: ignore[override]
-        return if_true if self.is_equal(if_true, if_false) else self._function(Op.SELECT, condition, if_true, if_false)
+        if self.is_equal(if_true, if_false) or (if_true.is_zero and self._vanishes_where(if_false, condition)):
+            return if_false
+        return self._function(Op.SELECT, condition, if_true, if_false)
 
-    def _function(self, op: Op, *of: Ratio) -> Ratio:
+    def _vanishes_where(self, value: Ratio, condition: Ratio) -> bool:
+        """Whether two things that are equal under the condition differ by a multiple of the value."""
+        for (one, other), found in ((of, found) for op, of, found in self._known if op is Op.EQUAL):
+            difference = self._reduced(one - other)
+            if found is condition and not difference.is_zero and not value.is_zero:
+                scale = self._leading(value)[1] / self._leading(difference)[1]
+                return bool(value.numerator == difference.numerator * self._field.ring.constant(scale))
+        return False
+
+    def function(self, name: str, *of: Ratio) -> Ratio:
+        """What a function gives; those of Stumpff are fractions in an angle, its sine and its cosine."""
+        if name == "stumpff":
+            order = self._field.ring.leading(of[0].numerator)[1] if not of[0].is_zero else 0
+            return self._stumpff(int(order), of[1])
+        return self._function(name, *of)
+
+    def _stumpff(self, order: int, angle: Ratio) -> Ratio:
+        if order < 2:
+            return self.divide(self.sine(angle), angle) if order else self.cosine(angle)
+        first = self.constant(Fraction(1, factorial(order - 2)))
+        return self.divide(first - self._stumpff(order - 2, angle), self.multiply(angle, angle))
+
+    def _function(self, op: Op | str, *of: Ratio) -> Ratio:
         """What a function gives of the fractions: what it gave of such before, or something new."""
         for known, arguments, value in self._known:
             if known is op and all(map(self.is_equal, arguments, of)):
@@ -154,9 +218,10 @@ class _Fractions(Operators):
             common = Fraction(gcd(times.numerator, part.numerator), lcm(times.denominator, part.denominator))
             if max(abs(times), part) <= MOST_MULTIPLES * common:
                 written = self._multiple(int(part / common), [cosine, sine])
-                self._generators += [old - new for old, new in zip(circle, written, strict=True)]
+                for old, new in zip(circle, written, strict=True):
+                    self._let_vanish(old - new)
                 times = common
-        self._generators.append(cosine * cosine + sine * sine - 1)
+        self._let_vanish(cosine * cosine + sine * sine - 1)
         return whole, abs(times), cosine, sine
 
     def _multiple(self, times: int, circle: list[Polynomial]) -> tuple[Polynomial, Polynomial]:
@@ -175,5 +240,24 @@ class _Fractions(Operators):
         return self._field.ring.leading(ratio.numerator)
 
     def _reduced(self, ratio: Ratio) -> Ratio:
-        numerator = reduce_by(self._field.ring, ratio.numerator, self._generators).remainder
+        """The fraction with its numerator in normal form; of the rules those are looked at whose variables occur."""
+        ring, numerator = self._field.ring, ratio.numerator
+        while numerator != 0:
+            degrees = ring.degrees(numerator)
+            rules = [
+                rule
+                for place, degree in enumerate(degrees)
+                if degree
+                for rule in self._rules.get(place, ())
+                if degree >= rule[1][place]
+            ]
+            if not rules:
+                break
+            numerator = reduce_by(ring, numerator, *zip(*rules, strict=True)).remainder
         return Ratio(self._field, numerator, ratio.denominator)
+
+    def _let_vanish(self, polynomial: Polynomial) -> None:
+        """A rule more; its leading term is a power of a variable."""
+        lead = self._field.ring.leading(polynomial)[0]
+        [place] = (place for place, exponent in enumerate(lead) if exponent)
+        self._rules.setdefault(place, []).append((polynomial, lead))

@@ -6,11 +6,10 @@ from collections.abc import Callable, Iterator
 from fractions import Fraction
 from itertools import combinations_with_replacement
 
-from chasles.algebra.localization import Ratio
 from chasles.algebra.rings import Polynomial
 from chasles.problems.context import Context
 
-__all__ = ["Product", "Units", "quotient"]
+__all__ = ["Product", "Units"]
 
 LARGEST_POWER = 4
 Product = tuple[Fraction, tuple[int, ...]]
@@ -76,10 +75,3 @@ class Units:
         for degree in range(1, LARGEST_POWER + 1):
             for chosen in combinations_with_replacement(different, degree):
                 yield tuple(chosen.count(k) for k in range(len(atoms)))
-
-
-def quotient(above: Ratio, below: Ratio, scale: Fraction, exponents: tuple[int, ...]) -> Ratio:
-    """One fraction over another, whose numerator is the scale times a product of powers of units."""
-    field = above.field
-    numerator = above.numerator * field.power_product(below.denominator)
-    return Ratio(field, numerator, above.denominator).divided(scale, exponents)

@@ -35,6 +35,6 @@ def guarded(program: Program) -> Program:
             tested = divisor.operands[0] if divisor.op is Op.SQUARE_ROOT else operands[1]
             singular = add(Step(Op.EQUAL, (tested, zero)))
             operands = add(Step(Op.SELECT, (singular, zero, operands[0]))), operands[1]
-        place.append(add(with_fields(step, operands=operands)))
+        place.append(add(step.on(operands)))
     results = tuple(with_fields(r, entries=tuple(place[k] for k in r.entries)) for r in program.results)
     return with_fields(program, steps=tuple(steps), results=results)

@@ -15,10 +15,11 @@ def pruned(program: Program) -> Program:
     for number in reversed(range(len(program.steps))):
         if number in alive:
             alive.update(program.steps[number].operands)
+    if len(alive) == len(program.steps):
+        return program
     place = {number: new for new, number in enumerate(sorted(alive))}
     steps = tuple(
-        with_fields(program.steps[number], operands=tuple(place[k] for k in program.steps[number].operands))
-        for number in sorted(alive)
+        program.steps[number].on(tuple([place[k] for k in program.steps[number].operands])) for number in place
     )
     results = tuple(with_fields(r, entries=tuple(place[k] for k in r.entries)) for r in program.results)
     return with_fields(program, steps=steps, results=results)

@@ -17,18 +17,40 @@ from itertools import product
 from chasles.lowering.builder import Builder
 from chasles.lowering.passes.prune import pruned
 from chasles.lowering.program import Op, Program, Step
-from chasles.lowering.scales import scale_of
+from chasles.lowering.scales import is_scale, scale_of
 
-__all__ = ["scaled"]
+__all__ = ["all_scaled", "scaled"]
 
 Form = tuple[int, int]
 """A power of the scale, and the step that it is multiplied by."""
 
 
+_POLYNOMIAL = (Op.ADD, Op.SUBTRACT, Op.MULTIPLY, Op.NEGATE)
+WORK = 100_000
+"""Steps that may be looked at until all divisors are scaled; each takes as many as the program has."""
+MOST_TESTS = 12
+"""Choices that decide what is divided by; of more each doubles what is to be looked at."""
+
+
 def scaled(program: Program) -> Program:
     """The same program, the first of its divisors that asks for it kept in range."""
-    found = next(_divisors(program), None)
+    found = next(_divisors(program, _degrees(program.steps), roots=False), None)
     return program if found is None else pruned(_Scaling(program, found).program)
+
+
+def all_scaled(program: Program) -> Program:
+    """The same program, each divisor and each root of a sum of squares that asks for it kept in range.
+
+    All are left as they are where the program is so long, and they are so many, that it would take too much work.
+    """
+    work = len(program.steps) * len(list(_divisors(program, _degrees(program.steps), roots=True)))
+    if work > WORK:
+        return program
+    work = 0
+    while work <= WORK and (found := next(_divisors(program, _degrees(program.steps), roots=True), None)) is not None:
+        work += len(program.steps)
+        program = pruned(_Scaling(program, found, among_others=True).program)
+    return program
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,49 +62,70 @@ class _Divisor:
     chosen: bool = False
 
 
-def _divisors(program: Program) -> Iterator[_Divisor]:
-    """The forms of the second degree and of higher ones that are divided by, with or without a root."""
-    for step in program.steps:
-        if step.op is not Op.DIVIDE:
+def _divisors(program: Program, degrees: Sequence[int], *, roots: bool) -> Iterator[_Divisor]:
+    """The forms of the second degree and of higher ones that are divided by, with or without a root.
+
+    With `roots` also the sums of squares of which the root is taken, divided by or not.
+    """
+    steps = program.steps
+    for place, step in enumerate(steps):
+        if step.op is Op.DIVIDE and is_scale(steps, step.operands[1]):
             continue
-        number = step.operands[1]
-        under = program.steps[number]
-        form = under.operands[0] if under.op is Op.SQUARE_ROOT else number
-        if program.steps[form].op is Op.SELECT:
-            leaves = _chosen_leaves(program, form, number)
-            if leaves:
-                yield _Divisor(form, leaves, chosen=True)
+        if step.op is Op.DIVIDE:
+            number = step.operands[1]
+            under = steps[number]
+            form = under.operands[0] if under.op is Op.SQUARE_ROOT else number
+            if steps[form].op is Op.SELECT:
+                leaves = _chosen_leaves(program, form, number)
+                if leaves:
+                    yield _Divisor(form, leaves, chosen=True)
+                continue
+        elif roots and step.op is Op.SQUARE_ROOT and _adds_up(steps, step.operands[0]):
+            form = step.operands[0]
         else:
-            leaves = _leaves(program.steps, form)
-            if _degree(program.steps, form) > 1 and _vanish(program.steps, leaves):
-                yield _Divisor(form, leaves)
+            continue
+        leaves = _leaves(steps, degrees, form)
+        if degrees[form] > 1 and _vanish(steps, leaves) and form < place:
+            yield _Divisor(form, leaves)
 
 
-def _degree(steps: Sequence[Step], number: int) -> int:
-    """The degree of a form in its leaves; 1 for a leaf."""
-    step = steps[number]
-    match step.op:
-        case Op.CONSTANT:
-            return 0
-        case Op.NEGATE:
-            return _degree(steps, step.operands[0])
-        case Op.MULTIPLY:
-            return sum(_degree(steps, k) for k in step.operands)
-        case Op.ADD | Op.SUBTRACT:
-            one, other = (_degree(steps, k) for k in step.operands)
-            return one if one == other else 1
-        case _:
-            return 1
+def _degrees(steps: Sequence[Step]) -> list[int]:
+    """The degree of each step as a form in its leaves; 1 for a leaf."""
+    found: list[int] = []
+    for step in steps:
+        of = [found[k] for k in step.operands]
+        match step.op:
+            case Op.CONSTANT:
+                found.append(0)
+            case Op.NEGATE:
+                found.append(of[0])
+            case Op.MULTIPLY:
+                found.append(of[0] + of[1])
+            case Op.ADD | Op.SUBTRACT:
+                found.append(of[0] if of[0] == of[1] else 1)
+            case Op.SQUARE_ROOT if of[0] > 1 and of[0] % 2 == 0:
+                found.append(of[0] // 2)
+            case _:
+                found.append(1)
+    return found
 
 
-def _leaves(steps: Sequence[Step], number: int) -> tuple[int, ...]:
+def _leaves(steps: Sequence[Step], degrees: Sequence[int], form: int) -> tuple[int, ...]:
     """The steps in which a form is one, each once, in the order of the program."""
-    step = steps[number]
-    if step.op is Op.CONSTANT:
-        return ()
-    if step.op is Op.NEGATE or (step.op in (Op.MULTIPLY, Op.ADD, Op.SUBTRACT) and _degree(steps, number) > 1):
-        return tuple(sorted({leaf for k in step.operands for leaf in _leaves(steps, k)}))
-    return (number,)
+    found, seen, waiting = set(), set(), [form]
+    while waiting:
+        number = waiting.pop()
+        if number in seen:
+            continue
+        seen.add(number)
+        step = steps[number]
+        alike = step.op in (Op.ADD, Op.SUBTRACT) and all(degrees[k] == degrees[number] for k in step.operands)
+        root = step.op is Op.SQUARE_ROOT and degrees[step.operands[0]] == 2 * degrees[number]
+        if step.op is Op.NEGATE or (degrees[number] > 1 and (step.op is Op.MULTIPLY or alike)) or root:
+            waiting += step.operands
+        elif step.op is not Op.CONSTANT:
+            found.add(number)
+    return tuple(sorted(found))
 
 
 def _vanish(steps: Sequence[Step], leaves: Sequence[int]) -> bool:
@@ -104,6 +147,8 @@ def _chosen_leaves(program: Program, form: int, divisor: int) -> tuple[int, ...]
     steps = program.steps
     above = {s.operands[0] for s in steps if s.op is Op.DIVIDE and s.operands[1] == divisor}
     tests = sorted({test for k in (form, *above) for test in _tests(steps, k)})
+    if len(tests) > MOST_TESTS:
+        return ()
     ways = [dict(zip(tests, way, strict=True)) for way in product((True, False), repeat=len(tests))]
     chosen = [(taken, _squares(steps, _resolved(steps, form, taken))) for taken in ways if _exists(steps, form, taken)]
     if not any(_vanish(steps, squares) for _, squares in chosen):
@@ -148,14 +193,21 @@ def _squares(steps: Sequence[Step], number: int) -> list[int]:
 
 
 def _adds_up(steps: Sequence[Step], number: int) -> bool:
-    """Whether a step is a sum of squares, which vanishes with what is squared and not before."""
-    return bool(_squares(steps, number))
+    """Whether a step is a sum of positive multiples of squares, which vanishes with what is squared and not before."""
+    step = steps[number]
+    if step.op is Op.ADD:
+        return all(_adds_up(steps, k) for k in step.operands)
+    if step.op is not Op.MULTIPLY:
+        return False
+    one, other = step.operands
+    return one == other or (steps[one].op is Op.CONSTANT and steps[one].value > 0 and _adds_up(steps, other))
 
 
 class _Scaling:
     """The program anew: each step plain, or as a power of the scale times a step, or both."""
 
-    def __init__(self, program: Program, divisor: _Divisor) -> None:
+    def __init__(self, program: Program, divisor: _Divisor, *, among_others: bool = False) -> None:
+        self._among_others = among_others
         self._steps, self._divisor = program.steps, divisor
         self._build = Builder()
         self._place: dict[int, int] = {}
@@ -226,6 +278,10 @@ class _Scaling:
 
     def _plain(self, number: int) -> int:
         """The step itself."""
+        step = self._steps[number]
+        if number not in self._place and self._among_others and step.op in _POLYNOMIAL:
+            # Other divisors are made of the step too, and what overflows in it would do so in the power of the scale.
+            self._place[number] = self._build.like(step, [self._plain(k) for k in step.operands])
         if number not in self._place:
             power, held = self._forms[number]
             for _ in range(abs(power)):

@@ -43,7 +43,7 @@ def _sides(chapter: Chapter) -> Iterator[Node]:
 
 def _letter(symbol: Symbol) -> Letter:
     rows, columns = symbol.size.shape
-    shape = "" if rows == columns == 1 else f"{rows} x {columns}" if columns > 1 else f"vector of {rows}"
+    shape = "" if rows == columns == 1 else f"{rows} x {columns}" if columns != 1 else f"vector of {rows}"
     units = dict.fromkeys(str(dimension) for row in symbol.size.grid for dimension in row if dimension is not None)
     kind = ", ".join(filter(None, (shape, *(unit for unit in units if unit != "no dimension"))))
     return Letter(math(latex(symbol)), symbol.name, symbol.meaning, kind)

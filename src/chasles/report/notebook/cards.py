@@ -13,6 +13,8 @@ from chasles.compiling.kernel import CompiledKernel
 from chasles.decisions.decision import Certificate, Decision
 from chasles.deriving import CheckedDerivation
 from chasles.emitted import EmittedKernel
+from chasles.pages.findings_told import told
+from chasles.pages.page import Page, PageEquation
 from chasles.repairs.repair import Repair
 from chasles.report.details import number_in_words
 from chasles.report.equations import signature_in_words
@@ -166,6 +168,20 @@ def _(value: Chapter) -> Card:
         f"{number_of(kernels, 'kernel')}",
         head=("section", "title", "numbers", "statements"),
         rows=tuple(sections_of(value)),
+    )
+
+
+@card_of.register
+def _(value: Page) -> Card:
+    rows = tuple((str(each.printed.line), each.number, told(each)) for each in value.equations)
+    return Card(title=value.file or "page", quiet=value.summary, head=("line", "number", "finding"), rows=rows)
+
+
+@card_of.register
+def _(value: PageEquation) -> Card:
+    sides = () if value.part is None else (value.part.left, value.part.right)
+    return Card(
+        title=value.number, says=told(value), equations=tuple(e for side in sides for e in card_of(side).equations)
     )
 
 

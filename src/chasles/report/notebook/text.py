@@ -16,6 +16,8 @@ from chasles.decisions.decision import Certificate, Decision
 from chasles.deriving import CheckedDerivation
 from chasles.emitted import EmittedKernel
 from chasles.exercises.solution import Solution
+from chasles.pages.findings_told import line_of
+from chasles.pages.page import Page, PageEquation
 from chasles.repairs.repair import Repair
 from chasles.report.derivation_page import derivation_page
 from chasles.report.details import Lines, evidence, indented, number_in_words, objections, printed, refuted
@@ -119,6 +121,17 @@ def _(value: Chapter, screen: Screen) -> Iterator[RenderableType]:
     yield Text(value.title)
     for number, title, numbers, statements in sections_of(value):
         yield Text(f"  {number:8}{title}: {numbers}, {number_of(int(statements), 'statement')}")
+
+
+@_pages.register
+def _(value: Page, screen: Screen) -> Iterator[RenderableType]:
+    yield from (Text(line_of(each, value.file or "page")) for each in value.equations)
+    yield Text(value.summary)
+
+
+@_pages.register
+def _(value: PageEquation, screen: Screen) -> Iterator[RenderableType]:
+    yield Text(line_of(value, "page"))
 
 
 @_pages.register

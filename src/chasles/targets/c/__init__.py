@@ -4,12 +4,13 @@ A kernel's program becomes text twice, by the same writer: once on numbers, as t
 registers, each of which holds one number of several items, as the block of a batch. The second is compiled for each set
 of instructions (a level) and one of the results is taken when the program runs; nothing is to be linked.
 
-- `batches.c` knows no kernel and no instructions. It cuts a batch into blocks of 64 items. What a block cannot load as
-  it lies (core axes with gaps, a few items, outputs over inputs) it copies to a small store and back, so that a block
-  has one path and an item's result never depends on where the item lies.
+- `batches.c` knows no kernel and no instructions. It cuts a batch into blocks of 64 items. Operands that a block cannot
+  load as they lie (core axes with gaps, a few items, outputs over inputs) it copies to a small store and back, so that
+  a block has one path and an item's result never depends on where the item lies.
 - A block (`blocks.py`) loads the items of a register's lanes and transposes them between registers, since items are
   arrays of structures and memory is the bottleneck; it computes, transposes and stores. Before that it finds the sines
   and cosines of all 64 items (`sincos.py`), in a loop of their own.
+- A program of many steps is cut into parts (`parts.py`), functions that leave what others need in an array.
 - `trigonometry_blocks.c` holds those: no branch for angles below 1.6e6, libm beyond. In single precision they are
   computed in double, which is hardly slower and right to the last digit.
 - Nothing in a block branches, so both sides of every choice are computed, in lanes for which they mean nothing too. The
@@ -19,17 +20,20 @@ of instructions (a level) and one of the results is taken when the program runs;
   x86-64-v3, which give the same bits. So their strides are constants: with others the addresses of 8 items fill more
   registers than there are, and half of what registers of 64 bytes win is lost. They ask for memory ahead of time, also
   for what they will write: a third is won by that as soon as a batch is not in the innermost cache.
-- Results too many for the cache go around it. A block writes them to one half of the store; with each group of the next
-  block, in both its loops, a few lines go to their place. So memory is never idle while something is computed, nor the
-  other way round.
+- Results too many for the cache, if more is written than read, go around it. A block writes them to one half of the
+  store; with each group of the next block, in both its loops, a few lines go to their place. So memory is never idle
+  while something is computed, nor the other way round.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from pathlib import Path
 
-from chasles.targets.c.blocks import MOST_OPERANDS, block, block_name, loop_name
+from chasles.lowering.program import MOST_OPERANDS
+from chasles.targets.c.alone import alone
+from chasles.targets.c.blocks import block, block_name, loop_name
 from chasles.targets.c.core_shapes import loop
 from chasles.targets.c.functions import PRECISIONS, Function, batch, in_short, single
 from chasles.targets.c.self_test import vectors
@@ -38,6 +42,9 @@ from chasles.targets.kernel import EmissionError, TargetKernel
 from chasles.targets.target import Page, Target
 
 __all__ = ["TARGET"]
+
+_FEW_ENTRIES = 512
+"""Of a group of items with no more the store of most kernels has room, whatever the registers."""
 
 
 def _pages(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
@@ -54,7 +61,9 @@ def _pages(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
         values = {"section": section, "functions": bodies, "loops": loops}
         yield Page(f"src/{section}.c", "section.c.jinja", values)
         blocks = [block(kernel, precision) for kernel in members for precision in PRECISIONS]
-        values = {"section": section, "blocks": blocks}
+        steps = [step for kernel in members for step in kernel.program.steps if step.function]
+        called = sorted({f"CHASLES_LANEWISE_{len(step.operands)}({step.function})" for step in steps})
+        values = {"section": section, "blocks": blocks, "functions": called}
         yield Page(f"src/{section}_blocks.c", "blocks.c.jinja", values)
     yield from _batches(kernels)
     checks = [check for kernel in kernels for check in vectors(kernel)]
@@ -62,14 +71,14 @@ def _pages(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
 
 
 def _batches(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
-    """What all blocks have in common."""
+    """What all blocks have in common: `loops.h` alone knows their names."""
     pairs = [(kernel, precision) for kernel in kernels for precision in PRECISIONS]
-    values = {
-        "operands": MOST_OPERANDS,
-        "loops": [loop_name(*pair) for pair in pairs],
-        "blocks": [block_name(*pair) for pair in pairs],
-    }
-    yield Page("src/batches.h", "batches.h.jinja", values)
+    names = {"loops": [loop_name(*pair) for pair in pairs], "blocks": [block_name(*pair) for pair in pairs]}
+    yield Page("src/loops.h", "loops.h.jinja", names)
+    entries = max((sum(math.prod(item.shape) for item in kernel.program.parameters) for kernel in kernels), default=0)
+    many = 2 ** (entries - 1).bit_length()
+    store = f"({many} * (16 << (CHASLES_LEVELS - 1)))" if entries > _FEW_ENTRIES else "32768"
+    yield Page("src/batches.h", "batches.h.jinja", {"operands": MOST_OPERANDS, "store": store})
     values = {"precisions": list(map(_words, PRECISIONS)), "circular": ("sine", "cosine")}
     for name in ("batches.c", "vectors.h", "trigonometry_blocks.c"):
         yield Page(f"src/{name}", f"{name}.jinja", values)
@@ -78,8 +87,7 @@ def _batches(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
 def _words(precision: Precision) -> dict[str, str]:
     """How the two precisions differ in what is said once of both."""
     suffix = precision.suffix
-    roots = "_mm512_maskz_sqrt_ps(0xffff, (__m512)x)" if suffix else "_mm512_maskz_sqrt_pd(ALL, (__m512d)x)"
-    return {"name": precision.name, "suffix": suffix, "mark": suffix.upper(), "roots": roots}
+    return {"name": precision.name, "suffix": suffix, "mark": suffix.upper()}
 
 
 def _functions(kernel: TargetKernel) -> tuple[Function, ...]:
@@ -93,4 +101,4 @@ def _require_distinct(names: list[str]) -> None:
         raise EmissionError(f"several functions would be called {', '.join(twice)}; rename a kernel")
 
 
-TARGET = Target("c", Path(__file__).parent, _pages)
+TARGET = Target("c", Path(__file__).parent, _pages, alone)

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
 
 from chasles.lowering.passes.prune import pruned
-from chasles.lowering.program import Op, Program
+from chasles.lowering.program import MOST_OPERANDS, Op, Program
 from chasles.targets.c.functions import public_name
+from chasles.targets.c.parts import KEPT, CutFunction, CutProgram, parts_of
 from chasles.targets.c.sincos import parted
 from chasles.targets.c.vectorised import ON_REGISTERS, register, spread
 from chasles.targets.constants import Precision
@@ -17,22 +19,26 @@ from chasles.targets.kernel import EmissionError, TargetKernel
 from chasles.targets.layout import listed
 from chasles.targets.spelling import Spelled, spelled
 
-__all__ = ["MOST_OPERANDS", "BlockFunction", "block", "block_name", "loop_name"]
+__all__ = ["BlockFunction", "block", "block_name", "loop_name"]
 
-MOST_OPERANDS = 16
-_MOST_ENTRIES = 512
-"""So that a group of items of every level fits into the store where items are gathered."""
+_MOST_ENTRIES = 32768
+"""So that a group of items fits on the stack."""
+_WORD = re.compile(r"\w+")
 _WIDTHS = (4, 3, 2, 1)
 """How many numbers that lie side by side in an item are loaded or stored at a time."""
 
 
 @dataclass(frozen=True, slots=True)
 class BlockFunction:
-    """A block function: its prototype, its lines on registers, and those that call the scalar kernel."""
+    """A block function: its prototype, its lines on registers, and those that call the scalar kernel.
+
+    `parts` are the functions that those on registers call, where they are many, with `void` before each.
+    """
 
     prototype: str
     vector: tuple[str, ...]
     scalar: tuple[str, ...]
+    parts: tuple[tuple[str, ...], ...] = ()
 
 
 def loop_name(kernel: TargetKernel, precision: Precision) -> str:
@@ -56,17 +62,33 @@ def block(kernel: TargetKernel, precision: Precision) -> BlockFunction:
         )
     parameters = ("ptrdiff_t groups", "char *const *at", "const ptrdiff_t *steps", "const chasles_stream *stream")
     prototype = "\n".join(listed(f"void CHASLES_LEVELED({block_name(kernel, precision)})(", parameters, ")"))
-    return BlockFunction(prototype, tuple(_on_registers(kernel, precision)), _one_by_one(kernel, precision))
+    scalar = _one_by_one(kernel, precision)
+    parts = parts_of(kernel.program)
+    if not parts.parts:
+        return BlockFunction(prototype, tuple(_on_registers(kernel.program, precision)), scalar)
+    names = [f"{block_name(kernel, precision)}_part_{number}" for number, _ in enumerate(parts.parts, start=1)]
+    functions = [
+        (f"{name}({register(precision)} *{KEPT})", "{", *_indented(_part(part, precision)), "}")
+        for name, part in zip(names, parts.parts, strict=True)
+    ]
+    lines = [
+        "(void)stream;",
+        f"{register(precision)} {KEPT}[{parts.room}];",
+        "for (ptrdiff_t g = 0; g < groups; g++) {",
+        *_indented(_copied(kernel.program, parts, precision, [f"{name}({KEPT});" for name in names])),
+        "}",
+    ]
+    return BlockFunction(prototype, tuple(lines), scalar, tuple(functions))
 
 
-def _on_registers(kernel: TargetKernel, precision: Precision) -> Iterator[str]:
-    parts, inputs = parted(kernel.program), len(kernel.program.arguments)
-    read = {place for place, _ in _read(pruned(kernel.program))}
-    for place in range(len(kernel.program.parameters)):
+def _on_registers(program: Program, precision: Precision) -> Iterator[str]:
+    parts, inputs = parted(program), len(program.arguments)
+    read = {place for place, _ in _read(pruned(program))}
+    for place in range(len(program.parameters)):
         if place < inputs and place not in read:
             continue
         yield f"char *const at{place} = at[{place}];"
-        size = math.prod(kernel.program.parameters[place].shape)
+        size = math.prod(program.parameters[place].shape)
         yield f"const ptrdiff_t step{place} = CHASLES_STEP({place}, {size} * sizeof({precision.name}));"
     yield "chasles_stream copied = *stream;"
     if parts.angles is not None:
@@ -74,14 +96,64 @@ def _on_registers(kernel: TargetKernel, precision: Precision) -> Iterator[str]:
     text = spelled(parts.rest, ON_REGISTERS[precision])
     yield "for (ptrdiff_t g = 0; g < groups; g++) {"
     yield from _indented(_loads(parts.rest, text, inputs, precision))
-    for place, name in enumerate(text.arguments[inputs:]):
-        room = ("sines", "cosines")[place % 2]
-        if (inputs + place, 0) in _read(parts.rest):
-            yield f"    const {register(precision)} {name} = {room}[{place // 2}][g];"
+    yield from _indented(_taken(parts.rest, text, inputs, precision, "g"))
     yield from _indented(text.lines)
-    yield from _indented(_stores(parts.rest, text, inputs, precision))
+    for place, entries in enumerate(text.entries, start=inputs):
+        yield f"    {_item(place, 'char', precision)}"
+        yield f"    prefetch_to_write(item{place}, LANES{precision.suffix.upper()} * step{place});"
+        yield from _indented(_stores(place, entries, precision))
     yield "    stream_lines(&copied);"
     yield "}"
+
+
+def _copied(program: Program, parts: CutProgram, precision: Precision, calls: Sequence[str]) -> Iterator[str]:
+    """The calls, between loops that load all entries of the inputs and store those of the results."""
+    suffix, number, inputs = precision.suffix, f"sizeof({precision.name})", len(program.arguments)
+    lanes = f"LANES{suffix.upper()}"
+    for place, (item, start) in enumerate(zip(program.parameters, parts.places, strict=True)):
+        size, loads = math.prod(item.shape), place < inputs
+        if place == inputs:
+            yield from calls
+        kind, verb = ("const char", "load") if loads else ("char", "store")
+        yield f"{kind} *const item{place} = at[{place}] + g * {lanes} * steps[{place}];"
+        for first, width, count in ((0, 4, size // 4), (size - size % 4, size % 4, min(size % 4, 1))):
+            from_, where = f"{KEPT} + {start + first} + k", f"item{place} + ({first} + k) * (ptrdiff_t){number}"
+            values = from_ if loads else ", ".join(f"{KEPT}[{start + first + n} + k]" for n in range(width))
+            if count:
+                yield f"for (ptrdiff_t k = 0; k < {count * width}; k += {width}) {{"
+                yield f"    {verb}_{width}{suffix}({where}, steps[{place}], {values});"
+                yield "}"
+
+
+def _part(part: CutFunction, precision: Precision) -> Iterator[str]:
+    """A part of a program; its angles come first. What is known is stored at once, so that few registers are needed."""
+    suffix, kind = precision.suffix, register(precision)
+    dialect = with_fields(ON_REGISTERS[precision], name_entries=False)
+    parts = parted(part.program)
+    if parts.angles is not None:
+        count = len(parts.angles.results)
+        yield f"{kind} angles[{count}][1], sines[{count}][1], cosines[{count}][1];"
+        text = spelled(parts.angles, dialect)
+        yield "{"
+        yield from _indented(_interleaved(text, [f"angles[{place}][0]" for place in range(count)], precision))
+        yield "}"
+        yield "chasles_stream none = {0, 0, 0, 0};"
+        yield f"CHASLES_LEVELED(chasles_sincos{suffix})({count}, angles[0], sines[0], cosines[0], &none);"
+    text = spelled(parts.rest, dialect)
+    yield from _taken(parts.rest, text, 1, precision, "0")
+    yield from _interleaved(text, [f"{KEPT}[{slot}]" for slot in part.slots], precision)
+
+
+def _interleaved(text: Spelled, targets: Sequence[str], precision: Precision) -> Iterator[str]:
+    """The declarations, and behind the last one that an entry needs that it goes to its target."""
+    known = {line.split(" = ")[0].split()[-1]: number for number, line in enumerate(text.lines)}
+    due: dict[int, list[str]] = {}
+    for target, entry in zip(targets, (entry for entries in text.entries for entry in entries), strict=True):
+        last = max((known.get(word, -1) for word in _WORD.findall(entry)), default=-1)
+        due.setdefault(last, []).append(f"{target} = {spread(entry, precision)};")
+    yield from due.get(-1, ())
+    for number, line in enumerate(text.lines):
+        yield from (line, *due.get(number, ()))
 
 
 def _sines_and_cosines(angles: Program, precision: Precision) -> Iterator[str]:
@@ -107,26 +179,33 @@ def _loads(program: Program, text: Spelled, inputs: int, precision: Precision) -
     read = _read(program)
     for place, (name, item) in enumerate(zip(text.arguments[:inputs], program.arguments, strict=False)):
         size = math.prod(item.shape)
-        wanted = [(place, entry) in read for entry in range(size)]
-        if not any(wanted):
+        wanted = [entry for entry in range(size) if (place, entry) in read]
+        if not wanted:
             continue
         yield f"{register(precision)} {name}{f'[{size}]' if item.shape else ''};"
         yield _item(place, "const char", precision)
         yield f"prefetch(item{place}, LANES{precision.suffix.upper()} * step{place});"
-        for entry, width in _runs(wanted):
+        for number, width in _runs(wanted):
+            entry = wanted[number]
             target = name if item.shape and not entry else f"&{name}[{entry}]" if item.shape else f"&{name}"
             yield f"load_{width}{precision.suffix}({_place(place, entry, precision)}, step{place}, {target});"
 
 
-def _stores(program: Program, text: Spelled, inputs: int, precision: Precision) -> Iterator[str]:
-    """The results, once all of them are known."""
-    for place, entries in enumerate(text.entries, start=inputs):
-        yield _item(place, "char", precision)
-        yield f"prefetch_to_write(item{place}, LANES{precision.suffix.upper()} * step{place});"
-        for entry, width in _runs([True] * len(entries)):
-            values = [spread(value, precision) for value in entries[entry : entry + width]]
-            start = f"store_{width}{precision.suffix}("
-            yield from listed(start, [_place(place, entry, precision), f"step{place}", *values], ");")
+def _taken(program: Program, text: Spelled, further: int, precision: Precision, group: str) -> Iterator[str]:
+    """The sines and cosines that the program reads, which are its further arguments, of a group."""
+    read = _read(program)
+    for place, name in enumerate(text.arguments[further:]):
+        if (further + place, 0) in read:
+            room = ("sines", "cosines")[place % 2]
+            yield f"const {register(precision)} {name} = {room}[{place // 2}][{group}];"
+
+
+def _stores(place: int, entries: Sequence[str], precision: Precision) -> Iterator[str]:
+    """The entries of a result, once all of them are known."""
+    for entry, width in _runs(range(len(entries))):
+        values = [spread(value, precision) for value in entries[entry : entry + width]]
+        start = f"store_{width}{precision.suffix}("
+        yield from listed(start, [_place(place, entry, precision), f"step{place}", *values], ");")
 
 
 def _item(place: int, kind: str, precision: Precision) -> str:
@@ -139,14 +218,14 @@ def _place(place: int, entry: int, precision: Precision) -> str:
     return f"item{place} + {entry} * sizeof({precision.name})" if entry else f"item{place}"
 
 
-def _runs(wanted: Sequence[bool]) -> Iterator[tuple[int, int]]:
-    """Where to start and how many to take at a time, so that all that is wanted is taken and nothing else."""
-    entry = 0
-    while entry < len(wanted):
-        widths = [width for width in _WIDTHS if list(wanted[entry : entry + width]) == [True] * width]
-        if widths:
-            yield entry, widths[0]
-        entry += widths[0] if widths else 1
+def _runs(entries: Sequence[int]) -> Iterator[tuple[int, int]]:
+    """Where among ascending entries to start and how many to take at a time, so that these lie side by side."""
+    start = 0
+    while start < len(entries):
+        rest = entries[start : start + _WIDTHS[0]]
+        width = next(width for width in _WIDTHS if width <= len(rest) and rest[width - 1] == rest[0] + width - 1)
+        yield start, width
+        start += width
 
 
 def _read(program: Program) -> frozenset[tuple[int, int]]:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from chasles.lowering.program import Op
 from chasles.targets.c.blocks import block_name, loop_name
+from chasles.targets.c.parts import parts_of
 from chasles.targets.constants import Precision
 from chasles.targets.kernel import EmissionError, TargetKernel
 from chasles.targets.layout import listed
@@ -20,6 +21,7 @@ class Loop:
     name: str
     number: str
     silent: int
+    gaps: int
     inputs: int
     operands: int
     shapes: tuple[str, ...]
@@ -42,6 +44,7 @@ def loop(kernel: TargetKernel, precision: Precision) -> Loop:
         name=name,
         number=precision.name,
         silent=int(any(step.op is Op.NOT_A_NUMBER for step in program.steps)),
+        gaps=int(bool(parts_of(program).parts)),
         inputs=len(program.arguments),
         operands=len(program.parameters),
         shapes=listed(f"static const chasles_shape {name}_shapes[] = {{", shapes, "};", closing_line=True),

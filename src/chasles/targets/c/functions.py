@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from chasles.lowering.names import Names
 from chasles.lowering.passes.prune import pruned
 from chasles.lowering.program import Argument, Op, Result
 from chasles.targets.c.language import DIALECTS, RESERVED
 from chasles.targets.constants import DOUBLE, SINGLE, Precision
 from chasles.targets.contract import cited, contract, summary
+from chasles.targets.dialect import Dialect
 from chasles.targets.kernel import TargetKernel
 from chasles.targets.layout import listed
-from chasles.targets.names import Names
-from chasles.targets.spelling import spelled
+from chasles.targets.spelling import Spelled, spelled
 
-__all__ = ["PRECISIONS", "Function", "batch", "in_short", "public_name", "single"]
+__all__ = ["PRECISIONS", "Function", "batch", "head", "in_short", "public_name", "single", "unread"]
 
 PRECISIONS = (DOUBLE, SINGLE)
 
@@ -36,10 +37,10 @@ def public_name(kernel: TargetKernel, precision: Precision, variant: str = "") -
     return f"chasles_{kernel.name}{variant}{precision.suffix}"
 
 
-def single(kernel: TargetKernel, precision: Precision) -> Function:
+def single(kernel: TargetKernel, precision: Precision, dialects: Mapping[Precision, Dialect] = DIALECTS) -> Function:
     """The function that computes one item and stores it once all of it is known."""
     program = kernel.program
-    text = spelled(program, DIALECTS[precision])
+    text = spelled(program, dialects[precision])
     name = public_name(kernel, precision)
     inputs = [_input(word, item, precision) for word, item in zip(text.arguments, program.arguments, strict=True)]
     outputs = [_output(word, item, precision) for word, item in zip(text.results, program.results, strict=True)]
@@ -48,15 +49,25 @@ def single(kernel: TargetKernel, precision: Precision) -> Function:
         for word, item, entries in zip(text.results, program.results, text.entries, strict=True)
         for position, entry in enumerate(entries)
     ]
-    if precision is DOUBLE:
-        given = [_shown(word, item) for word, item in zip(text.arguments, program.arguments, strict=True)]
-        returned = [_shown(word, item) for word, item in zip(text.results, program.results, strict=True)]
-        comment = contract(kernel, given, returned)
-    else:
-        comment = summary(kernel, f"{public_name(kernel, DOUBLE)} in single precision.")
-    read = {step.argument for step in pruned(program).steps if step.op is Op.INPUT}
-    unread = [f"(void){word};" for place, word in enumerate(text.arguments) if place not in read]
-    return Function(name, _comment(comment), _prototype(name, [*inputs, *outputs]), (*unread, *text.lines, *stores))
+    lines = (*unread(kernel, text.arguments), *text.lines, *stores)
+    comment = head(kernel, text, public_name(kernel, DOUBLE) if precision is SINGLE else "")
+    return Function(name, comment, _prototype(name, [*inputs, *outputs]), lines)
+
+
+def head(kernel: TargetKernel, text: Spelled, main: str = "") -> tuple[str, ...]:
+    """The lines of a comment: the whole contract, or that it is the `main` function in single precision."""
+    if main:
+        return _comment(summary(kernel, f"{main} in single precision."))
+    program = kernel.program
+    given = [_shown(word, item) for word, item in zip(text.arguments, program.arguments, strict=True)]
+    returned = [_shown(word, item) for word, item in zip(text.results, program.results, strict=True)]
+    return _comment(contract(kernel, given, returned))
+
+
+def unread(kernel: TargetKernel, words: Sequence[str], statement: str = "(void){};") -> tuple[str, ...]:
+    """Statements that say of each argument that nothing reads that this is meant."""
+    read = {step.argument for step in pruned(kernel.program).steps if step.op is Op.INPUT}
+    return tuple(statement.format(word) for place, word in enumerate(words) if place not in read)
 
 
 def in_short(kernel: TargetKernel) -> str:

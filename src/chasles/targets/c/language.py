@@ -56,7 +56,10 @@ def _dialect(precision: Precision) -> Dialect:
     def declare(name: str, text: str, truth: bool) -> str:
         return f"const {'int' if truth else precision.name} {name} = {text};"
 
-    return Dialect(spell, literals(precision), _component, declare, RESERVED)
+    def function(name: str, operands: int) -> Phrase:
+        return call(f"{name}{suffix}", operands)
+
+    return Dialect(spell, literals(precision), _component, declare, RESERVED, function=function)
 
 
 DIALECTS: Mapping[Precision, Dialect] = {precision: _dialect(precision) for precision in (DOUBLE, SINGLE)}

@@ -6,12 +6,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
+from chasles.lowering.names import Names
 from chasles.targets.c.functions import PRECISIONS, public_name
 from chasles.targets.c.language import RESERVED
 from chasles.targets.constants import DOUBLE, Precision, literal
 from chasles.targets.kernel import Check, Exact, TargetKernel
 from chasles.targets.layout import listed
-from chasles.targets.names import Names
 
 __all__ = ["OutputCheck", "Vector", "vectors"]
 

@@ -22,7 +22,7 @@ _USED = """
 """
 _CALLED = """
     spread roots less equal choose row put_row sine_of cosine_of directions
-    load_1 load_2 load_3 load_4 store_1 store_2 store_3 store_4
+    fabs_of load_1 load_2 load_3 load_4 store_1 store_2 store_3 store_4
 """
 _MOST_OPERANDS = 64
 _NUMBERED = {f"{stem}{place}" for stem in ("at", "step", "item") for place in range(_MOST_OPERANDS)}
@@ -62,7 +62,12 @@ def _dialect(precision: Precision) -> Dialect:
         kind = f"truths{suffix}" if truth else register(precision)
         return f"const {kind} {name} = {spread(text, precision)};"
 
-    return Dialect(spell, literals(precision), _component, declare, _RESERVED, lift=f"spread{suffix}({{}})")
+    def function(name: str, operands: int) -> Phrase:
+        return call(f"{name}_of{suffix}", operands)
+
+    return Dialect(
+        spell, literals(precision), _component, declare, _RESERVED, lift=f"spread{suffix}({{}})", function=function
+    )
 
 
 ON_REGISTERS: Mapping[Precision, Dialect] = {precision: _dialect(precision) for precision in (DOUBLE, SINGLE)}

@@ -11,14 +11,14 @@ from pathlib import Path
 from chasles.lowering.program import Argument, Op, Program, Result
 from chasles.targets.constants import DOUBLE, literals
 from chasles.targets.contract import contract
-from chasles.targets.dialect import ARITHMETIC, Dialect, Level, Phrase, Shape, call
+from chasles.targets.dialect import ARITHMETIC, Dialect, Level, Phrase, call, nested
 from chasles.targets.kernel import TargetKernel, signature
 from chasles.targets.layout import listed
 from chasles.targets.numpy.hypotheses import divisors, rows
 from chasles.targets.spelling import Spelled, spelled
 from chasles.targets.target import Page, Target
 
-__all__ = ["TARGET"]
+__all__ = ["DIALECT", "NAMES", "TARGET", "function"]
 
 _SPELL: Mapping[Op, Phrase] = {
     **ARITHMETIC,
@@ -29,28 +29,38 @@ _SPELL: Mapping[Op, Phrase] = {
     Op.SELECT: call("xp.where", 3),
     Op.NOT_A_NUMBER: Phrase("batch.number(xp.nan)", Level.ATOM, ()),
 }
+NAMES = {
+    "fabs": "abs",
+    "fmod": "remainder",
+    "pow": "pow",
+    **{name: name for name in ("floor", "exp", "expm1", "log", "log1p", "sinh", "cosh", "tanh")},
+    **{name: name for name in ("asinh", "acosh", "atanh")},
+}
+"""Functions of the array API by their C names; the others are those of SciPy, in each library's own place."""
+
+
+def _function_phrase(name: str, operands: int) -> Phrase:
+    """The function of the array library; of the library's special functions, where it is none."""
+    if name in NAMES:
+        return call(f"xp.{NAMES[name]}", operands)
+    return Phrase(f'batch.special("{name}", {", ".join(["{}"] * operands)})', Level.ATOM, (Level.CHOICE,) * operands)
+
+
 _USED = ("xp", "batch", "out", "prepared", "delivered", "Any")
 _RESERVED = frozenset({*keyword.kwlist, *keyword.softkwlist, *dir(builtins), *_USED})
 
 
-def _component(name: str, shape: Shape, entry: int) -> str:
-    """The entry of nested tuples, as `prepared` hands them over."""
-    places: list[int] = []
-    for extent in reversed(shape):
-        entry, place = divmod(entry, extent)
-        places.insert(0, place)
-    return name + "".join(f"[{place}]" for place in places)
-
-
-_DIALECT = Dialect(
+DIALECT = Dialect(
     spell=_SPELL,
     constant=literals(DOUBLE),
-    component=_component,
+    component=nested,
     declare=lambda name, text, truth: f"{name} = {text}",
     reserved=_RESERVED,
     lift="batch.number({})",
     name_entries=False,
     width=80,
+    function=_function_phrase,
+    special=True,
 )
 
 
@@ -65,9 +75,10 @@ class _Function:
     lines: tuple[str, ...]
 
 
-def _function(kernel: TargetKernel) -> _Function:
+def function(kernel: TargetKernel, end: str = "return delivered(out, {})", dialect: Dialect = DIALECT) -> _Function:
+    """The function of a kernel, which `end`s by handing over its results."""
     program = kernel.program
-    text = spelled(program, _DIALECT)
+    text = spelled(program, dialect)
     given = [_shown(name, item) for name, item in zip(text.arguments, program.arguments, strict=True)]
     returned = [_shown(name, item) for name, item in zip(text.results, program.results, strict=True)]
     says, *docstring = _docstring((*contract(kernel, given, returned), f"  {'signature':<12}{signature(program)}"))
@@ -76,13 +87,13 @@ def _function(kernel: TargetKernel) -> _Function:
         says=says,
         docstring=tuple(docstring),
         parameters=", ".join(f"{name}: Any" for name in text.arguments),
-        lines=(*_opening(kernel.name, kernel.program, text), *text.lines, *_closing(kernel, text)),
+        lines=(*_opening(kernel.name, kernel.program, text), *text.lines, *_closing(kernel, text, end)),
     )
 
 
 def _divisor(name: str, program: Program) -> Iterator[str]:
     """The lines of a function of one number."""
-    text = spelled(program, _DIALECT)
+    text = spelled(program, DIALECT)
     yield from (*_opening(name, program, text), *text.lines)
     ((value,),) = text.entries
     yield f"return batch.array((), {value})"
@@ -98,11 +109,11 @@ def _opening(kernel: str, program: Program, text: Spelled) -> Iterator[str]:
         yield "xp = batch.xp"
 
 
-def _closing(kernel: TargetKernel, text: Spelled) -> Iterator[str]:
+def _closing(kernel: TargetKernel, text: Spelled, end: str) -> Iterator[str]:
     """The lines that put the results together."""
     for name, result, entries in zip(text.results, kernel.program.results, text.entries, strict=True):
         yield from listed(f"{name} = batch.array(", [str(result.shape), *entries], ")", closing_line=True)
-    yield f"return delivered(out, {', '.join(text.results)})"
+    yield end.format(", ".join(text.results))
 
 
 def _shown(name: str, item: Argument | Result) -> str:
@@ -115,7 +126,7 @@ def _docstring(lines: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def _pages(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
-    values = {"functions": [_function(kernel) for kernel in kernels]}
+    values = {"functions": [function(kernel) for kernel in kernels]}
     yield Page("kernels.py", "kernels.py.jinja", values)
     functions = divisors(kernels, _divisor)
     table = {"divisors": [*functions.values()], "rows": [*rows(kernels, functions)]}

@@ -12,6 +12,7 @@ class Names:
 
     def __init__(self, reserved: Iterable[str]) -> None:
         self._taken = set(reserved)
+        self._counts: dict[str, int] = {}
 
     def take(self, wanted: str) -> str:
         """The name nearest to `wanted` that is free: underscores are appended until it is."""
@@ -23,7 +24,8 @@ class Names:
 
     def number(self, stem: str) -> str:
         """The first free name of `stem` followed by 1, 2, 3 and so on."""
-        count = 1
+        count = self._counts.get(stem, 0) + 1
         while f"{stem}{count}" in self._taken:
             count += 1
+        self._counts[stem] = count
         return self.take(f"{stem}{count}")

@@ -1,0 +1,67 @@
+"""Seconds that `chasles.compile` takes in a new process; run by the benchmark, with a pickled model.
+
+Processor time, of the compiler too, in all of its threads and processes.
+"""
+
+from __future__ import annotations
+
+import os
+import pickle
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import sympy as sp
+from benchmarks.compile.models import Model
+
+__all__ = ["compiled", "in_new_process", "timed"]
+
+
+def spent() -> float:
+    """Processor time so far, of this process and of those that it waited for."""
+    times = os.times()
+    return times.user + times.system + times.children_user + times.children_system
+
+
+def timed(make: Callable[[], Any]) -> tuple[Any, float]:
+    """What is made, and the seconds."""
+    started = spent()
+    made = make()
+    return made, spent() - started
+
+
+def compiled(model: Model) -> Any:
+    """The kernel of chasles."""
+    import chasles
+
+    inputs = {name: sp.Matrix(group) for name, group in model.inputs.items()}
+    return chasles.compile(sp.Matrix(model.entries), inputs, name="model")
+
+
+def in_new_process(model: Model, cache: str, limit: float) -> float | str:
+    """Seconds in a new process with this cache; the last line of what it says where it fails."""
+    held = Path(cache) / "model.pickle"
+    held.parent.mkdir(parents=True, exist_ok=True)
+    held.write_bytes(pickle.dumps(model))
+    command = [sys.executable, "-m", "benchmarks.compile.making", str(held)]
+    try:
+        done = subprocess.run(
+            command,
+            env={**os.environ, "CHASLES_CACHE": cache},
+            capture_output=True,
+            text=True,
+            timeout=limit,
+            check=False,
+        )
+    except subprocess.TimeoutExpired:
+        return f"more than {limit:.0f} s"
+    return float(done.stdout) if done.returncode == 0 else done.stderr.strip().splitlines()[-1]
+
+
+if __name__ == "__main__":
+    sys.setrecursionlimit(100_000)
+    held = pickle.loads(Path(sys.argv[1]).read_bytes())
+
+    print(timed(lambda: compiled(held))[1])

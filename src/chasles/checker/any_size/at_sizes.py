@@ -1,0 +1,158 @@
+"""A problem about matrices of any size at a point: sizes are numbers, matrices have entries, and nothing is searched.
+
+An entry that the point does not name is zero.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from math import isqrt
+from typing import Any, Protocol
+
+from chasles import vocabulary as w
+from chasles.checker.determinants import Matrix, cofactor, determinant
+from chasles.checker.expansion import expanded, scaled
+from chasles.checker.sparse import Polynomial, Rejected, number
+from chasles.statements import Hypothesis, Problem
+from chasles.vocabulary.functions import FunctionOf
+from chasles.vocabulary.sizes import at_sizes, sizes_of
+
+__all__ = ["PointAtSizes", "check_at_sizes", "sizes_in"]
+
+SAYING_ALL = (
+    "nonzero", "positive", "unit", "unit column", "symmetric", "definite", "perpendicular", "rotation", "orthonormal",
+    "orthogonal", "orthonormal columns", "skew-symmetric", "idempotent", "commuting",
+)  # fmt: skip
+"""Hypotheses that say no more than their equations, what they keep from vanishing, and that something is positive."""
+
+
+class Shown(Protocol):
+    """A point by name, row and column counted from one, the two sides there as text, and the equation's label."""
+
+    @property
+    def at(self) -> Mapping[str, Fraction]: ...
+    @property
+    def entry(self) -> tuple[int, int]: ...
+    @property
+    def left(self) -> str: ...
+    @property
+    def right(self) -> str: ...
+    @property
+    def goal(self) -> str: ...
+
+
+def sizes_in(problem: Problem) -> tuple[str, ...]:
+    """The names of the letters for sizes."""
+    goals = (*problem.goals, *problem.conditions)
+    sides = [side for goal in goals for side in (goal.left, goal.right)]
+    sides += [side for rule in problem.rules for side in rule]
+    sides += [side for h in problem.hypotheses for pair in (*h.equations, h.nonvanishing) for side in pair]
+    return tuple(size.name for size in sizes_of(sides))
+
+
+class PointAtSizes:
+    """Exact values of expressions at a point; raises `Rejected` where there is none."""
+
+    def __init__(self, problem: Problem, at: Mapping[str, Any]) -> None:
+        self.problem = problem
+        self.at = {name: Fraction(value) for name, value in at.items()}
+        self.sizes = {name: int(self.at.get(name, 0)) for name in sizes_in(problem)}
+        for name, size in self.sizes.items():
+            if size < 1 or size != self.at[name]:
+                raise Rejected(f"{name} is a number of rows or columns, and the point does not say which")
+        self.rules = {self._at(left): self._at(right) for left, right in problem.rules}
+        self._known: dict[w.Node, Matrix] = {}
+
+    def _at(self, node: w.Node) -> w.Node:
+        return at_sizes(node, self.sizes)
+
+    def __call__(self, node: w.Node) -> list[list[Fraction]]:
+        """The entries of an expression."""
+        return [[_value(entry) for entry in row] for row in self._of(self._at(node))]
+
+    def _of(self, node: w.Node) -> Matrix:
+        if node not in self._known:
+            made = self._of(self.rules[node]) if node in self.rules else self._made(node)
+            self._known[node] = [[number(_value(entry)) for entry in row] for row in made]
+        return self._known[node]
+
+    def _made(self, node: w.Node) -> Matrix:
+        match node:
+            case w.Symbol(stands_for=w.Node() as of) | w.Group(of) | w.At(of, "t"):
+                return self._of(of)
+            case w.Symbol(name):
+                names = [[name + mark for mark in row] for row in _marks(*node.shape)]
+                return [[number(self.at.get(each, Fraction(0))) for each in row] for row in names]
+            case w.Inverse(of):
+                matrix = self._of(of)
+                turned = [[cofactor(matrix, j, i) for j in range(len(matrix))] for i in range(len(matrix))]
+                return scaled(_over(determinant(matrix), of), turned)
+            case w.Quotient(numerator, divisor):
+                return scaled(_over(self._of(divisor)[0][0], divisor), self._of(numerator))
+            case w.Norm(of):
+                square = _value(self._of(w.Dot(of, of))[0][0])
+                root = Fraction(isqrt(square.numerator), isqrt(square.denominator))
+                if root * root != square:
+                    raise Rejected(f"the length of {of} is no rational number there")
+                return [[number(root)]]
+            case FunctionOf("abs" | "sign" as function, (of,)):
+                value = _value(self._of(of)[0][0])
+                return [[number(abs(value) if function == "abs" else (value > 0) - (value < 0))]]
+            case _:
+                return expanded(node, self._of)
+
+    def require(self) -> None:
+        """All that is assumed holds there; raises `Rejected` with what does not."""
+        for goal in self.problem.conditions:
+            if self(goal.left) != self(goal.right):
+                raise Rejected(f"the point does not satisfy {goal.label}")
+        for hypothesis in self.problem.hypotheses:
+            if not self._satisfies(hypothesis):
+                raise Rejected(f"the point does not satisfy {hypothesis.text}")
+
+    def _satisfies(self, hypothesis: Hypothesis) -> bool:
+        if hypothesis.kind not in SAYING_ALL:
+            raise Rejected(f"of matrices of any size it is not known what is meant by: {hypothesis.text}")
+        if any(self(left) != self(right) for left, right in hypothesis.equations):
+            return False
+        if any(not self(node)[0][0] for node in hypothesis.nonvanishing):
+            return False
+        positive = hypothesis.kind in ("positive", "definite")
+        matrix = self._of(self._at(hypothesis.subjects[0])) if positive else []
+        minors = [determinant([row[:k] for row in matrix[:k]]) for k in range(1, len(matrix) + 1)]
+        return all(minor.terms.get(0, 0) > 0 for minor in minors)
+
+
+def check_at_sizes(problem: Problem, shown: Shown) -> None:
+    """The point satisfies all that is assumed, and there the two sides of the entry differ and are as shown.
+
+    Raises `Rejected` with the reason if not.
+    """
+    point = PointAtSizes(problem, shown.at)
+    point.require()
+    row, column = shown.entry
+    for goal in problem.goals:
+        left, right = point(goal.left), point(goal.right)
+        if goal.label == shown.goal and 1 <= row <= len(left) and 1 <= column <= len(left[0]):
+            sides = left[row - 1][column - 1], right[row - 1][column - 1]
+            if sides[0] != sides[1] and tuple(map(str, sides)) == (shown.left, shown.right):
+                return
+    raise Rejected("the two sides are equal at the point, or not as shown, or there is no such entry")
+
+
+def _marks(rows: int, columns: int) -> list[list[str]]:
+    """What stands behind a letter in the names of its entries: A_12, x_1."""
+    if rows == columns == 1:
+        return [[""]]
+    return [[f"_{i + 1}" + f"{j + 1}" * (columns > 1) for j in range(columns)] for i in range(rows)]
+
+
+def _value(entry: Polynomial) -> Fraction:
+    return Fraction(entry.terms.get(0, 0), entry.below)
+
+
+def _over(divisor: Polynomial, spelled: w.Node) -> Polynomial:
+    if not divisor:
+        raise Rejected(f"{spelled} is not to be divided by there")
+    return number(1 / _value(divisor))

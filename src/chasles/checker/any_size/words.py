@@ -1,0 +1,207 @@
+"""Problems about matrices whose sizes are letters: what their words say in the free algebra.
+
+Everything known is an equation there: what hypotheses say, and that a matrix times its inverse is the identity.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import reduce
+from typing import Any
+
+from chasles import vocabulary as w
+from chasles.checker.any_size.free_algebra import Words, added
+from chasles.checker.any_size.free_blocks import BlockAlgebra, Blocks, multiplied, plus, stacked
+from chasles.checker.sparse import Rejected
+from chasles.statements import Problem
+from chasles.vocabulary.measure import Extent
+from chasles.vocabulary.nodes import measured
+from chasles.vocabulary.sizes import blocks_of
+
+__all__ = ["Known", "SymbolicReading"]
+
+
+@dataclass(frozen=True, slots=True)
+class Known:
+    """Words of a shape that are zero, and why; `needs` is the text of the hypothesis that says so, if one does."""
+
+    label: str
+    words: Words
+    height: Extent
+    width: Extent
+    needs: str = ""
+
+
+class SymbolicReading(BlockAlgebra):
+    """A problem in the free algebra: `known` are the equations that hold, by their labels.
+
+    `inverses` are the letters of inverses, each with what it is the inverse of, `lengths` those of norms.
+    """
+
+    def __init__(self, problem: Problem) -> None:
+        super().__init__()
+        self.problem = problem
+        self.rules = dict(problem.rules)
+        self.known: dict[str, Known] = {}
+        self.inverses: dict[str, tuple[Words, Words]] = {}
+        self.lengths: set[int] = set()
+        self._read: dict[w.Node, Blocks] = {}
+        self.divisors = {node: h.text for h in problem.hypotheses for node in h.nonvanishing}
+        said = [("condition", "", g.left, g.right) for g in problem.conditions]
+        said += [(h.text, h.text, *equation) for h in problem.hypotheses for equation in h.equations]
+        for goal in problem.goals:
+            _ = self(goal.left), self(goal.right)
+        for number, (text, needs, left, right) in enumerate(said):
+            # What the free algebra has no words for is not used; that it holds at the witness is asked there.
+            with suppress(Rejected):
+                for i, j, words, height, width in self.differences(left, right):
+                    self._note(f"{text} [{number}: {i}, {j}]", words, height, width, needs)
+
+    def __call__(self, node: w.Node) -> Blocks:
+        """The blocks of an expression; raises `Rejected` for a word that the free algebra has not."""
+        if node not in self._read:
+            self._read[node] = self._made(node)
+        return self._read[node]
+
+    def scalar(self, node: w.Node) -> Words:
+        """The only block of a scalar."""
+        return self(node).rows[0][0]
+
+    def differences(self, left: w.Node, right: w.Node) -> Iterator[tuple[int, int, Words, Extent, Extent]]:
+        """Row, column, difference, height and width of each block; raises `Rejected` where blocks do not fit."""
+        found = plus(self(left), multiplied(self(right), Fraction(-1)))
+        for i, (row, height) in enumerate(zip(found.rows, found.heights, strict=True), 1):
+            for j, (words, width) in enumerate(zip(row, found.widths, strict=True), 1):
+                yield i, j, words, height, width
+
+    def _note(self, label: str, words: Words, height: Extent, width: Extent, needs: str) -> None:
+        if words:
+            self.known[label] = Known(label, words, height, width, needs)
+
+    def _made(self, node: w.Node) -> Blocks:
+        match node:
+            case _ if node in self.rules:
+                return self(self.rules[node])
+            case w.Symbol(stands_for=w.Node() as of) | w.Group(of) | w.At(of, "t"):
+                return self(of)
+            case w.Symbol():
+                return self._lettered(node, str(node), *blocks_of(node.size))
+            case w.Number() | w.Identity() | w.Zero():
+                heights, widths = blocks_of(measured(node))
+                value = node.value if isinstance(node, w.Number) else Fraction(isinstance(node, w.Identity))
+                one: Words = {((), ()): value} if value else {}
+                rows = [[one if i == j else {} for j, _ in enumerate(widths)] for i, _ in enumerate(heights)]
+                return Blocks(heights, widths, rows)
+            case w.Sum(terms):
+                return reduce(plus, map(self, terms))
+            case w.Negative(term):
+                return multiplied(self(term), Fraction(-1))
+            case w.Contract(factors):
+                return reduce(self.times, map(self, factors))
+            case w.Power(base, exponent):
+                return reduce(self.times, [self(base)] * exponent)
+            case w.Transpose(of):
+                return self.flipped_blocks(self(of))
+            case w.Block(blocks):
+                return stacked([[self(block) for block in row] for row in blocks])
+            case w.Inverse(of):
+                return self._inverse(of)
+            case w.Scale(factor, term):
+                return self.scaled(self.scalar(factor), self(term))
+            case w.Quotient(numerator, divisor):
+                return self.scaled(self._inverse(divisor).rows[0][0], self(numerator))
+            case _:
+                return Blocks((1,), (1,), [[self._of_matrices(node)]])
+
+    def _of_matrices(self, node: w.Node) -> Words:
+        """A scalar that is made of matrices."""
+        match node:
+            case w.Dot(left, right):
+                return self.times(self.flipped_blocks(self(left)), self(right)).rows[0][0]
+            case w.Trace(of):
+                inner = self(of)
+                total: Words = {}
+                for k, size in enumerate(inner.heights):
+                    added(total, self.trace(inner.rows[k][k], size), Fraction(1))
+                return total
+            case w.Norm(of):
+                square = self.scalar(w.Dot(of, of))
+                length = self.letter(("norm", *sorted(square.items())), str(node), 1, 1)
+                self.lengths |= {word[0] >> 1 for scalars, _ in length for _, word in scalars}
+                zero = self.product(length, length)
+                added(zero, square, Fraction(-1))
+                self._note(f"the square of {node}", zero, 1, 1, "")
+                return length
+            case w.Determinant(w.Group(of)):
+                return self.scalar(w.Determinant(of))
+            case w.Determinant(w.Contract(factors)) if all(factor.shape == node.of.shape for factor in factors):
+                return reduce(self.product, (self.scalar(w.Determinant(factor)) for factor in factors))
+            case w.Determinant(of) if len(self(of).heights) == 1:
+                return self._determinant(self.scalar(of), str(of), self(of).heights[0])
+            case _:
+                raise Rejected(f"{node} ({type(node).__name__}) is no word of the algebra of matrices of any size")
+
+    def _determinant(self, words: Words, name: str, size: Extent) -> Words:
+        """The product of the determinants of square letters; of anything else, a letter."""
+        total: Words = {((), ()): Fraction(1)}
+        monomial = max(words, default=((), ()))
+        if (
+            words != {monomial: Fraction(1)}
+            or monomial[0]
+            or any(self.shapes[k >> 1] != (size, size) for k in monomial[1])
+        ):
+            return self.letter(("determinant", tuple(sorted(words.items()))), f"det({name})", 1, 1)
+        for place in (letter >> 1 for letter in monomial[1]):
+            spelled = self.names[place]
+            one = self.letter(("determinant", place), f"det({spelled})", 1, 1)
+            total = self.product(total, one)
+            if spelled in self.inverses:
+                zero = self.product(
+                    one, self._determinant(self.inverses[spelled][1], spelled[len("inverse(") : -1], size)
+                )
+                added(zero, {((), ()): Fraction(1)}, Fraction(-1))
+                needs = self.known[f"{spelled} from the right [1, 1]"].needs
+                self._note(f"det({spelled})", zero, 1, 1, needs)
+        return total
+
+    def _lettered(self, key: Any, name: str, heights: Sequence[Extent], widths: Sequence[Extent]) -> Blocks:
+        """A letter, or one for each of its blocks."""
+        rows: list[list[Words]] = []
+        for i, height in enumerate(heights):
+            marks = [f"[{i + 1},{j + 1}]" * (len(heights) * len(widths) > 1) for j, _ in enumerate(widths)]
+            rows.append([self.letter((key, i, j), name + marks[j], height, width) for j, width in enumerate(widths)])
+        return Blocks(tuple(heights), tuple(widths), rows)
+
+    def _inverse(self, of: w.Node) -> Blocks:
+        """What a divisor, or a matrix, is multiplied by to give the identity; a hypothesis says that there is such."""
+        matrix = self(of)
+        if [*matrix.rows[0][0]] == [((), ())] and of.is_scalar:
+            return multiplied(Blocks((1,), (1,), [[{((), ()): Fraction(1)}]]), 1 / matrix.rows[0][0][(), ()])
+        text = self._nonvanishing(of)
+        key = tuple(tuple(tuple(sorted(words.items())) for words in row) for row in matrix.rows)
+        found = self._lettered(("inverse", key), f"inverse({of})", matrix.widths, matrix.heights)
+        identity = self(w.Identity(of.shape[0])) if not of.is_scalar else self(w.Number(Fraction(1)))
+        if len(matrix.heights) == 1:
+            self.inverses[f"inverse({of})"] = found.rows[0][0], matrix.rows[0][0]
+        for side, (one, other) in (("from the right", (matrix, found)), ("from the left", (found, matrix))):
+            difference = plus(self.times(one, other), multiplied(identity, Fraction(-1)))
+            for i, row in enumerate(difference.rows):
+                for j, words in enumerate(row):
+                    size = difference.heights[i], difference.widths[j]
+                    self._note(f"inverse({of}) {side} [{i + 1}, {j + 1}]", words, *size, text)
+        return found
+
+    def _nonvanishing(self, of: w.Node) -> str:
+        """The text of the hypothesis by which a scalar, or the determinant of a matrix, is not zero."""
+        sought = of if of.is_scalar else w.Determinant(of)
+        if sought in self.divisors:
+            return self.divisors[sought]
+        value = self(of)
+        for node, text in self.divisors.items():
+            inner = node.of if isinstance(node, w.Determinant) and not of.is_scalar else node
+            if inner.shape == of.shape and of not in w.walk(inner) and self(inner) == value:
+                return text
+        raise Rejected(f"{of} divides, and nothing says that it is not zero: assume `nonzero` or `invertible` of it")

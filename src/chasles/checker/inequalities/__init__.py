@@ -1,0 +1,1 @@
+"""Claims that something is not negative, or positive, checked."""

@@ -1,0 +1,160 @@
+"""`chasles read PAGE`: the equations of a page, read and decided."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from importlib import import_module
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from chasles.cli.book import as_data
+from chasles.cli.failures import BAD_INPUT, FAILED, Failure
+from chasles.cli.files import replace_whole, text_of_file, write_whole
+from chasles.cli.quiet import is_quiet
+
+if TYPE_CHECKING:
+    from chasles.pages.page import Page
+    from chasles.reading.page_notation import PageNotation
+    from chasles.reading.printed import PrintedEquation
+
+__all__ = ["command"]
+
+
+@click.command(
+    "read",
+    short_help="Read a page and decide its equations.",
+    epilog="Example: chasles read paper.tex --notation paper.toml",
+)
+@click.argument("pages", metavar="PAGE...", nargs=-1, required=True, type=click.Path(path_type=Path))
+@click.option("--notation", metavar="FILE", help="What the letters are: a TOML file or a Python module.")
+@click.option("--macros", type=click.Path(path_type=Path), help="A file with LaTeX macros that the page uses.")
+@click.option("--inline", is_flag=True, help="Read the equations between single dollars too.")
+@click.option("--input", "follow", is_flag=True, help="Read the files that the page names with \\input too.")
+@click.option("--propose", is_flag=True, help="Print a first notation for the letters of the page instead.")
+@click.option("--out", type=click.Path(path_type=Path), help="A folder for the findings, and what is asked of you.")
+@click.option("-q", "--quiet", is_flag=True, help="Show only what is wrong, open, ambiguous or unread.")
+@click.option("--github", is_flag=True, help="Show what is wrong, open, ambiguous or unread as annotations of GitHub.")
+@click.option(
+    "--html", metavar="FILE", type=click.Path(path_type=Path), help="Write what is found beside each equation."
+)
+@click.option("--strict", is_flag=True, help="Status 1 for a wrong equation too.")
+@as_data
+def command(
+    pages: tuple[Path, ...],
+    notation: str | None,
+    macros: Path | None,
+    inline: bool,
+    follow: bool,
+    propose: bool,
+    out: Path | None,
+    quiet: bool,
+    github: bool,
+    html: Path | None,
+    strict: bool,
+    json: bool,
+) -> int:
+    """Read the displayed equations of a page (LaTeX, Markdown or reStructuredText) and decide them.
+
+    Each finding is a line, FILE:LINE: (NUMBER) verdict: reason. A wrong equation is a finding, not a failure, unless
+    --strict is given; status 1 means that something is open, ambiguous or unread. With --out, questions.toml asks for
+    the role of what is open: fill it in, and run the command again.
+    """
+    from chasles.pages.findings_told import is_fine
+
+    if html and len(pages) > 1:
+        raise Failure("--html writes the findings on one page: name one page", BAD_INPUT)
+    if propose:
+        _propose([_printed(page, macros, inline, follow) for page in pages])
+        return 0
+    if notation is None:
+        raise click.UsageError("say what the letters are with --notation; --propose prints a first notation")
+    if out is not None and len(pages) > 1:
+        raise click.UsageError("--out takes one page at a time")
+    found = [_read(page, _printed(page, macros, inline, follow), notation, out) for page in pages]
+    if html:
+        from chasles.report.read_page import read_page_as_html
+
+        write_whole(html, read_page_as_html(found[0]))
+    _show(found, quiet or github or is_quiet(), github, json)
+    equations = [each for page in found for each in page.equations]
+    return 0 if all(is_fine(each) if strict else each.is_decided for each in equations) else FAILED
+
+
+def _show(found: Sequence[Page], is_short: bool, github: bool, json: bool) -> None:
+    from chasles.pages.findings_told import annotation_of, is_fine, line_of, records_of
+    from chasles.report.records import as_json
+
+    if json:
+        records = [records_of(page) for page in found]
+        click.echo(as_json(records[0] if len(records) == 1 else records))
+    for page in () if json else found:
+        for each in page.equations:
+            if not is_short or not is_fine(each):
+                click.echo((annotation_of if github else line_of)(each, page.file))
+        if not is_short:
+            click.echo(page.summary)
+
+
+def _propose(printed: Sequence[tuple[PrintedEquation, ...]]) -> None:
+    from chasles.reading.proposal import proposed
+
+    click.echo(proposed([equation for page in printed for equation in page]), nl=False)
+
+
+def _printed(page: Path, macros: Path | None, inline: bool, follow: bool) -> tuple[PrintedEquation, ...]:
+    """The equations of a page; what is wrong with it in one line."""
+    from chasles.reading.pages import displayed, kind_of
+    from chasles.reading.tokens import BadPage
+
+    def included(name: str) -> tuple[str, str]:
+        path = page.parent / name
+        path = path if path.suffix else path.with_suffix(".tex")
+        return str(path), text_of_file(path)
+
+    try:
+        kind = kind_of(page.name)
+        text, defined = text_of_file(page), text_of_file(macros) if macros else ""
+        follows = included if follow else None
+        return displayed(text, kind, file=str(page), macros=defined, is_inline=inline, included=follows)
+    except BadPage as error:
+        raise Failure(f"{page}:{error.line}: {error}", BAD_INPUT) from error
+
+
+def _read(page: Path, printed: tuple[PrintedEquation, ...], name: str, out: Path | None) -> Page:
+    """The page decided, with what a person has answered; what came of it is written to the folder."""
+    from chasles.pages.folder import QUESTIONS, answers, files_of
+    from chasles.pages.page import read_page
+    from chasles.reading.notation_file import BadNotation
+
+    try:
+        notation = _notation(name)
+        if out is None:
+            return read_page(printed, notation, str(page))
+        asked = out / QUESTIONS
+        given = answers(text_of_file(asked)) if asked.exists() else {}
+        notes = {each: {**notation.notes.get(each, {}), **given.get(each, {})} for each in {**notation.notes, **given}}
+        found = read_page(printed, replace(notation, notes=notes), str(page))
+        out.mkdir(parents=True, exist_ok=True)
+        replace_whole({out / file: text for file, text in files_of(found, given).items()})
+    except BadNotation as error:
+        raise Failure(str(error), BAD_INPUT) from error
+    except OSError as error:
+        raise Failure(f"cannot write {out}: {error.strerror}", BAD_INPUT) from error
+    except ValueError as error:
+        raise Failure(f"{out}: {QUESTIONS}: {error}", BAD_INPUT) from error
+    return found
+
+
+def _notation(name: str) -> PageNotation:
+    """The notation in a TOML file, or in a Python module by its name."""
+    from chasles.reading.notation_file import load_notation
+
+    if name.endswith(".toml"):
+        return load_notation(Path(name))
+    try:
+        return load_notation(import_module(name))
+    except ModuleNotFoundError as error:
+        raise Failure(f"there is no notation {name!r}: give a TOML file or the name of a module", BAD_INPUT) from error

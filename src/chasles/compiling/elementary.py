@@ -1,0 +1,175 @@
+"""Which steps compute a function of SymPy? Each function once, in the operations and functions of a program."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from fractions import Fraction
+from functools import partial
+
+import sympy
+from sympy.codegen import cfunctions
+
+from chasles.compiling.removable import Stumpff
+from chasles.lowering.builder import Builder
+
+__all__ = ["MOST_FACTORS", "functions_by_class", "power"]
+
+MOST_FACTORS = 32
+"""A whole power of more factors is left to the function `pow`: so many roundings would add up."""
+_SAME_IN_C: Mapping[type, str] = {
+    sympy.Abs: "fabs",
+    sympy.floor: "floor",
+    sympy.exp: "exp",
+    sympy.sinh: "sinh",
+    sympy.cosh: "cosh",
+    sympy.tanh: "tanh",
+    sympy.asinh: "asinh",
+    sympy.acosh: "acosh",
+    sympy.atanh: "atanh",
+    sympy.erf: "erf",
+    sympy.erfc: "erfc",
+    sympy.gamma: "tgamma",
+    sympy.digamma: "digamma",
+    sympy.besselj: "jv",
+    sympy.bessely: "yv",
+    sympy.besseli: "iv",
+    sympy.besselk: "kv",
+    sympy.zeta: "zeta",
+    sympy.elliptic_k: "ellipk",
+    cfunctions.expm1: "expm1",
+    cfunctions.log1p: "log1p",
+    cfunctions.Cbrt: "cbrt",
+}
+
+
+def functions_by_class(build: Builder) -> dict[type, Callable[..., int]]:
+    """The steps of each function of SymPy that is known, of the steps of its arguments."""
+
+    def over(a: int) -> int:
+        return build.divide(build.one, a)
+
+    inverse_sine, inverse_cosine = partial(_arcsine, build), partial(_arccosine, build)
+    found: dict[type, Callable[..., int]] = {key: partial(build.function, name) for key, name in _SAME_IN_C.items()}
+    return found | {
+        sympy.sin: build.sine,
+        sympy.cos: build.cosine,
+        sympy.tan: lambda a: build.divide(build.sine(a), build.cosine(a)),
+        sympy.cot: lambda a: build.divide(build.cosine(a), build.sine(a)),
+        sympy.sec: lambda a: over(build.cosine(a)),
+        sympy.csc: lambda a: over(build.sine(a)),
+        sympy.sinc: lambda a: build.function("stumpff", build.one, a),
+        Stumpff: partial(build.function, "stumpff"),
+        sympy.atan2: build.arctangent2,
+        sympy.atan: lambda a: build.arctangent2(a, build.one),
+        sympy.acot: partial(_arccotangent, build),
+        sympy.asin: inverse_sine,
+        sympy.acos: inverse_cosine,
+        sympy.asec: lambda a: inverse_cosine(over(a)),
+        sympy.acsc: lambda a: inverse_sine(over(a)),
+        sympy.coth: lambda a: over(build.function("tanh", a)),
+        sympy.sech: lambda a: over(build.function("cosh", a)),
+        sympy.csch: lambda a: over(build.function("sinh", a)),
+        sympy.acoth: lambda a: build.function("atanh", over(a)),
+        sympy.asech: lambda a: build.function("acosh", over(a)),
+        sympy.acsch: lambda a: build.function("asinh", over(a)),
+        sympy.loggamma: lambda a: _where_nonnegative(build, a, build.function("lgamma", a)),
+        sympy.factorial: lambda a: build.function("tgamma", build.add(a, build.one)),
+        sympy.ceiling: lambda a: build.negate(build.function("floor", build.negate(a))),
+        sympy.frac: lambda a: build.subtract(a, build.function("floor", a)),
+        sympy.Mod: partial(_remainder, build),
+        sympy.sign: partial(_sign, build),
+        sympy.Heaviside: partial(_unit_step, build),
+        sympy.Max: lambda *many: _extreme(build, many, largest=True),
+        sympy.Min: lambda *many: _extreme(build, many, largest=False),
+        cfunctions.Sqrt: build.square_root,
+        cfunctions.exp2: lambda a: build.function("pow", build.constant(2), a),
+        cfunctions.hypot: lambda a, b: build.square_root(build.add(build.multiply(a, a), build.multiply(b, b))),
+    }
+
+
+def power(build: Builder, base: int, exponent: Fraction) -> int:
+    """The base to a positive rational power: by products and roots, by `pow` where these are many or there are none."""
+    twos, rest = _parted(exponent.denominator, 2)
+    threes, rest = _parted(rest, 3)
+    if exponent.numerator > MOST_FACTORS * exponent.denominator or rest > 1 or twos + threes > 2:
+        return build.function("pow", base, build.constant(exponent))
+    whole, left = divmod(exponent.numerator, exponent.denominator)
+    if threes:
+        whole, left = 0, exponent.numerator
+    root = base
+    for _ in range(threes):
+        root = _where_nonnegative(build, root, build.function("cbrt", root))
+    for _ in range(twos):
+        root = build.square_root(root)
+    total = _whole_power(build, root, left)
+    return build.multiply(total, _whole_power(build, base, whole))
+
+
+def _parted(number: int, prime: int) -> tuple[int, int]:
+    """How often a prime divides the number, and what is left of it."""
+    count = 0
+    while number % prime == 0:
+        number, count = number // prime, count + 1
+    return count, number
+
+
+def _whole_power(build: Builder, base: int, exponent: int) -> int:
+    """The power by squaring."""
+    total = build.one
+    while exponent:
+        if exponent % 2:
+            total = build.multiply(total, base)
+        exponent //= 2
+        base = build.multiply(base, base) if exponent else base
+    return total
+
+
+def _where_nonnegative(build: Builder, a: int, value: int) -> int:
+    return build.select(build.less(a, build.zero), build.not_a_number(), value)
+
+
+def _leg(build: Builder, a: int) -> int:
+    """The root of 1 - a^2, in factors, which lose nothing near 1."""
+    return build.square_root(build.multiply(build.subtract(build.one, a), build.add(build.one, a)))
+
+
+def _arcsine(build: Builder, a: int) -> int:
+    return build.arctangent2(a, _leg(build, a))
+
+
+def _arccosine(build: Builder, a: int) -> int:
+    return build.arctangent2(_leg(build, a), a)
+
+
+def _arccotangent(build: Builder, a: int) -> int:
+    """The angle in (-pi/2, pi/2], which jumps at zero."""
+    turned = build.negate(build.arctangent2(build.one, build.negate(a)))
+    return build.select(build.less(a, build.zero), turned, build.arctangent2(build.one, build.function("fabs", a)))
+
+
+def _sign(build: Builder, a: int) -> int:
+    positive = build.select(build.less(build.zero, a), build.one, a)
+    return build.select(build.less(a, build.zero), build.negate(build.one), positive)
+
+
+def _unit_step(build: Builder, a: int, at_zero: int) -> int:
+    """0 below zero and 1 above; not a number for what is none."""
+    zero = build.select(build.equal(a, build.zero), at_zero, a)
+    return build.select(build.less(a, build.zero), build.zero, build.select(build.less(build.zero, a), build.one, zero))
+
+
+def _remainder(build: Builder, a: int, b: int) -> int:
+    """What is left of a once multiples of b are taken away, with the sign of b."""
+    rest = build.function("fmod", a, b)
+    other = build.less(build.multiply(_sign(build, rest), b), build.zero)
+    return build.select(other, build.add(rest, b), rest)
+
+
+def _extreme(build: Builder, many: Iterable[int], *, largest: bool) -> int:
+    """The largest or the smallest; not a number where one of them is none."""
+    found, *rest = many
+    for other in rest:
+        low, high = (found, other) if largest else (other, found)
+        same = build.select(build.equal(found, other), found, build.not_a_number())
+        found = build.select(build.less(low, high), other, build.select(build.less(high, low), found, same))
+    return found

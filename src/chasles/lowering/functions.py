@@ -1,0 +1,174 @@
+"""Which functions does a program call besides its own operations? Each by the name that it has in C, or in SciPy.
+
+What is said of a function here is all that the project knows of it: its rates by what goes in, written in the
+operations of any arithmetic, and how it is called where programs run.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import partial
+from typing import Any
+
+__all__ = ["FUNCTIONS", "KnownFunction", "Rates"]
+
+Rates = Callable[..., tuple[Any, ...]]
+"""The derivative by each operand: of an arithmetic, the function's value and the operands."""
+_HALF_ROOT = Fraction("0.886226925452758013649083741670572591398774728061193564106903895")
+"""Half the root of pi."""
+
+
+@dataclass(frozen=True, slots=True)
+class KnownFunction:
+    """A function of so many numbers.
+
+    `decimals` is its name in mpmath, or computes it in a context of mpmath; `special` says that SciPy computes it and C
+    does not. A function that is `exact` rounds nothing. `rates` is None where no function of this table is the
+    derivative; `rates_by_square` are those of an even function by the square of what goes in.
+    """
+
+    operands: int
+    decimals: str | Callable[..., Any]
+    rates: Rates | None
+    special: bool = False
+    exact: bool = False
+    rates_by_square: Rates | None = None
+
+    def value(self, context: Any, *operands: Any) -> Any:
+        """The value in a context of mpmath; complex where it is not real. Raises ValueError where there is none."""
+        called = getattr(context, self.decimals) if isinstance(self.decimals, str) else partial(self.decimals, context)
+        return called(*operands)
+
+
+def _one_over(arithmetic: Any, *factors: Any) -> tuple[Any, ...]:
+    product = factors[0]
+    for factor in factors[1:]:
+        product = arithmetic.multiply(product, factor)
+    return (arithmetic.divide(_number(arithmetic, 1), product),)
+
+
+def _number(arithmetic: Any, value: Fraction | int) -> Any:
+    return arithmetic.constant(Fraction(value))
+
+
+def _square(arithmetic: Any, a: Any) -> Any:
+    return arithmetic.multiply(a, a)
+
+
+def _sign(arithmetic: Any, value: Any, a: Any) -> tuple[Any, ...]:
+    zero, one = _number(arithmetic, 0), _number(arithmetic, 1)
+    positive = arithmetic.select(arithmetic.less(zero, a), one, a)
+    return (arithmetic.select(arithmetic.less(a, zero), arithmetic.negate(one), positive),)
+
+
+def _power(arithmetic: Any, value: Any, a: Any, b: Any) -> tuple[Any, ...]:
+    lowered = arithmetic.function("pow", a, arithmetic.subtract(b, _number(arithmetic, 1)))
+    # Of 0 to a positive power the derivative by the exponent is 0, and 0 times the logarithm of 0 is no number.
+    logarithm = arithmetic.multiply(value, arithmetic.function("log", a))
+    zero = _number(arithmetic, 0)
+    return arithmetic.multiply(b, lowered), arithmetic.select(arithmetic.equal(value, zero), value, logarithm)
+
+
+def _of_remainder(arithmetic: Any, value: Any, a: Any, b: Any) -> tuple[Any, ...]:
+    return _number(arithmetic, 1), arithmetic.divide(arithmetic.subtract(value, a), b)
+
+
+def _bell(arithmetic: Any, a: Any) -> Any:
+    bell = arithmetic.function("exp", arithmetic.negate(_square(arithmetic, a)))
+    return arithmetic.multiply(_number(arithmetic, 1 / _HALF_ROOT), bell)
+
+
+def _stumpff(context: Any, order: Any, a: Any) -> Any:
+    order = int(order)
+    if abs(a) < order + 2:
+        half = context.mpf(1) / 2
+        return context.hyp1f2(1, (order + 1) * half, (order + 2) * half, -a * a / 4) / context.factorial(order)
+    value = context.sin(a) / a if order % 2 else context.cos(a)
+    for lower in range(order % 2, order, 2):
+        value = (1 / context.factorial(lower) - value) / (a * a)
+    return value
+
+
+def _stumpff_by_square(arithmetic: Any, value: Any, order: Any, a: Any) -> tuple[Any, ...]:
+    """Half of k c_(k+2) - c_(k+1); of (c_(k-1) - k c_k) / a^2, in which less cancels, where the angle is large."""
+    one, two, square = _number(arithmetic, 1), _number(arithmetic, 2), _square(arithmetic, a)
+    lower, following, after = (
+        arithmetic.function("stumpff", shifted(order, by), a)
+        for shifted, by in ((arithmetic.subtract, one), (arithmetic.add, one), (arithmetic.add, two))
+    )
+    near = arithmetic.subtract(arithmetic.multiply(order, after), following)
+    far = arithmetic.divide(arithmetic.subtract(lower, arithmetic.multiply(order, value)), square)
+    twice = arithmetic.select(arithmetic.less(square, _number(arithmetic, 9)), near, far)
+    return arithmetic.not_a_number(), arithmetic.multiply(_number(arithmetic, Fraction(1, 2)), twice)
+
+
+def _of_stumpff(arithmetic: Any, value: Any, order: Any, a: Any) -> tuple[Any, ...]:
+    nothing, slope = _stumpff_by_square(arithmetic, value, order, a)
+    return nothing, arithmetic.multiply(_number(arithmetic, 2), arithmetic.multiply(a, slope))
+
+
+def _without_rate(arithmetic: Any, value: Any, *operands: Any) -> tuple[Any, ...]:
+    return (_number(arithmetic, 0),) * len(operands)
+
+
+def _neighbours(name: str, sign: int) -> Rates:
+    """The rate (f_(n-1) -+ f_(n+1)) / 2 of a cylindrical function by its argument; there is none by its order."""
+
+    def rates(arithmetic: Any, value: Any, order: Any, a: Any) -> tuple[Any, ...]:
+        one = _number(arithmetic, 1)
+        below, above = (
+            arithmetic.function(name, turned(order, one), a) for turned in (arithmetic.subtract, arithmetic.add)
+        )
+        total = arithmetic.add(below, above) if sign else arithmetic.subtract(below, above)
+        half = arithmetic.multiply(_number(arithmetic, Fraction(-1 if sign < 0 else 1, 2)), total)
+        return arithmetic.not_a_number(), half
+
+    return rates
+
+
+FUNCTIONS: dict[str, KnownFunction] = {
+    "fabs": KnownFunction(1, "fabs", _sign, exact=True),
+    "floor": KnownFunction(1, "floor", _without_rate, exact=True),
+    "fmod": KnownFunction(2, "fmod", _of_remainder, exact=True),
+    "exp": KnownFunction(1, "exp", lambda on, value, a: (value,)),
+    "expm1": KnownFunction(1, "expm1", lambda on, value, a: (on.function("exp", a),)),
+    "log": KnownFunction(1, "ln", lambda on, value, a: _one_over(on, a)),
+    "log1p": KnownFunction(1, "log1p", lambda on, value, a: _one_over(on, on.add(_number(on, 1), a))),
+    "pow": KnownFunction(2, "power", _power),
+    "cbrt": KnownFunction(1, "cbrt", lambda on, value, a: _one_over(on, _number(on, 3), value, value)),
+    "sinh": KnownFunction(1, "sinh", lambda on, value, a: (on.function("cosh", a),)),
+    "cosh": KnownFunction(1, "cosh", lambda on, value, a: (on.function("sinh", a),)),
+    "tanh": KnownFunction(
+        1, "tanh", lambda on, value, a: (_square(on, on.divide(_number(on, 1), on.function("cosh", a))),)
+    ),
+    "asinh": KnownFunction(
+        1, "asinh", lambda on, value, a: _one_over(on, on.square_root(on.add(_number(on, 1), _square(on, a))))
+    ),
+    "acosh": KnownFunction(
+        1,
+        "acosh",
+        lambda on, value, a: _one_over(
+            on,
+            on.square_root(on.multiply(on.subtract(a, _number(on, 1)), on.add(a, _number(on, 1)))),
+        ),
+    ),
+    "atanh": KnownFunction(
+        1, "atanh", lambda on, value, a: _one_over(on, on.subtract(_number(on, 1), a), on.add(_number(on, 1), a))
+    ),
+    "erf": KnownFunction(1, "erf", lambda on, value, a: (_bell(on, a),)),
+    "erfc": KnownFunction(1, "erfc", lambda on, value, a: (on.negate(_bell(on, a)),)),
+    "tgamma": KnownFunction(1, "gamma", lambda on, value, a: (on.multiply(value, on.function("digamma", a)),)),
+    "lgamma": KnownFunction(1, "loggamma", lambda on, value, a: (on.function("digamma", a),)),
+    "stumpff": KnownFunction(2, _stumpff, _of_stumpff, rates_by_square=_stumpff_by_square),
+    "digamma": KnownFunction(1, "digamma", None, special=True),
+    "jv": KnownFunction(2, "besselj", _neighbours("jv", 0), special=True),
+    "yv": KnownFunction(2, "bessely", _neighbours("yv", 0), special=True),
+    "iv": KnownFunction(2, "besseli", _neighbours("iv", 1), special=True),
+    "kv": KnownFunction(2, "besselk", _neighbours("kv", -1), special=True),
+    "zeta": KnownFunction(1, "zeta", None, special=True),
+    "ellipk": KnownFunction(1, "ellipk", None, special=True),
+    "ellipe": KnownFunction(1, "ellipe", None, special=True),
+}
+"""By name."""

@@ -1,0 +1,114 @@
+"""A proof from given premises, or a refutation under all of them, within bounds that a page can wait for.
+
+Where a proof is tried, no counterexample is searched for, as more premises may yet prove it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
+
+from chasles.checker.any_size.at_sizes import sizes_in
+from chasles.deciding import decided
+from chasles.decisions.kept_answers import verdict_stands
+from chasles.decisions.session import Session
+from chasles.problems.context import Context
+from chasles.prover.conditions import Solved
+from chasles.prover.counterexample import UnprovedPart
+from chasles.prover.decide import decide_problem
+from chasles.prover.sources import DeclaredPoints
+from chasles.statements import Claim, Hypothesis, Problem, problem_of
+from chasles.statements.spins import with_spins
+from chasles.verdict import Contradictory, Counterexample, Fails, Holds, HoldsUnder, Undecided, Verdict
+from chasles.vocabulary import Misfit
+
+__all__ = ["proof_of", "verdict_on"]
+
+MOST_TERMS = 500
+"""Points are not drawn where hypotheses and sides have more terms than this: each point takes too long."""
+
+
+class _Unproved(Exception):
+    """An entry does not vanish, or is not seen to."""
+
+
+class _FewTerms(DeclaredPoints):
+    """Points, for what is not long."""
+
+    def likely_vanish(self, context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnprovedPart]) -> bool:
+        _require_few_terms(context, suspects)
+        return super().likely_vanish(context, solved, suspects)
+
+    def refute_soon(
+        self, context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnprovedPart]
+    ) -> Counterexample | None:
+        _require_few_terms(context, suspects)
+        return super().refute_soon(context, solved, suspects)
+
+
+def _require_few_terms(context: Context, suspects: Sequence[UnprovedPart]) -> None:
+    polynomials = (*(g.polynomial for g in context.generators), *(e.ratio.numerator for e in suspects))
+    if sum(map(len, polynomials)) > MOST_TERMS:
+        raise _Unproved("written out it is too long")
+
+
+class _NoCounterexamples(_FewTerms):
+    """Points at which a problem is looked at before a proof is tried, and one that satisfies what a proof rests on."""
+
+    def refute(self, context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnprovedPart]) -> None:
+        raise _Unproved
+
+    def refute_soon(
+        self, context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnprovedPart]
+    ) -> Counterexample | None:
+        if not self.likely_vanish(context, solved, suspects):
+            raise _Unproved
+        return None
+
+    def contradiction(self, problem: Problem) -> Contradictory | None:
+        return None
+
+
+FEW_TERMS, NO_COUNTEREXAMPLES = _FewTerms(), _NoCounterexamples()
+
+
+def proof_of(claim: Claim, session: Session) -> Verdict | None:
+    """The verdict on a claim that follows from its premises, which a point satisfies; None if that is not found."""
+    found = _answer(claim, session, NO_COUNTEREXAMPLES)
+    return found if found.true else None
+
+
+def verdict_on(claim: Claim, session: Session) -> Verdict:
+    """The verdict on a claim under its premises; undecided where that takes too long."""
+    return _answer(claim, session, FEW_TERMS)
+
+
+def _answer(claim: Claim, session: Session, source: DeclaredPoints) -> Verdict:
+    try:
+        problem = problem_of(claim, "printed", session.accepted)
+        key = session.memory.key_of_verdict(problem, claim.assuming)
+        find = partial(_found, problem, claim.assuming, session.budget, source)
+        found: Verdict = session.memory.answer(key, partial(verdict_stands, problem), find)
+    except (_Unproved, Misfit, TypeError) as error:
+        return Undecided(str(error))
+    return found
+
+
+def _found(problem: Problem, own: tuple[Hypothesis, ...], budget: float, source: DeclaredPoints) -> Verdict:
+    """The verdict; one on rotations that move is proved for all spins."""
+    if sizes_in(problem) or problem.has_functions:
+        return decided(problem, own, budget)
+    spun = with_spins(problem)
+    if spun is problem:
+        return decide_problem(problem, own, budget, source)
+    try:
+        verdict = decide_problem(problem, own, budget, source)
+    except _Unproved as error:
+        verdict = Undecided(str(error))
+    if verdict.true or isinstance(verdict, Fails):
+        return verdict
+    moved = decide_problem(spun, own, budget, source)
+    if isinstance(moved, Holds | HoldsUnder):
+        return replace(moved, certificate={**moved.certificate, "spins": True})
+    return verdict

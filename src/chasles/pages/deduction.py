@@ -1,0 +1,326 @@
+"""Which equations of a page define, which claim, and from what each claim follows.
+
+- A symbol alone on one side is defined: by a sign of definition, or where the page has said nothing of it before. What
+  the page has defined already is decided as a claim first, and defined anew only if it is not nearly true. Symbols that
+  are new in a claim may be defined by the equations that follow at once, as behind "where".
+- Everything else is a claim. It may rest on definitions, proved claims, posed equations and what the notation says of
+  its symbols, each taken transitively; of these, few are tried before many, and those that its certificate does not use
+  are left out. What it divides by is taken not to vanish. A proof counts only with a point that satisfies all of it.
+- Where a symbol was defined several times, or used before it was, a claim may rest on any one of these meanings.
+- What is refuted under everything that the page has said is `fails` only if one change makes it a true equation, and
+  not an empty one: an equation of free symbols may as well be a condition, and is `open`, with the point at which it
+  does not hold. An open equation is assumed in what follows, under its number, and nothing fails for its sake.
+- A condition or a law is one because a person says so: it is posed, and what follows rests on it.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from dataclasses import replace as with_fields
+from fractions import Fraction
+from itertools import islice
+
+from chasles.decisions.session import Session
+from chasles.pages.bounded_proofs import proof_of, verdict_on
+from chasles.pages.edited_marks import one_mark_away
+from chasles.pages.facts import divisors
+from chasles.pages.premises import (
+    PosedEquation,
+    Premises,
+    Quantity,
+    Rules,
+    as_hypothesis,
+    chosen_rules,
+    free_quantities,
+    quantities,
+    quantity,
+)
+from chasles.prover.decide import pose
+from chasles.reading.reading import Part, Reading
+from chasles.repairs.repair import Repair, repair
+from chasles.statements import Claim, Definition, Statement, problem_of
+from chasles.verdict import Defined, Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
+from chasles.vocabulary import At, Misfit, Node, Number, Sum, Symbol, Zero, walk
+from chasles.vocabulary.families import indices_of
+
+__all__ = ["DEFINING", "Deduction", "PageFinding"]
+
+DEFINING = (r"\equiv", ":=", r"\triangleq", r"\coloneqq", r"\doteq", "≡")
+"""The signs by which something is defined."""
+EFFORT = 3e5
+"""The work that the search for what was meant may take, in products of terms."""
+WORK = 3e5
+"""The work that one attempt at a proof may take, in products of terms."""
+MOST_EDITS = 60
+"""So many changes of one mark are tried for what was meant."""
+MOST_POSED = 4
+"""So many posed equations, the last ones, are tried together for a proof."""
+
+
+@dataclass(frozen=True, slots=True)
+class PageFinding:
+    """What was made of one relation: its role, its verdict, and the statement, with the premises that it needs.
+
+    `against` are the premises of a refutation; `instead` is what is true in place of what fails. The verdict of an
+    `open` one says why it was not proved.
+    """
+
+    role: str
+    verdict: Verdict
+    statement: Statement | None = None
+    open: bool = False
+    instead: Repair | None = None
+    against: tuple[str, ...] = ()
+
+
+@dataclass
+class Deduction:
+    """Decides the equations of a page in the order in which it states them."""
+
+    premises: Premises
+    session: Session = field(default_factory=lambda: Session(WORK))
+    _foretold: dict[tuple[str, int], PageFinding] = field(default_factory=dict)
+
+    def fork(self) -> Deduction:
+        """A deduction that goes on from here by itself."""
+        return Deduction(self.premises.copy(), self.session, dict(self._foretold))
+
+    @contextmanager
+    def where(self, number: str, given: Iterable[Part]) -> Iterator[None]:
+        """What is said within is said for the case that the relations hold; those that are no equations are left."""
+        before = len(self.premises.posed)
+        for part in given:
+            if part.sign == "=" and not part.fault:
+                said = as_hypothesis(f"{number}, for", part.left, part.right)
+                self.premises.posed.append(PosedEquation(said, part.left, part.right, False))
+        added = len(self.premises.posed) - before
+        yield
+        del self.premises.posed[before : before + added]
+
+    def strange(self, reading: Reading) -> int:
+        """How many symbols of a reading the page has not used before."""
+        spoken = {symbol for symbol, _ in self.premises.spoken}
+        sides = (side for part in reading.parts for side in (part.left, part.right))
+        return len({symbol for side in sides for symbol, _ in quantities(side)} - spoken)
+
+    def say(
+        self, number: str, part: int, left: Node, sign: str, right: Node, role: str = "", ahead: Iterable[Claim] = ()
+    ) -> PageFinding:
+        """The finding on the next equation of the page, which is a premise of what follows.
+
+        What is `ahead` may say what new symbols of a claim are, as behind "where".
+        """
+        finding = self._foretold.pop((number, part), None)
+        if finding is None:
+            claim = Claim(number, left, right, part=part, sign=sign, sic=True)
+            finding = self._found(claim, role, tuple(ahead))
+        self.premises.spoken.update(q for side in (left, right) for q in quantities(side))
+        return finding
+
+    def _found(self, claim: Claim, role: str, ahead: tuple[Claim, ...]) -> PageFinding:
+        if claim.sign not in ("=", *DEFINING):
+            return PageFinding("claim", Undecided(f"relations such as {claim.sign} are not decided"), claim, open=True)
+        if claim.fault:
+            return PageFinding("claim", IllFormed(claim.fault), claim)
+        if role in ("condition", "law"):
+            return self._posed(claim, False, self._satisfied(claim))
+        meant = self._meant(claim) if role != "claim" else None
+        if meant and (role == "definition" or self._is_new(claim, meant[0])):
+            return self._defined(claim, *meant)
+        self._foretell(claim, ahead)
+        finding = self._claimed(claim, told=role == "claim")
+        if not finding.open:
+            return finding
+        return self._defined(claim, *meant) if meant else self._posed(claim, True, finding.verdict)
+
+    def _meant(self, claim: Claim) -> tuple[Quantity, bool] | None:
+        """What an equation may define, and whether on its right side; None for a claim."""
+        for side, other, turned in ((*claim.printed, False), (*claim.printed[::-1], True)):
+            key = quantity(side)
+            rules = chosen_rules((other,), self.premises.defined())
+            if key is None or any(symbol == key[0] for symbol, _ in free_quantities((other,), rules)):
+                continue
+            if (_is_defining(claim) and not turned) or self._is_free(key):
+                return key, turned
+        return None
+
+    def _is_new(self, claim: Claim, key: Quantity) -> bool:
+        """Whether nothing needs to be decided before a symbol is taken to be defined."""
+        is_spoken = any(symbol == key[0] for symbol, _ in self.premises.spoken)
+        return key not in self.premises.definitions and (_is_defining(claim) or not is_spoken)
+
+    def _is_free(self, key: Quantity) -> bool:
+        """Whether the page has only used a symbol so far, and said nothing of it."""
+        symbol, order = key
+        said = {s for s, _ in self.premises.definitions} | {s for s, _ in self.premises.proved}
+        posed = {s for each in self.premises.posed for side in (each.left, each.right) for s, _ in quantities(side)}
+        return not order and symbol not in said | posed
+
+    def _foretell(self, claim: Claim, ahead: tuple[Claim, ...]) -> None:
+        """Take in advance the definitions of symbols that are new in a claim."""
+        spoken = {symbol for symbol, _ in self.premises.spoken}
+        new = {symbol for side in claim.printed for symbol, _ in quantities(side)} - spoken
+        for other in ahead:
+            meant = None if other.fault else self._meant(other)
+            if meant and meant[0][0] in new and meant[0] not in self.premises.definitions:
+                self._foretold[other.number, other.part] = self._defined(other, *meant)
+
+    def _defined(self, claim: Claim, key: Quantity, turned: bool) -> PageFinding:
+        left, right = (claim.right, claim.left) if turned else claim.printed
+        made = Definition(claim.number, left, right, part=claim.part, sign=claim.sign, assuming=divisors((right,)))
+        known = self.premises.definitions.setdefault(
+            key, [None] if any(q[0] == key[0] for q in self.premises.spoken) else []
+        )
+        known.insert(0, made)
+        self.premises.proved.pop(key, None)
+        return PageFinding("definition", Defined(), made)
+
+    def _posed(self, claim: Claim, is_open: bool, verdict: Verdict) -> PageFinding:
+        name = claim.number if claim.part == 1 else f"{claim.number}/{claim.part}"
+        if not any(map(indices_of, claim.printed)):
+            said = as_hypothesis(name, *claim.printed)
+            self.premises.posed.append(PosedEquation(said, claim.left, claim.right, is_open))
+        return PageFinding("condition", verdict, claim, open=is_open)
+
+    def _satisfied(self, claim: Claim) -> Verdict:
+        """The verdict on a condition: posed if a point satisfies it with all that the page has said of its symbols."""
+        said = as_hypothesis(claim.number, *claim.printed)
+        known = self._with_everything(claim, 0)
+        try:
+            return pose(
+                problem_of(with_fields(known, assuming=(*known.assuming, said)), "printed", self.session.accepted)
+            )
+        except (Misfit, TypeError) as error:
+            return Undecided(str(error))
+
+    def _claimed(self, claim: Claim, told: bool = False) -> PageFinding:
+        for attempt in self._attempts(claim):
+            verdict = proof_of(attempt, self.session)
+            if verdict is not None:
+                return self._proved(attempt, verdict)
+        return self._refuted(claim, told)
+
+    def _proved(self, claim: Claim, verdict: Verdict) -> PageFinding:
+        unused = getattr(verdict, "unused", ())
+        least = with_fields(claim, assuming=tuple(h for h in claim.assuming if h.text not in unused))
+        key = quantity(claim.left)
+        behind = free_quantities((claim.right,), chosen_rules((claim.right,), self.premises.defined()))
+        if key is not None and not any(symbol == key[0] for symbol, _ in behind):
+            self.premises.proved[key] = least
+        return PageFinding("claim", verdict, least)
+
+    def _attempts(self, claim: Claim) -> Iterator[Claim]:
+        """The claim with ever more premises, each set once."""
+        seen: set[tuple[frozenset[int], frozenset[str]]] = set()
+        for rules, posed in self._premise_sets(claim):
+            attempt = self._with(claim, rules, posed)
+            key = (frozenset(map(id, attempt.given)), frozenset(h.text for h in attempt.assuming))
+            if key not in seen:
+                seen.add(key)
+                yield attempt
+
+    def _premise_sets(self, claim: Claim) -> Iterator[tuple[Rules, tuple[PosedEquation, ...]]]:
+        """Rules to apply and equations to assume: nothing, what is said of what occurs, all that this rests on."""
+        premises, sides = self.premises, claim.printed
+        defined = [premises.defined(generation) for generation in range(premises.generations)]
+        tables = [table for each in defined for table in ({**each, **premises.proved}, each)]
+        yield {}, ()
+        yield chosen_rules(sides, tables[0], deep=False), ()
+        for table in tables:
+            yield chosen_rules(sides, table), ()
+        for table in tables[:2]:
+            rules = chosen_rules(sides, table)
+            posed = premises.restricting(free_quantities(sides, rules), rules)[-MOST_POSED:]
+            if posed:
+                yield chosen_rules(_sides(claim, posed), table), posed
+
+    def _with(self, claim: Claim, rules: Rules, posed: tuple[PosedEquation, ...], everything: bool = False) -> Claim:
+        """The claim with rules, posed equations, and what is known of the symbols in them."""
+        said = _sides(claim, posed)
+        found = free_quantities(said, rules)
+        facts = self.premises.assumed(found, () if everything else rules)
+        assuming = dict.fromkeys((*facts, *divisors(said), *(each.hypothesis for each in posed)))
+        return with_fields(claim, given=tuple(rules.values()), assuming=tuple(assuming), sic=False)
+
+    def _refuted(self, claim: Claim, told: bool) -> PageFinding:
+        """The finding on a claim that is not proved: it fails, or is open."""
+        rules = chosen_rules(claim.printed, self.premises.defined())
+        verdict = verdict_on(self._with(claim, rules, ()), self.session)
+        is_asked = isinstance(verdict, Fails) and not _is_defining(claim)
+        instead = next(self._instead(claim, rules), None) if is_asked else None
+        if not isinstance(verdict, Fails) or (instead is None and not told):
+            return PageFinding("claim", verdict, claim, open=True)
+        refuted = [self._with_everything(claim, generation) for generation in range(self.premises.generations)]
+        verdicts = [verdict_on(each, self.session) for each in refuted]
+        unrefuted = [each for each in verdicts if not isinstance(each, Fails)]
+        if unrefuted:
+            return PageFinding("claim", unrefuted[0], claim, open=True)
+        against = (*(given.number for given in refuted[0].given), *(h.text for h in refuted[0].assuming))
+        return PageFinding("claim", verdicts[0], refuted[0], instead=instead, against=against)
+
+    def _with_everything(self, claim: Claim, generation: int) -> Claim:
+        """The claim with all that the page says of its symbols, open equations among it."""
+        rules = chosen_rules(claim.printed, self.premises.defined(generation))
+        posed = self.premises.relevant_to(free_quantities(claim.printed, rules))
+        rules = chosen_rules(_sides(claim, posed), self.premises.defined(generation))
+        return self._with(claim, rules, posed, everything=True)
+
+    def _instead(self, claim: Claim, rules: Rules) -> Iterator[Repair]:
+        """True equations one change away, which say something."""
+        if _is_one_term_said_to_vanish(claim):
+            return
+        known = {symbol for symbol, _ in self.premises.definitions}
+        edits = one_mark_away(*claim.printed, lambda symbol: symbol in known or bool(self.premises.facts(symbol)))
+        for left, right, said in islice(edits, MOST_EDITS):
+            meant = self._with(with_fields(claim, left=left, right=right), rules, ())
+            verdict = proof_of(meant, self.session)
+            if isinstance(verdict, Holds | HoldsUnder):
+                yield Repair(left, right, (said,), 1, verdict)
+        shallow = chosen_rules(claim.printed, {**self.premises.defined(), **self.premises.proved}, deep=False)
+        attempts = [self._with(claim, each, ()) for each in (rules, shallow)]
+        for attempt in attempts[: 1 + (shallow != rules)]:
+            for found in repair(attempt, self.session.accepted, EFFORT):
+                if found.edits == 1 and found.left != found.right and self._is_slip(claim, found):
+                    yield found
+
+    def _is_slip(self, claim: Claim, found: Repair) -> bool:
+        """Whether what is changed is a mark; or one letter, in what is said of a quantity that is known.
+
+        Another letter, or another term, may make any condition true.
+        """
+        before, after = _symbols(claim.printed), _symbols((found.left, found.right))
+        if before == after:
+            return True
+        known = {**self.premises.defined(), **self.premises.proved}
+        is_one_letter = (before - after).total() == (after - before).total() == 1
+        said = {symbol for symbol, _ in known}
+        is_about_known = any(quantity(side) in known for side in claim.printed) or all(
+            symbol in said or self.premises.facts(symbol) for side in claim.printed for symbol, _ in quantities(side)
+        )
+        return is_one_letter and is_about_known
+
+
+def _symbols(sides: Iterable[Node]) -> Counter[Node]:
+    return Counter(part for side in sides for part in walk(side) if isinstance(part, Symbol))
+
+
+def _sides(claim: Claim, posed: Iterable[PosedEquation]) -> tuple[Node, ...]:
+    return (*claim.printed, *(side for each in posed for side in (each.left, each.right)))
+
+
+def _is_defining(claim: Claim) -> bool:
+    """Whether it is printed as definitions are: by its sign, or of a symbol with its argument."""
+    return claim.sign in DEFINING or isinstance(claim.left, At)
+
+
+def _is_one_term_said_to_vanish(claim: Claim) -> bool:
+    """Whether a slip of the pen would have left it as true or as false."""
+    one, other = claim.printed
+    zero = (Number(Fraction(0)),)
+    return any(
+        (right in zero or isinstance(right, Zero)) and not isinstance(left, Sum)
+        for left, right in ((one, other), (other, one))
+    )

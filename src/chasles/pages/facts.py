@@ -1,0 +1,78 @@
+"""What a notation says of a symbol's kind, and what an expression divides by, as named hypotheses."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+
+from chasles.statements import Hypothesis, definite, nonzero, positive, rotation, symmetric, unit
+from chasles.vocabulary import Group, Misfit, Negative, Node, Norm, Number, Power, Quotient, Scale, Symbol, walk
+
+__all__ = ["divisors", "facts_of", "kind_in_meaning"]
+
+HYPOTHESES: dict[str, Callable[[Node], Hypothesis]] = {
+    "unit quaternion": unit,
+    "unit vector": unit,
+    "rotation": rotation,
+    "positive-definite": definite,
+    "symmetric": symmetric,
+    "positive": positive,
+}
+"""The kinds of symbols that say something of their values."""
+
+
+def kind_in_meaning(symbol: Symbol) -> str:
+    """The kind with which the symbol's meaning begins, as in "unit vector along the axis"; empty for any other."""
+    said = f"{symbol.meaning} ".replace(",", " ")
+    return next((kind for kind in HYPOTHESES if said.startswith(f"{kind} ")), "")
+
+
+def facts_of(symbol: Symbol, kind: str) -> tuple[Hypothesis, ...]:
+    """The hypothesis that a kind names, said of the symbol; none where the kind says nothing, or not of its shape."""
+    assume = HYPOTHESES.get(kind)
+    if assume is None or symbol.stands_for is not None:
+        return ()
+    try:
+        return (assume(symbol),)
+    except (Misfit, TypeError):
+        return ()
+
+
+def divisors(sides: Iterable[Node]) -> tuple[Hypothesis, ...]:
+    """What the expressions divide by, as hypotheses that it is not zero; each factor and each length once."""
+    found = dict.fromkeys(
+        factor
+        for side in sides
+        for part in _opened(side)
+        if isinstance(part, Quotient)
+        for factor in _factors(part.denominator)
+    )
+    return tuple(map(nonzero, found))
+
+
+def _opened(node: Node) -> Iterator[Node]:
+    for part in walk(node):
+        yield part
+        if isinstance(part, Symbol) and part.stands_for is not None:
+            yield from _opened(part.stands_for)
+
+
+def _factors(node: Node) -> Iterator[Node]:
+    """The factors on whose vanishing it depends whether the divisor vanishes; a constant is none."""
+    match node:
+        case Group(of):
+            yield from _factors(of)
+        case Negative(of):
+            yield from _factors(of)
+        case Power(base, _) if base.is_scalar:
+            yield from _factors(base)
+        case Scale(factor, term) if term.is_scalar:
+            yield from _factors(factor)
+            yield from _factors(term)
+        case Quotient(numerator, _):
+            yield from _factors(numerator)
+        case Number():
+            return
+        case Symbol(name="pi", constant=True, home=""):
+            return
+        case Norm() | Node():
+            yield node

@@ -1,0 +1,76 @@
+"""What is written of a page: its findings, what is asked of a person, and what could not be read."""
+
+from __future__ import annotations
+
+import json
+import tomllib
+from collections.abc import Mapping
+from typing import Any
+
+from chasles.pages.findings_told import told
+from chasles.pages.page import Page, PageEquation
+
+__all__ = ["QUESTIONS", "answers", "files_of"]
+
+QUESTIONS = "questions.toml"
+ASKED = """\
+# What only a person knows of the equations: fill in a role, "claim", "condition", "law" or "definition", or a reading
+# in LaTeX. What is filled in is used when the page is read again.
+"""
+
+
+def answers(text: str) -> dict[str, dict[str, str]]:
+    """What a person has filled in, by the equation's name. Raises ValueError for what has another form."""
+    tables = tomllib.loads(text)
+    if not all(isinstance(said, dict) for said in tables.values()):
+        raise ValueError("expected a table for each equation, such as ['3.8'] with role = 'law'")
+    filled = {name: {key: value for key, value in said.items() if value} for name, said in tables.items()}
+    return {name: said for name, said in filled.items() if said}
+
+
+def files_of(page: Page, given: Mapping[str, Mapping[str, Any]]) -> dict[str, str]:
+    """The text of each file by its name; answers that are `given` stay where they are asked for."""
+    return {
+        "README.md": _table(page),
+        QUESTIONS: _questions(page, given),
+        "unread.md": _unread(page),
+    }
+
+
+def _table(page: Page) -> str:
+    rows = [f"| {each.printed.line} | {each.number} | {_cell(told(each))} |" for each in page.equations]
+    return "\n".join(
+        [f"# {page.file}", "", page.summary, "", "| line | number | finding |", "| --- | --- | --- |", *rows, ""]
+    )
+
+
+def _cell(text: str) -> str:
+    return " ".join(text.replace("|", r"\|").split())
+
+
+def _questions(page: Page, given: Mapping[str, Mapping[str, Any]]) -> str:
+    asked: dict[str, list[PageEquation]] = {name: [] for name in given}
+    for each in page.equations:
+        if each.number in given or each.verdict in ("open", "ambiguous", "undecided", "contradictory"):
+            asked.setdefault(each.number, []).append(each)
+    lines = [ASKED]
+    for name, equations in asked.items():
+        for each in equations:
+            lines += [f"# line {each.printed.line}: {' '.join(each.printed.latex.split())}", f"# {_cell(told(each))}"]
+        key = "reading" if any(each.others for each in equations) else "role"
+        said = given.get(name) or {key: ""}
+        lines += [f"[{json.dumps(name)}]", *(f"{each} = {json.dumps(value)}" for each, value in said.items()), ""]
+    return "\n".join(lines)
+
+
+def _unread(page: Page) -> str:
+    lines = ["# What could not be read", ""]
+    for each in page.equations:
+        if each.verdict == "unread":
+            lines += [
+                f"- line {each.printed.line}: {told(each)}",
+                "",
+                f"      {' '.join(each.printed.latex.split())}",
+                "",
+            ]
+    return "\n".join(lines)

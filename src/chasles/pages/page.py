@@ -1,0 +1,207 @@
+"""A page read and decided: each displayed equation with what was made of its relations."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from chasles.display import Displayed
+from chasles.pages.deduction import Deduction, PageFinding
+from chasles.pages.facts import facts_of, kind_in_meaning
+from chasles.pages.premises import Premises
+from chasles.reading.equations import read_equations
+from chasles.reading.notation_file import load_notation
+from chasles.reading.page_notation import PageNotation
+from chasles.reading.pages import Kind, displayed
+from chasles.reading.printed import PrintedEquation
+from chasles.reading.reading import Part, ReadEquation, Reading
+from chasles.statements import Chapter, Claim, Entry, Section
+from chasles.vocabulary import latex
+
+__all__ = ["Page", "PageEquation", "read", "read_page"]
+
+MOST_READINGS = 4
+"""So many readings of one equation are decided."""
+AHEAD = 2
+"""So many equations that follow may say what new symbols are."""
+DISPLAYS = ("$$", "\\[", "\\begin{", "```", ".. math::")
+
+
+@dataclass(frozen=True, slots=True)
+class PageEquation(Displayed):
+    """One relation of a displayed equation; an equation that is not read has one, without `part` and `finding`.
+
+    `others` are the verdicts of other readings, each with the reading in LaTeX, where they differ.
+    """
+
+    read: ReadEquation
+    number: str
+    place: int = 1
+    part: Part | None = None
+    finding: PageFinding | None = None
+    others: tuple[tuple[str, str], ...] = ()
+
+    @property
+    def printed(self) -> PrintedEquation:
+        """The equation of the page."""
+        return self.read.printed
+
+    @property
+    def verdict(self) -> str:
+        """The verdict in one word: what was not decided is "open", "ambiguous" or "unread"."""
+        if self.finding is None:
+            return "unread"
+        if self.others:
+            return "ambiguous"
+        return "open" if self.finding.open else self.finding.verdict.name
+
+    @property
+    def is_decided(self) -> bool:
+        """Whether nothing is left to ask of a person."""
+        return self.verdict not in ("open", "ambiguous", "unread", "undecided", "contradictory")
+
+
+@dataclass(frozen=True, repr=False)
+class Page(Displayed):
+    """The equations of a page in its order, relation by relation; `file` is where it was read."""
+
+    equations: tuple[PageEquation, ...]
+    file: str = ""
+
+    def __repr__(self) -> str:
+        return f"<page: {self.summary}>"
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """How many equations and relations there are, and how many of these have each verdict."""
+        found = Counter(each.verdict for each in self.equations)
+        readable = [each for each in self.equations if each.verdict != "unread"]
+        return {
+            "displayed": len({id(each.read) for each in self.equations}),
+            "equalities": len(self.equations),
+            "read": len(readable),
+            "decided": sum(each.is_decided for each in readable),
+            **dict(sorted(found.items())),
+        }
+
+    @property
+    def summary(self) -> str:
+        """The counts in one line."""
+        counts = self.counts
+        words = {"holds-under": "hold under", "holds": "hold", "fails": "fail"}
+        whole = ("displayed", "equalities", "read", "decided")
+        undecided = ("open", "ambiguous", "unread", "undecided", "contradictory")
+        inner = [f"{n} {words.get(v, v)}" for v, n in counts.items() if v not in (*whole, *undecided)]
+        outer = [f"{n} {verdict}" for verdict, n in counts.items() if verdict in undecided]
+        return ", ".join(
+            [
+                f"{counts['displayed']} displayed equations",
+                f"{counts['equalities']} equalities: {counts['read']} read",
+                f"{counts['decided']} decided" + (f" ({', '.join(inner)})" if inner else ""),
+                *outer,
+            ]
+        )
+
+    @cached_property
+    def chapter(self) -> Chapter:
+        """What was read as a chapter: its statements with the premises that they need."""
+        entries: list[Entry] = []
+        for each in self.equations:
+            if each.finding is not None and each.finding.statement is not None:
+                section = Section(each.printed.section or "", "")
+                entries.append(Entry(f"equation_{len(entries) + 1}", section, each.finding.statement))
+        return Chapter(self.file or "page", tuple(entries), "")
+
+
+def read(text: str, notation: str | Path | ModuleType | Mapping[str, Any], kind: Kind | None = None) -> Page:
+    """The equations of a page, or one equation alone, decided.
+
+    Args:
+        text: a page in LaTeX, Markdown or reStructuredText, or one equation in LaTeX.
+        notation: what its letters are: a TOML file, its text or tables, or a Python module.
+        kind: "tex", "md", "rst" or "equation"; without it, as the text looks.
+
+    Raises:
+        BadNotation: for a notation that cannot be used.
+        BadPage: for a page that cannot be read.
+    """
+    looks: Kind = "rst" if ".. math::" in text else "md" if any(sign in text for sign in DISPLAYS) else "equation"
+    if kind is None and "\\begin{document}" in text:
+        kind = "tex"
+    return read_page(displayed(text, kind or looks), load_notation(notation))
+
+
+def read_page(printed: tuple[PrintedEquation, ...], notation: PageNotation, file: str = "") -> Page:
+    """The page of these equations, decided in their order."""
+    deduction = Deduction(Premises(lambda symbol: facts_of(symbol, kind_in_meaning(symbol))))
+    assumed = tuple(PrintedEquation(latex) for latex in notation.assuming)
+    for number, each in enumerate(read_equations(assumed, notation), 1):
+        for part in each.readings[0].parts if each.readings else ():
+            deduction.say(f"assuming {number}", 1, part.left, part.sign, part.right, "law")
+    equations = read_equations(printed, notation)
+    names = [each.printed.number or each.printed.label or f"line {each.printed.line}" for each in equations]
+    places: Counter[str] = Counter()
+    relations = []
+    for equation, name in zip(equations, names, strict=True):
+        relations.append(_relations(equation.readings[0], name, places[name] + 1) if equation.readings else ())
+        places[name] += len(relations[-1]) or 1
+    found: list[PageEquation] = []
+    for place, (equation, name) in enumerate(zip(equations, names, strict=True)):
+        ahead = tuple(claim for claims in relations[place + 1 : place + 1 + AHEAD] for claim in claims)
+        role = notation.notes.get(name, {}).get("role", "")
+        first = relations[place][0].part if relations[place] else 1
+        found += _decided(equation, name, first, role, deduction, ahead)
+    return Page(tuple(found), file)
+
+
+def _relations(reading: Reading, number: str, first: int) -> tuple[Claim, ...]:
+    return tuple(
+        Claim(number, part.left, part.right, part=place, sign=part.sign, sic=True)
+        for place, part in enumerate(reading.parts, first)
+    )
+
+
+def _decided(
+    equation: ReadEquation, number: str, first: int, role: str, deduction: Deduction, ahead: tuple[Claim, ...]
+) -> Iterator[PageEquation]:
+    """The relations of an equation in its usual reading, and what differs in its other readings.
+
+    Of several readings those count in which least is new.
+    """
+    if not equation.readings:
+        yield PageEquation(equation, number, first)
+        return
+    news = [deduction.strange(reading) for reading in equation.readings]
+    taken, *others = [each for each, new in zip(equation.readings, news, strict=True) if new == min(news)]
+    forks = [(other, deduction.fork()) for other in others[: MOST_READINGS - 1]]
+    findings = list(_said(taken, number, first, role, deduction, ahead))
+    told = []
+    for other, fork in forks:
+        verdicts = [_verdict(finding) for _, finding in _said(other, number, first, role, fork, ahead)]
+        if verdicts != [_verdict(finding) for _, finding in findings]:
+            told.append((", ".join(verdicts), _in_latex(other)))
+    for place, (part, finding) in enumerate(findings, first):
+        yield PageEquation(equation, number, place, part, finding, tuple(told))
+
+
+def _said(
+    reading: Reading, number: str, first: int, role: str, deduction: Deduction, ahead: tuple[Claim, ...]
+) -> Iterator[tuple[Part, PageFinding]]:
+    claims = _relations(reading, number, first)
+    with deduction.where(number, reading.given):
+        for place, (part, claim) in enumerate(zip(reading.parts, claims, strict=True), 1):
+            following = (*claims[place:], *ahead)
+            yield part, deduction.say(number, claim.part, part.left, part.sign, part.right, role, following)
+
+
+def _verdict(finding: PageFinding) -> str:
+    return "open" if finding.open else finding.verdict.name
+
+
+def _in_latex(reading: Reading) -> str:
+    return r" \quad ".join(f"{latex(part.left)} {part.sign} {latex(part.right)}" for part in reading.parts)

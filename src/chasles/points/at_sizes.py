@@ -1,0 +1,72 @@
+"""Points of problems about matrices of any size: numbers for the sizes, small ones first, and rational entries."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace as with_fields
+from fractions import Fraction
+from itertools import product
+from random import Random
+
+from chasles.checker.any_size.at_sizes import PointAtSizes, sizes_in
+from chasles.checker.sparse import Rejected
+from chasles.points.rational import Numbers, free
+from chasles.points.satisfying import bind, in_order
+from chasles.points.simple_random import SimpleRandom
+from chasles.problems.variables import entry_name
+from chasles.statements import Problem
+from chasles.statements.varied import opened_parts
+from chasles.vocabulary import Symbol
+from chasles.vocabulary.sizes import at_sizes
+
+__all__ = ["points_at_sizes"]
+
+LARGEST, MOST_SIZES, EACH = 3, 30, 6
+"""Sizes are numbers up to the largest; so many of these choices are tried, so often each."""
+
+
+def points_at_sizes(problem: Problem) -> Iterator[dict[str, Fraction]]:
+    """Points at which all that is assumed holds; entries that are zero are not named."""
+    names = sizes_in(problem)
+    choices = sorted(
+        product(range(1, LARGEST + 1), repeat=len(names)), key=lambda each: (max(each, default=0), sum(each), each)
+    )
+    symbols = _symbols(problem)
+    draws = SimpleRandom(1), Random(1)
+    for choice in choices[:MOST_SIZES]:
+        for count in range(EACH):
+            at = _drawn(problem, symbols, dict(zip(names, choice, strict=True)), draws[count % 2], rich=count > 1)
+            try:
+                PointAtSizes(problem, at).require()
+            except Rejected:
+                continue
+            yield at
+
+
+def _symbols(problem: Problem) -> list[Symbol]:
+    """The symbols that occur and are given by no rule."""
+    sides = [side for goal in (*problem.goals, *problem.conditions) for side in (goal.left, goal.right)]
+    sides += [side for _, side in problem.rules]
+    sides += [node for h in problem.hypotheses for node in (*h.subjects, *h.nonvanishing)]
+    ruled = {left for left, _ in problem.rules}
+    found = dict.fromkeys(part for side in sides for part in opened_parts(side) if isinstance(part, Symbol))
+    return [symbol for symbol in found if symbol.stands_for is None and symbol not in ruled]
+
+
+def _drawn(
+    problem: Problem, symbols: list[Symbol], numbers: dict[str, int], draw: Random, rich: bool
+) -> dict[str, Fraction]:
+    """Entries that satisfy hypotheses one by one; whether they satisfy all together is not asked here."""
+    values: dict[tuple[Symbol, int], Numbers] = {}
+    for hypothesis in in_order(problem.hypotheses):
+        subjects = tuple(at_sizes(node, numbers) for node in hypothesis.subjects)
+        if all(node in symbols for node in hypothesis.subjects):
+            bind(with_fields(hypothesis, subjects=subjects, equations=()), {}, values, draw, rich)
+    at = {name: Fraction(number) for name, number in numbers.items()}
+    for symbol in symbols:
+        sized = at_sizes(symbol, numbers)
+        assert isinstance(sized, Symbol)
+        entries = values.get((sized, 0)) or free(sized.shape, draw, rich)
+        for i, row in enumerate(entries):
+            at |= {entry_name(sized, 0, i, j): entry for j, entry in enumerate(row) if entry}
+    return at

@@ -1,0 +1,99 @@
+"""What accents and scripts make of a reading, as the notation spells it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import product
+
+from chasles.reading.context import FittingContext
+from chasles.reading.fits import Fit, Shape, made
+from chasles.reading.letter_table import Glyph
+from chasles.reading.read_back import tokens_of
+from chasles.reading.spellings import Make
+from chasles.vocabulary import (
+    Node,
+    Power,
+)
+from chasles.vocabulary.parts import component, part
+from chasles.vocabulary.spelling import Precedence
+
+__all__ = ["applied", "with_marks"]
+
+PLACES = {"x": 1, "y": 2, "z": 3}
+
+
+def with_marks(fits: list[Fit], rest: Glyph, ctx: FittingContext) -> list[Fit]:
+    """What accents and scripts make of it, from the inside out."""
+    for accent in rest.accents:
+        fits = applied(ctx.notation.spellings.accents.get(accent, ()), fits, ctx, rest, accent)
+    if rest.sub:
+        fits = [fit for each in fits for fit in _component(each, rest, ctx)]
+    if rest.primes:
+        fits = applied(ctx.notation.spellings.scripts.get("'" * rest.primes, ()), fits, ctx, rest, "'" * rest.primes)
+    for sup in rest.sups:
+        fits = _raised(fits, sup, rest, ctx)
+    return fits
+
+
+def _raised(fits: list[Fit], sup: str, rest: Glyph, ctx: FittingContext) -> list[Fit]:
+    words = " ".join(rest.loose.sups) if sup == rest.sups[0] else sup
+    if words.isdigit():
+        makes: tuple[Make, ...] = (lambda of: Power(of, int(words)),)
+    else:
+        makes = tuple(ctx.notation.spellings.scripts.get(words, ()))
+    if not makes and " " in words and (parts := words.split()):
+        for word in parts:
+            fits = _raised(fits, word, Glyph("", sups=(word,), place=rest.place), ctx)
+        return fits
+    return applied(makes, fits, ctx, rest, f"^{{{words}}}")
+
+
+def applied(makes: Sequence[Make], fits: list[Fit], ctx: FittingContext, rest: Glyph, mark: str) -> list[Fit]:
+    """Each of the words made of each reading, as far as it fits."""
+    found = []
+    for make, fit in product(makes, fits):
+        if fit.node is None:
+            found += _applied_to_sized(make, fit, mark)
+        elif ctx.is_as_printed(fit):
+            inner, _ = ctx.inside(fit, Precedence.ATOM)
+            node = made(make, inner, tolerant=ctx.tolerant)
+            if node is not None:
+                found.append(Fit(node, ctx.said(node), fit.cost))
+    if not makes:
+        ctx.note(f"{mark} has no meaning in the notation", rest.place)
+    return found
+
+
+def _applied_to_sized(make: Make, fit: Fit, mark: str) -> list[Fit]:
+    sized = fit.sized
+    assert sized is not None
+
+    def of_shape(shape: Shape) -> Node | None:
+        inner = sized((shape[1], shape[0]))
+        node = None if inner is None else made(make, inner)
+        return node if node is not None and node.shape == shape else None
+
+    return [Fit(None, (*fit.said, *tokens_of(mark)), fit.cost, sized=of_shape)] if mark.startswith("^") else []
+
+
+def _component(fit: Fit, rest: Glyph, ctx: FittingContext) -> list[Fit]:
+    """An entry of a letter that is printed thin: omega_x, R_{12}; bold ones with subscripts are other letters."""
+    node, sub = fit.node, rest.sub
+    if node is None or node.is_scalar or node.measure is None or (r"\mathbf" in rest.base and ":" not in sub):
+        return []
+    rows, columns = node.shape
+    make: Make | None = None
+    if columns == 1 and ((sub in PLACES and rows == 3) or (sub.isdigit() and 0 < int(sub) <= rows)):
+        make = (lambda of: component(of, PLACES[sub], sub)) if sub in PLACES else (lambda of: part(of, int(sub)))
+    if ":" in sub:
+        places = tuple(map(_range, sub.replace(" ", "").split(",")))
+        return applied((lambda of: part(of, places if len(places) > 1 else places[0]),), [fit], ctx, rest, sub)  # type: ignore[arg-type]
+    digits = [int(digit) for digit in sub.replace(",", "").replace(" ", "") if digit.isdigit()]
+    if columns > 1 and len(digits) == 2 and sub.replace(",", "").replace(" ", "").isdigit():
+        make = lambda of: part(of, (digits[0], digits[1]))  # noqa: E731
+    return [] if make is None else applied((make,), [fit], ctx, rest, f"_{{{sub}}}")
+
+
+def _range(text: str) -> int | slice:
+    first, _, last = text.partition(":")
+    return slice(int(first), int(last)) if last else int(first)

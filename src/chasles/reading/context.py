@@ -1,0 +1,81 @@
+"""What reading one equation needs: the notation, how words are printed again, and what could not be read."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from chasles.reading.fits import Fit, Said
+from chasles.reading.grammar import Atom, Terms
+from chasles.reading.grouping import Unread
+from chasles.reading.page_notation import PageNotation
+from chasles.reading.read_back import tokens_of
+from chasles.vocabulary import Group, Node
+from chasles.vocabulary.spelling import Piece, Precedence, spell
+from chasles.vocabulary.typesetting import BRACKETS, Latex
+
+__all__ = ["FittingContext"]
+
+MOST_WORK = 50_000
+KINDS = {"()": "()", "[]": "[]", r"\{\}": "{}"}
+
+
+class FittingContext:
+    """Reads in one notation; at `level` 1 also matrices without marks between blocks, at 2 also what is ill-formed."""
+
+    def __init__(self, notation: PageNotation, level: int = 0) -> None:
+        self.notation = notation
+        self.level = level
+        self.tolerant = level == 2
+        self.problems: list[Unread] = []
+        self.work = 0
+        self.terms: Callable[[Terms], list[Fit]] = lambda terms: []
+        self.product: Callable[[tuple[Atom, ...]], list[Fit]] = lambda items: []
+        self._style = Latex(notation.forms)
+        self._pieces: dict[Node, Piece] = {}
+        self._said: dict[Node, Said] = {}
+
+    def piece(self, node: Node) -> Piece:
+        """How the node is printed, and how tightly that holds together; raises `Unread` after too many nodes."""
+        self.work += 1
+        if self.work > MOST_WORK:
+            raise Unread("it can be read in too many ways: say more of its letters in the notation")
+        if node not in self._pieces:
+            self._pieces[node] = spell(node, self._style)
+        return self._pieces[node]
+
+    def said(self, node: Node) -> Said:
+        """The tokens that the node is printed as."""
+        if node not in self._said:
+            self._said[node] = tokens_of(self.piece(node).text)
+        return self._said[node]
+
+    def inside(self, fit: Fit, least: Precedence) -> tuple[Node, Said]:
+        """The word, and its tokens, where one that holds less tightly gets brackets in print."""
+        node = fit.node
+        assert node is not None
+        piece = self.piece(node)
+        opening, shut = BRACKETS[min(piece.depth, 2)]
+        if not fit.brackets:
+            return node, fit.said if piece.level >= least else (opening, *fit.said, shut)
+        if piece.level >= least or fit.brackets != opening + shut:
+            node = Group(node, KINDS[fit.brackets])
+        half = len(fit.brackets) // 2
+        return node, (fit.brackets[:half], *fit.said, fit.brackets[half:])
+
+    def is_as_printed(self, fit: Fit) -> bool:
+        """Whether the word prints the tokens that it was read from."""
+        return fit.node is None or fit.said == self.said(fit.node)
+
+    def mixes(self, one: Fit, other: Fit) -> bool:
+        """Whether scalars, vectors and quaternions meet as if all were quaternions, which words do not say; noted."""
+        shapes = {one.shape, other.shape}
+        mixed = self.notation.quaternions and len(shapes) == 2 and shapes <= {(1, 1), (3, 1), (4, 1)}
+        if mixed:
+            self.note("a scalar, a vector or a quaternion stands for another of them: write columns of four", None)
+        return mixed
+
+    def note(self, why: str, place: object) -> None:
+        """Keep why something cannot be read, for the case that nothing else explains the equation."""
+        from chasles.reading.tokens import Token
+
+        self.problems.append(Unread(why, place if isinstance(place, Token) else None))

@@ -1,0 +1,174 @@
+"""Letters as a notation file declares them: what each is, its shape, its unit, and what it stands for."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from typing import Any
+
+from chasles.nearest import nearest
+from chasles.reading.grouping import Unread
+from chasles.reading.letter_table import Glyph, LetterTable, letter_in
+from chasles.reading.page_notation import PageNotation
+from chasles.reading.tokens import BadPage
+from chasles.vocabulary import NO_DIMENSION, Dimension, Inverse, Misfit, Node, Symbol, Transpose, uniform
+from chasles.vocabulary.dimension import has_units
+from chasles.vocabulary.families import Index
+from chasles.vocabulary.parts import component
+
+__all__ = ["KINDS", "KNOWN_KEYS", "BadNotation", "declare_letter"]
+
+KINDS: dict[str, tuple[int, int]] = {
+    "scalar": (1, 1), "angle": (1, 1), "integer": (1, 1), "vector": (3, 1), "unit vector": (3, 1), "point": (3, 1),
+    "rotation": (3, 3), "symmetric": (3, 3), "skew": (3, 3), "matrix": (3, 3), "array": (3, 1), "quaternion": (4, 1),
+    "unit quaternion": (4, 1), "positive": (1, 1), "positive-definite": (3, 3),
+}  # fmt: skip
+"""What a letter may be, and the shape that it then has unless the file says another."""
+OTHERS = ("component", "entry", "index")
+KNOWN_KEYS = ("is", "unit", "constant", "positive", "shape", "size", "of", "inverse", "stands_for", "meaning")
+UNITS = {"m": Dimension(1), "kg": Dimension(0, 1), "s": Dimension(0, 0, 1), "rad": NO_DIMENSION, "1": NO_DIMENSION,
+         "N": Dimension(1, 1, -2), "J": Dimension(2, 1, -2), "W": Dimension(2, 1, -3), "Hz": Dimension(0, 0, -1),
+         "Pa": Dimension(-1, 1, -2)}  # fmt: skip
+
+
+class BadNotation(ValueError):
+    """A notation that cannot be used: its text says in one line what is wrong and what is expected."""
+
+
+def declare_letter(notation: PageNotation, table: LetterTable, text: str, said: Any) -> None:
+    """Enter what the file says of a letter; raises `BadNotation` for what is unknown or does not go together."""
+    where = f"[symbols] {text!r}"
+    said = {"is": said} if isinstance(said, str) else said
+    if not isinstance(said, Mapping):
+        raise BadNotation(f"{where}: expected a table such as {{ is = 'vector' }}")
+    for key in said:
+        if key not in KNOWN_KEYS:
+            raise BadNotation(f"{where} has no {key!r}{nearest(key, KNOWN_KEYS)}: it takes {', '.join(KNOWN_KEYS)}")
+    try:
+        letter = letter_in(text)
+    except (Unread, BadPage) as problem:
+        raise BadNotation(f"{where}: {problem}") from None
+    if letter is None:
+        raise BadNotation(f"{where} is not one letter with its accents and scripts")
+    kind = said.get("is", "array" if "stands_for" in said else "")
+    if kind == "index":
+        notation.indices[letter.base] = Index(letter.base)
+    elif kind in ("component", "entry"):
+        _component(notation, table, letter, said, where)
+    elif kind in KINDS:
+        _quantity(notation, table, letter, text, said, kind, where)
+    else:
+        known = [*KINDS, *OTHERS]
+        raise BadNotation(f"{where}: is = {kind!r}{nearest(str(kind), known)}; expected one of {', '.join(known)}")
+
+
+def _quantity(notation: PageNotation, table: LetterTable, letter: Glyph, text: str, said: Mapping[str, Any],
+              kind: str, where: str) -> None:  # fmt: skip
+    rows, columns = _shape(said, kind, where)
+    notation.sizes.update((rows, columns))
+    notation.quaternions |= kind.endswith("quaternion")
+    dimension = _dimension(said.get("unit", ""), where)
+    measure = uniform((rows, columns), dimension if has_units(notation.home) else NO_DIMENSION)
+    meaning = " ".join(filter(None, ("positive" if said.get("positive") else kind, said.get("meaning", ""))))
+    inverse = said.get("inverse")
+    if inverse is not None and "{swapped}" not in inverse.replace("swapped", "{swapped}"):
+        raise BadNotation(f"{where}: inverse = {inverse!r} does not say 'swapped', as in 'R_{{swapped}}'")
+    made: dict[Glyph, Node] = {}
+
+    def symbol(found: Glyph) -> Node:
+        if found in made:
+            return made[found]
+        latex = text if found == letter else spelled(found)
+        stands_for: Node | None = None
+        swapped = replace(found, sub=" ".join(reversed(found.sub.split()))) if inverse is not None else found
+        if swapped != found and swapped in made:
+            stands_for = (Transpose if kind == "rotation" else Inverse)(made[swapped])
+        elif "stands_for" in said:
+            stands_for = _meant(notation, said["stands_for"], where)
+        size = measure if stands_for is None or stands_for.measure is None else stands_for.measure
+        constant = bool(said.get("constant", False))
+        made[found] = Symbol(named(found), latex, size, meaning, constant, stands_for, notation.home)
+        return made[found]
+
+    table.add(letter, symbol)
+    if "stands_for" in said:
+        notation.checks.append(lambda: symbol(letter))
+
+
+def _shape(said: Mapping[str, Any], kind: str, where: str) -> tuple[int, int]:
+    rows, columns = KINDS[kind]
+    if "size" in said:
+        rows, columns = said["size"], said["size"] if rows == columns and rows > 1 else columns
+    shape = said.get("shape", (rows, columns))
+    if not (isinstance(shape, list | tuple) and len(shape) == 2 and all(isinstance(k, int) and k > 0 for k in shape)):
+        raise BadNotation(f"{where}: shape = {shape!r}; expected [rows, columns]")
+    return shape[0], shape[1]
+
+
+def _dimension(unit: str, where: str) -> Dimension:
+    """The dimension of a unit such as "kg m^2/s"."""
+    total = NO_DIMENSION
+    for place, part in enumerate(unit.split("/")):
+        for word in part.replace("*", " ").replace(".", " ").split():
+            name, _, power = word.partition("^")
+            if name not in UNITS or not re.fullmatch(r"-?\d*", power):
+                raise BadNotation(
+                    f"{where}: unit = {unit!r}; expected one made of {', '.join(UNITS)}, as in 'kg m^2/s'"
+                )
+            of = UNITS[name] ** int(power or 1)
+            total = total / of if place else total * of
+    return total
+
+
+def _component(notation: PageNotation, table: LetterTable, letter: Glyph, said: Mapping[str, Any], where: str) -> None:
+    """Letters that are the entries of a column: of as many as there are alternatives, in their order."""
+    marks = [mark.strip() for mark in letter.sub.split("|")]
+    whole = letter_in(said.get("of", ""))
+    if whole is None or not next(table.meanings(whole), None):
+        raise BadNotation(f"{where}: of = {said.get('of')!r} is no letter declared before it")
+
+    def meaning(row: int, mark: str) -> Callable[[Glyph], Node]:
+        def make(_: Glyph) -> Node:
+            node, _rest = next(table.meanings(whole))
+            return component(node, row, mark)
+
+        return make
+
+    for row, mark in enumerate(marks, 1):
+        table.add(replace(letter, sub=mark), meaning(row, mark))
+
+
+def _meant(notation: PageNotation, latex: str, where: str) -> Node:
+    """The expression that an abbreviation stands for."""
+    from chasles.reading.equations import expressions
+
+    try:
+        found = expressions(latex, notation)
+    except (Unread, BadPage, Misfit) as problem:
+        raise BadNotation(f"{where}: stands_for = {latex!r}: {problem}") from None
+    return found[0]
+
+
+def named(letter: Glyph) -> str:
+    """A name for a symbol, in letters and digits."""
+    primes = "'" * letter.primes
+    said = " ".join((*letter.before, letter.base, *letter.accents, letter.sub, *letter.sups))
+    words = [
+        word for word in re.findall(r"\w+", said) if word not in ("mathbf", "boldsymbol", "mathrm", "operatorname")
+    ]
+    return "_".join(words) + primes
+
+
+def spelled(letter: Glyph) -> str:
+    """The letter in LaTeX."""
+    text = letter.base
+    for style in reversed(re.findall(r"(\\math\w+|\\boldsymbol) ", letter.base + " ")):
+        inner = text.replace(style, "", 1).strip()
+        text = rf"\boldsymbol{{{inner}}}" if style == r"\mathbf" and inner[:1] == "\\" else f"{style}{{{inner}}}"
+    for accent in letter.accents:
+        text = f"{accent}{{{text}}}"
+    sub = f"_{{{letter.sub}}}" if letter.sub else ""
+    sups = "".join(f"^{{{sup}}}" for sup in letter.sups)
+    left = "".join(f"{sign}{{{mark}}}" for sign, mark in zip("_^", letter.before, strict=True) if mark)
+    return ("{}" + left if left else "") + text + sub + "'" * letter.primes + sups

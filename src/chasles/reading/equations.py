@@ -1,0 +1,258 @@
+"""Printed equations to words: lines and commas apart, chains of relations, every reading whose sides fit."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from chasles.reading.context import FittingContext
+from chasles.reading.fits import MOST, UNUSUAL, Fit, letters_agree
+from chasles.reading.grammar import Chain, formula
+from chasles.reading.grouping import RELATIONS, Tokens, Unread, closing, lines_of
+from chasles.reading.page_notation import PageNotation
+from chasles.reading.printed import PrintedEquation
+from chasles.reading.reading import Part, ReadEquation, Reading
+from chasles.reading.settling import settled
+from chasles.reading.sums import sum_fits
+from chasles.reading.tokens import BadPage, Token, tokens
+from chasles.vocabulary import Misfit, Node, Symbol, symbols_of
+from chasles.vocabulary.fitting import measured
+from chasles.vocabulary.measure import added
+
+__all__ = ["expressions", "read_equations", "segments"]
+
+ALIGNED = ("aligned", "align", "split", "gathered", "alignedat", "gather", "equation", "eqnarray", "multline",
+           "multlined", "flalign")  # fmt: skip
+CONDITIONS = ("for", "if", "when", "where", "provided", "with", "as", "i.e.")
+KNOWN = ("=", r"\equiv", "<", ">", r"\leq", r"\geq", r"\neq")
+MOST_READINGS = 6
+
+
+@dataclass(frozen=True, slots=True)
+class PrintedChain:
+    """One chain of relations; a condition is what stands behind a word such as "for"."""
+
+    chain: Chain
+    is_condition: bool
+
+
+def read_equations(printed: Sequence[PrintedEquation], notation: PageNotation) -> tuple[ReadEquation, ...]:
+    """Each printed equation with its readings; one that begins with a relation goes on with the side before."""
+    found: list[ReadEquation] = []
+    before: Tokens | None = None
+    for equation in printed:
+        try:
+            marks, here = _as_noted(equation, notation), notation.within(equation.section)
+            read, before = _read(equation, marks, before, here)
+        except Unread as problem:
+            read = ReadEquation(equation, (), str(problem), problem.place.column if problem.place else None)
+        except BadPage as problem:
+            read = ReadEquation(equation, (), str(problem), problem.column)
+        found.append(read)
+    return settled(found)
+
+
+def expressions(latex: str, notation: PageNotation) -> list[Node]:
+    """The readings of one expression that are well formed; raises `Unread` where there is none."""
+    ctx = _context(notation, 0)
+    chain = formula(tokens(latex))
+    if chain.relations or chain.sides[0] is None:
+        raise Unread("expected one expression without a relation")
+    found = [fit.node for fit in ctx.terms(chain.sides[0]) if fit.node is not None]
+    if not found:
+        raise ctx.problems[0] if ctx.problems else Unread("its parts do not fit together")
+    return found
+
+
+def _context(notation: PageNotation, level: int) -> FittingContext:
+    ctx = FittingContext(notation, level)
+    ctx.terms = lambda terms: sum_fits(terms, ctx)
+    return ctx
+
+
+def _as_noted(equation: PrintedEquation, notation: PageNotation) -> Tokens:
+    """The tokens of the equation, or of what the notation says that the print should be."""
+    for name in (equation.number, equation.label):
+        if name is not None and "reading" in notation.notes.get(name, {}):
+            return tokens(notation.notes[name]["reading"])
+    return equation.tokens
+
+
+def _read(
+    equation: PrintedEquation, marks: Tokens, before: Tokens | None, notation: PageNotation
+) -> tuple[ReadEquation, Tokens | None]:
+    lines = [line for line in segments(marks) if line[0]]
+    chains = [PrintedChain(formula(line), condition) for line, condition in lines if not _is_range(line, notation)]
+    if chains and chains[0].chain.sides[0] is None and before:
+        whole = (*before, *lines[0][0])
+        chains[0] = PrintedChain(formula(whole), chains[0].is_condition)
+        lines[0] = whole, lines[0][1]
+    if not any(said.chain.relations for said in chains):
+        raise Unread("no relation stands in it", marks[0] if marks else None)
+    for level in range(3):
+        ctx = _context(notation, level)
+        readings = _readings(chains, ctx)
+        if readings or (level and ctx.problems):
+            break
+    if not readings:
+        raise (
+            ctx.problems[0]
+            if ctx.problems
+            else Unread("no reading of it fits together and prints the same again", None)
+        )
+    last = [line for line, condition in lines if not condition][-1]
+    cut = max((k for k, mark in enumerate(last) if mark.text in RELATIONS), default=-1)
+    return ReadEquation(equation, tuple(readings)), last[cut + 1 :]
+
+
+def _opened(marks: Tokens) -> Tokens:
+    """The tokens without the environments that align lines."""
+    while marks and marks[0].text.startswith(r"\begin{") and marks[0].text[7:-1].rstrip("*") in ALIGNED:
+        end = closing(marks, 0)
+        marks = marks[1:end] + marks[end + 1 :]
+    return marks
+
+
+def segments(marks: Tokens) -> list[tuple[Tokens, bool]]:
+    """What stands side by side or line by line, and whether it is a condition; a line that begins with = goes on."""
+    whole: list[list[Token]] = []
+    for aligned in lines_of(_opened(marks), (r"\\",)):
+        line = [mark for part in lines_of(aligned, ("&",)) for mark in part]
+        if not line:
+            continue
+        goes_on = bool(whole) and (line[0].text in RELATIONS or not any(mark.text in RELATIONS for mark in line))
+        whole = [*whole[:-1], whole[-1] + line] if goes_on else [*whole, line]
+    found: list[tuple[Tokens, bool]] = []
+    for line in whole:
+        condition = False
+        for part, word in _side_by_side(line):
+            condition = condition or word.lower().startswith(CONDITIONS)
+            if word == "forall":
+                break
+            if part:
+                found.append((tuple(part), condition))
+    return _joined_lists(found)
+
+
+def _side_by_side(line: list[Token]) -> list[tuple[list[Token], str]]:
+    """The parts between commas, wide spaces and words, each with the words before it."""
+    parts: list[tuple[list[Token], str]] = [([], "")]
+    words = tuple({mark.text for mark in line if mark.text.startswith(r"\text{")})
+    marks = (",", ";", r"\quad", r"\forall", *words)
+    place = 0
+    for part in lines_of(line, marks):
+        mark = line[place - 1].text if place else ""
+        parts.append((part, mark[6:-1] if mark.startswith(r"\text{") else mark.strip("\\")))
+        place += len(part) + 1
+    return parts
+
+
+def _joined_lists(parts: list[tuple[Tokens, bool]]) -> list[tuple[Tokens, bool]]:
+    """Parts without a relation, such as the i of i, j = 1, 2, belong to the part behind or before."""
+    found: list[tuple[Tokens, bool]] = []
+    waiting: Tokens = ()
+    for marks, condition in parts:
+        if any(mark.text in RELATIONS or mark.text == ":" for mark in marks):
+            found.append(((*waiting, *marks), condition))
+            waiting = ()
+        elif found and (marks[0].text in "+-" or all(mark.text.isdigit() for mark in marks)):
+            found[-1] = (*found[-1][0], *marks), found[-1][1]
+        else:
+            waiting = (*waiting, *marks)
+    if waiting and not found:
+        found.append((waiting, False))
+    elif waiting:
+        raise Unread("what stands here is no equation", waiting[0])
+    return found
+
+
+def _is_range(marks: Tokens, notation: PageNotation) -> bool:
+    """Whether it says what indices run over."""
+    left = [mark.text for mark in marks if mark.text not in ("=", r"\dots", r"\ldots", r"\in", ".")]
+    names = [text for text in left if not text.isdigit()]
+    return bool(names) and len(names) < len(left) and all(name in notation.indices for name in names)
+
+
+def _readings(chains: list[PrintedChain], ctx: FittingContext) -> list[Reading]:
+    """The readings of all chains together, the usual ones first."""
+    partial: list[tuple[int, tuple[Part, ...], tuple[Part, ...]]] = [(0, (), ())]
+    for said in chains:
+        found = _chain(said.chain, ctx)
+        if said.is_condition:
+            if not found:
+                raise ctx.problems[-1] if ctx.problems else Unread("what it holds for cannot be read")
+            partial = [(cost, parts, (*given, *found[0][1])) for cost, parts, given in partial]
+            continue
+        partial = [(cost + more, (*parts, *new), given) for cost, parts, given in partial for more, new in found]
+        partial = sorted(partial, key=lambda each: each[0])[: MOST * 2]
+    weighed = sorted(((cost + 5 * _inconsistent(parts), parts, given) for cost, parts, given in partial),
+                     key=lambda each: each[0])  # fmt: skip
+    return [Reading(parts, given) for cost, parts, given in weighed if cost < weighed[0][0] + UNUSUAL][:MOST_READINGS]
+
+
+def _inconsistent(parts: tuple[Part, ...]) -> int:
+    """How many letters stand for two quantities."""
+    letters: dict[str, set[Symbol]] = {}
+    for part in parts:
+        for side in (part.left, part.right):
+            for symbol in symbols_of(side):
+                letters.setdefault(symbol.letter, set()).add(symbol)
+    return sum(len(symbols) - 1 for symbols in letters.values())
+
+
+def _chain(chain: Chain, ctx: FittingContext) -> list[tuple[int, tuple[Part, ...]]]:
+    """The chain as relations between neighbours, all sides of one shape and of dimensions that agree."""
+    if not chain.relations:
+        raise Unread("no relation stands here", None)
+    if chain.sides[0] is None:
+        raise Unread("the left side is missing", chain.relations[0])
+    sides = [ctx.terms(side) for side in chain.sides if side is not None]
+    sides = [[fit for fit in fits if fit.node is None or ctx.is_as_printed(fit)] for fits in sides]
+    if not all(sides):
+        return []
+    signs = [RELATIONS.get(relation.text, relation.text) for relation in chain.relations]
+    unknown = next((r for r, sign in zip(chain.relations, signs, strict=True) if sign not in KNOWN), None)
+    if unknown:
+        raise Unread(f"no word for {unknown.text}", unknown)
+    found: list[tuple[int, tuple[Part, ...]]] = []
+    for shape in dict.fromkeys(fit.shape for fits in sides for fit in fits if fit.shape):
+        at = [[fit for each in fits if (fit := each.at(shape)) is not None] for fits in sides]
+        chosen: list[tuple[Fit, ...]] = [()]
+        for fits in at:
+            chosen = [(*before, fit) for before in chosen for fit in fits if not before or _agree(before[-1], fit)]
+            chosen = sorted(chosen, key=_unlikely)[: MOST * 2]
+        found += [(sum(fit.cost for fit in each), _parts(each, signs)) for each in chosen]
+    if not found and ctx.tolerant:
+        firsts = [next((fit for fit in fits if fit.node is not None), fits[0]) for fits in sides]
+        firsts = [fit.at((3, 3)) or fit if fit.node is None else fit for fit in firsts]
+        if any(ctx.mixes(one, other) for one, other in pairwise(firsts)):
+            return []
+        if all(fit.node is not None for fit in firsts):
+            found = [(0, _parts(tuple(firsts), signs))]
+    return found
+
+
+def _unlikely(sides: tuple[Fit, ...]) -> tuple[bool, int]:
+    agree = letters_agree(*(fit.node for fit in sides if fit.node is not None))
+    return not agree, sum(fit.cost for fit in sides)
+
+
+def _agree(one: Fit, other: Fit) -> bool:
+    return one.node is not None and other.node is not None and not _fault(one.node, other.node)
+
+
+def _parts(sides: tuple[Fit, ...], signs: list[str]) -> tuple[Part, ...]:
+    nodes = [fit.node for fit in sides if fit.node is not None]
+    return tuple(
+        Part(left, sign, right, _fault(left, right)) for left, sign, right in zip(nodes, signs, nodes[1:], strict=False)
+    )
+
+
+def _fault(left: Node, right: Node) -> str:
+    """Why the two sides cannot be equal, or stand in another relation; empty if they can."""
+    try:
+        added(measured(left), measured(right), (left, right), "equate")
+    except Misfit as misfit:
+        return str(misfit)
+    return ""

@@ -1,0 +1,164 @@
+"""What can be one factor of a product: an atom, a function of something, a derivative, an integral."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import partial
+
+from chasles.reading.applying import with_marks
+from chasles.reading.context import FittingContext
+from chasles.reading.fits import UNUSUAL, Fit, Shape, made
+from chasles.reading.grammar import Atom
+from chasles.reading.letter_table import letter_of, said_of
+from chasles.reading.marks import atom_fits
+from chasles.reading.page_notation import repeated_rate
+from chasles.reading.quotients import of_tokens, order_of_rate, partial_by, upright
+from chasles.reading.spellings import Make, called
+from chasles.vocabulary import At, Node, Power, symbols_of
+from chasles.vocabulary.functions import PRINTED, FunctionOf
+from chasles.vocabulary.partial import PartialDerivative
+from chasles.vocabulary.spelling import Precedence
+
+__all__ = ["factors"]
+
+BACKSLASH = "\\"
+
+
+def factors(items: tuple[Atom, ...], start: int, ctx: FittingContext) -> Iterator[tuple[int, list[Fit]]]:
+    """What begins here and is one factor: an atom, a function of something, a quantity with its argument."""
+    atom = items[start]
+    spellings = ctx.notation.spellings
+    name = called(atom)
+    subscripted = f"{name} _ {said_of(atom.sub)}" if atom.sub else name
+    integral = _integral(items, start, ctx)
+    if integral is not None:
+        yield integral
+        return
+    makes = spellings.names.get(subscripted) or spellings.names.get(name)
+    if makes and atom.kind in ("LETTER", "COMMAND") and start + 1 < len(items):
+        applied = list(_applications(items, start, makes, ctx))
+        yield from applied
+        known = any(fits for _, fits in applied)
+        if known or not _is_letter(atom, ctx):
+            return
+    if (makes := spellings.subscripted.get(name)) and atom.sub:
+        yield start + 1, list(_made_of(makes, [[fit] for fit in of_tokens(atom.sub, ctx)], atom, ctx))
+        return
+    if (operators := _operators(atom, ctx)) and start + 1 < len(items):
+        for end in range(start + 2, len(items) + 1):
+            inner = [[fit] for fit in ctx.product(items[start + 1 : end])]
+            yield end, list(_made_of(operators, inner, None, ctx))
+        return
+    fits = atom_fits(atom, ctx)
+    if start + 1 < len(items) and _is_argument(items[start + 1]):
+        nodes = [(fit, made(At, fit.node, "t")) for fit in fits if fit.node is not None]
+        at = [Fit(node, ctx.said(node), fit.cost) for fit, node in nodes if node is not None]
+        yield start + 2, with_marks(at, replace(letter_of(items[start + 1]), accents=(), base=""), ctx)
+        fits = [replace(fit, cost=fit.cost + UNUSUAL) for fit in fits]
+    yield start + 1, fits
+
+
+def _is_argument(atom: Atom) -> bool:
+    """Whether it is (t), the time at which a quantity is taken."""
+    if atom.kind != "BRACKET" or atom.text != "()" or atom.sub or len(atom.inside) != 1:
+        return False
+    row = atom.inside[0].rows[0].pieces
+    return len(row) == 1 and isinstance(row[0], Atom) and row[0].text == "t" and not row[0].sub
+
+
+def _operators(atom: Atom, ctx: FittingContext) -> list[Make]:
+    """What d/dt, or a partial derivative without what it is of, makes of what stands behind it."""
+    if atom.kind != "COMMAND_OF_TWO" or "frac" not in atom.text:
+        return []
+    above = upright(atom.arguments[0])
+    order = order_of_rate(*atom.arguments)
+    if order and len(above) == (1 if order == 1 else 3):
+        return [repeated_rate(order)]
+    variables = partial_by(atom.arguments[0], atom.arguments[1], ctx) if above == [r"\partial"] else []
+    return [partial(PartialDerivative, by=by) for by in variables]
+
+
+def _applications(
+    items: tuple[Atom, ...], start: int, makes: list[Make], ctx: FittingContext
+) -> Iterator[tuple[int, list[Fit]]]:
+    """A function of what stands in brackets behind its name, or of one or several of the next factors."""
+    name, first = items[start], items[start + 1]
+    if first.kind == "BRACKET" and first.text in ("()", "[]", r"\{\}"):
+        arguments = [ctx.terms(each) for each in first.inside]
+        choices: list[list[Fit]] = [[]]
+        for fits in arguments:
+            choices = [[*chosen, fit] for chosen in choices for fit in fits]
+        marks = replace(letter_of(first), accents=(), base="")
+        yield start + 2, with_marks(list(_made_of(makes, choices, name, ctx)), marks, ctx)
+        return
+    for end in range(start + 2, len(items) + 1 if not _is_letter(name, ctx) else 0):
+        if any(item.kind == "BRACKET" or _is_function(item, ctx) for item in items[start + 1 : end]):
+            break
+        inner = [[fit] for fit in ctx.product(items[start + 1 : end])]
+        fits = list(_made_of(makes, inner, name, ctx))
+        few = first.kind == "NUMBER" and end == start + 2 and end < len(items) and items[end].kind != "GRID"
+        yield end, [Fit(fit.node, fit.said, fit.cost + 2 * UNUSUAL * few + (end - start - 2)) for fit in fits]
+
+
+def _is_letter(atom: Atom, ctx: FittingContext) -> bool:
+    return next(ctx.notation.letters.meanings(letter_of(atom)), None) is not None
+
+
+def _is_function(atom: Atom, ctx: FittingContext) -> bool:
+    return called(atom) in ctx.notation.spellings.names and not _is_letter(atom, ctx)
+
+
+def _made_of(makes: list[Make], choices: list[list[Fit]], name: Atom | None, ctx: FittingContext) -> Iterator[Fit]:
+    for chosen in choices:
+        sizes: list[Shape] = [(1, 1), *((n, n) for n in sorted(ctx.notation.sizes) if n > 1)]
+        sizes = list(dict.fromkeys((*(fit.usual for fit in chosen if fit.node is None), *sizes)))
+        for make in makes:
+            for shape in sizes if any(fit.node is None for fit in chosen) else sizes[:1]:
+                fits = [fit if fit.node is not None else fit.at(shape) for fit in chosen]
+                if any(fit is None or not ctx.is_as_printed(fit) for fit in fits):
+                    continue
+                nodes = [fit.node for fit in fits if fit is not None and fit.node is not None]
+                node = made(_raised, make, nodes, name, tolerant=ctx.tolerant)
+                if node is not None:
+                    yield Fit(node, ctx.said(node), sum(fit.cost for fit in chosen))
+                    break
+
+
+def _raised(make: Make, nodes: list[Node], name: Atom | None) -> Node:
+    """What a function makes of its arguments, raised to the exponent that its name bears; -1 makes it the inverse."""
+    exponents = [said_of(sup) for sup in name.sups] if name else []
+    if name is not None and exponents == ["- 1"] and (inverse := f"arc{name.text.strip(BACKSLASH)}") in PRINTED:
+        return FunctionOf(inverse, tuple(nodes))
+    node = make(*nodes)
+    if any(not each.isdigit() for each in exponents):
+        raise ValueError("a function's name bears something else than an exponent")
+    for each in exponents:
+        node = Power(node, int(each))
+    return node
+
+
+def _integral(items: tuple[Atom, ...], start: int, ctx: FittingContext) -> tuple[int, list[Fit]] | None:
+    """An integral over a body, up to the d of what it is printed to run over."""
+    make, atom = ctx.notation.integral, items[start]
+    if make is None or atom.text != r"\int" or not atom.sub:
+        return None
+    body = said_of(atom.sub)
+    for end in range(start + 2, len(items) - 1):
+        after = letter_of(items[end + 1])
+        if items[end].text == "d" and items[end].kind == "LETTER" and after.base == body:
+            inner = [[fit] for fit in ctx.product(items[start + 1 : end])]
+            fits = [_unbracketed(make, fit, ctx) for (fit,) in inner if fit.node is not None]
+            return end + 2, [fit for fit in fits if fit is not None]
+    return None
+
+
+def _unbracketed(make: Make, fit: Fit, ctx: FittingContext) -> Fit | None:
+    """The integral; a letter in it usually means what runs over the body, where that has the letter."""
+    inner, said = ctx.inside(fit, Precedence.PRODUCT)
+    node = made(make, inner, tolerant=ctx.tolerant) if said == ctx.said(inner) else None
+    if node is None:
+        return None
+    running = {symbol.letter: symbol for symbol in getattr(node, "running", ())}
+    is_usual = all(running.get(symbol.letter, symbol) == symbol for symbol in symbols_of(inner))
+    return Fit(node, ctx.said(node), fit.cost + UNUSUAL * (not is_usual))

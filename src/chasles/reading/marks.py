@@ -1,0 +1,197 @@
+"""What one atom may be: a letter of the notation with what its accents and scripts do to it, a number, brackets."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+
+from chasles.reading.applying import applied, with_marks
+from chasles.reading.context import FittingContext
+from chasles.reading.fits import UNUSUAL, Fit, Shape, kept
+from chasles.reading.grammar import Atom, Terms
+from chasles.reading.letter_table import Glyph, letter_of
+from chasles.reading.matrices import block_fits, grid_fits, row_of_blocks
+from chasles.reading.quotients import exponential_fits, fraction_fits, of_tokens
+from chasles.reading.read_back import tokens_of
+from chasles.reading.spellings import signed
+from chasles.vocabulary import (
+    Group,
+    Identity,
+    Node,
+    Number,
+    Symbol,
+    Transpose,
+    Zero,
+)
+from chasles.vocabulary.families import Entry, Kronecker
+
+__all__ = ["atom_fits"]
+
+
+def atom_fits(atom: Atom, ctx: FittingContext) -> list[Fit]:
+    """The readings of an atom with all its scripts; none, and a note why, where the notation does not know it."""
+    letter = letter_of(atom)
+    found: list[Fit] = []
+    problems = len(ctx.problems)
+    longest: Glyph | None = None
+    for node, rest in ctx.notation.letters.meanings(letter):
+        fits = with_marks([_of_symbol(node, ctx)], rest, ctx)
+        longest = longest or (rest if fits else None)
+        found += fits if rest == longest else [replace(fit, cost=fit.cost + UNUSUAL) for fit in fits]
+    found = found or _indexed(letter, ctx) or _thin(letter, ctx)
+    if not found:
+        found = _nucleus(atom, letter, ctx)
+    if found:
+        del ctx.problems[problems:]
+    elif len(ctx.problems) == problems and atom.kind in ("LETTER", "COMMAND"):
+        ctx.note(f"the notation does not say what {''.join(_shown(letter))} is", atom.place)
+    return kept(found)
+
+
+def _shown(letter: Glyph) -> list[str]:
+    sub = [f"_{{{letter.sub}}}"] if letter.sub else []
+    left = [f"{sign}{{{mark}}}" for sign, mark in zip("_^", letter.before, strict=True) if mark]
+    sups = (f"^{{{sup}}}" for sup in letter.sups)
+    return [*letter.accents, *left, letter.base + "'" * letter.primes + "".join((*sub, *sups))]
+
+
+def _of_symbol(node: Node, ctx: FittingContext) -> Fit:
+    """A letter; a zero or an identity may have any size that the notation knows."""
+    if isinstance(node, Identity | Zero) and "_" not in node.letter:
+        return Fit(None, tokens_of(node.letter), sized=lambda shape: _sized(node, shape), usual=node.shape)
+    return Fit(node, ctx.said(node))
+
+
+def _sized(node: Identity | Zero, shape: Shape) -> Node | None:
+    if isinstance(node, Zero):
+        return Zero(*shape, node.letter)
+    return Identity(shape[0], node.letter) if shape[0] == shape[1] != 1 else None
+
+
+def _indexed(letter: Glyph, ctx: FittingContext) -> list[Fit]:
+    """A member of a family, an entry of a matrix printed with a small letter, or the Kronecker delta."""
+    notation = ctx.notation
+    indices = [notation.indices[each] for each in letter.sub.split() if each in notation.indices]
+    if not indices or len(indices) != len(letter.sub.split()) or letter.accents:
+        return []
+    found: list[Node] = []
+    if len(indices) == 1:
+        family = notation.families.get(Glyph(letter.base, (), "", letter.primes, letter.sups))
+        found = [family[indices[0]]] if family else []
+    elif len(indices) == 2 and letter.base == r"\delta":
+        found = [Kronecker(*indices)]
+    elif len(indices) == 2:
+        large = [meaning(each) for each, meanings in notation.letters.exact.items() for meaning in meanings
+                 if letter.base.isalpha() and each.loose.base.strip("[ ]") == letter.base.upper()]  # fmt: skip
+        squares = [node for node in large if node.shape[0] != 1 and node.shape[0] == node.shape[1]]
+        squares.sort(key=lambda node: not (isinstance(node, Symbol) and node.letter.startswith("[")))
+        found = [Entry(squares[0], indices[0], indices[1], letter.base)] if squares else []
+    return [Fit(node, ctx.said(node)) for node in found]
+
+
+def _thin(letter: Glyph, ctx: FittingContext) -> list[Fit]:
+    """Entries are printed thin where the whole is printed bold."""
+    if not letter.sub or letter.base.startswith(r"\math"):
+        return []
+    bold = ctx.notation.letters.meanings(replace(letter, base=rf"\mathbf {letter.base}"))
+    found = [(node, replace(rest, base="")) for node, rest in bold if rest.sub == letter.sub]
+    return [fit for node, rest in found for fit in with_marks([_of_symbol(node, ctx)], rest, ctx)]
+
+
+def _nucleus(atom: Atom, letter: Glyph, ctx: FittingContext) -> list[Fit]:
+    """What is no letter of the notation: numbers, brackets, fractions, matrices, accents over expressions."""
+    rest = replace(letter, base="", accents=())
+    if any(letter.before):
+        return []
+    spellings = ctx.notation.spellings
+    match atom.kind:
+        case "NUMBER":
+            fits = _number(atom.text, ctx)
+        case "LETTER" if atom.text == "e" and len(atom.sups) == 1 and not atom.sub:
+            return exponential_fits(atom.sups[0], ctx)
+        case "BRACKET" if len(atom.inside) == 1:
+            return _bracketed(atom, rest, ctx)
+        case "BRACKET" if atom.inside and atom.text in ("()", "[]"):
+            return _column(atom, rest, ctx)
+        case "GRID" if atom.grid is not None:
+            fits = grid_fits(atom.grid, ctx, of_tokens)
+        case "COMMAND_OF_TWO" if "frac" in atom.text:
+            fits = fraction_fits(atom, ctx)
+        case "GROUP" if atom.arguments[0]:
+            fits = of_tokens(atom.arguments[0], ctx)
+        case "COMMAND" if atom.text in spellings.names:
+            fits = applied(spellings.names[atom.text], of_tokens(atom.arguments[0], ctx), ctx, rest, atom.text)
+        case "COMMAND" if atom.text.replace("wide", "") in spellings.accents:
+            makes = spellings.accents[atom.text.replace("wide", "")]
+            fits = applied(makes, of_tokens(atom.arguments[0], ctx), ctx, rest, atom.text)
+        case _:
+            return []
+    return with_marks(fits, rest, ctx)
+
+
+def _number(text: str, ctx: FittingContext) -> list[Fit]:
+    number = Number(Fraction(text))
+    found = [Fit(number, ctx.said(number))]
+    if text == "0":
+        found.append(Fit(None, ("0",), 1, sized=lambda shape: Zero(*shape, "0") if shape != (1, 1) else None))
+    if text == "1":
+        ones = lambda shape: Identity(shape[0], "1") if shape[0] == shape[1] and shape[0] != 1 else None  # noqa: E731
+        found.append(Fit(None, ("1",), 1, sized=ones))
+    return found
+
+
+def _bracketed(atom: Atom, rest: Glyph, ctx: FittingContext) -> list[Fit]:
+    """Brackets that spell a word with their scripts, or that hold together what stands in them."""
+    brackets = ctx.notation.spellings.brackets
+    loose = rest.loose
+    text, inside = signed(atom)
+    spelled: list[Fit] = []
+    for sub, sups in dict.fromkeys(((loose.sub, " ".join(loose.sups)), (loose.sub, ""), ("", ""))):
+        if (makes := brackets.get((text, sub, sups))) and not spelled:
+            left = replace(rest, sub="" if sub else rest.sub, sups=() if sups else rest.sups)
+            spelled = with_marks(applied(makes, ctx.terms(inside), ctx, rest, text), left, ctx)
+    if text not in ("()", "[]", r"\{\}"):
+        if not spelled:
+            ctx.note(f"{text} has no meaning in the notation", atom.place)
+        return spelled
+    if atom.text == "[]" and rest.sub.startswith(r"\mathcal "):
+        frame = rf"\mathcal{{{rest.sub.split()[1]}}}"
+        framed = applied((lambda of: Group(of, "[]", frame),), ctx.terms(atom.inside[0]), ctx, rest, rest.sub)
+        return with_marks(framed, replace(rest, sub=""), ctx)
+    inner = ctx.terms(atom.inside[0])
+    if only_grid := _grid_of(atom.inside[0]):
+        return with_marks(atom_fits(only_grid, ctx), rest, ctx)
+    fits = [_in_brackets(fit, atom.text) for fit in inner]
+    if ctx.level and atom.text == "[]" and not atom.sub and not atom.sups:
+        fits += [replace(fit, cost=fit.cost + 2) for fit in row_of_blocks(atom.inside[0], ctx)]
+    plain = with_marks(fits, rest, ctx)
+    return [*spelled, *(replace(fit, cost=fit.cost + bool(spelled)) for fit in plain)]
+
+
+def _column(atom: Atom, rest: Glyph, ctx: FittingContext) -> list[Fit]:
+    """A column that is printed in a line, with commas; transposed where a sign of that stands behind."""
+    parts = [ctx.terms(each) for each in atom.inside]
+    makes = ctx.notation.spellings.scripts.get(" ".join(rest.loose.sups), ())
+    fits = block_fits([[part] for part in parts], ctx)
+    if rest.sups and Transpose not in makes:
+        return []
+    return with_marks([replace(fit, cost=fit.cost + 1) for fit in fits], replace(rest, sups=()), ctx)
+
+
+def _grid_of(terms: Terms) -> Atom | None:
+    """The array without brackets of its own, where nothing else stands here."""
+    piece = terms.rows[0].pieces[0]
+    bare = isinstance(piece, Atom) and piece.grid is not None and piece.text in ("array", "matrix", "smallmatrix")
+    return piece if bare and terms.signs == ("",) and len(terms.rows[0].pieces) == 1 else None  # type: ignore[return-value]
+
+
+def _in_brackets(fit: Fit, brackets: str) -> Fit:
+    if fit.node is None:
+        half = len(brackets) // 2
+        return Fit(None, (brackets[:half], *fit.said, brackets[half:]), fit.cost, sized=fit.sized)
+    said = fit.said
+    node = fit.node
+    if fit.brackets:
+        half, kind = len(fit.brackets) // 2, {"()": "()", "[]": "[]", r"\{\}": "{}"}[fit.brackets]
+        node, said = Group(node, kind), (fit.brackets[:half], *said, fit.brackets[half:])
+    return Fit(node, said, fit.cost, brackets)

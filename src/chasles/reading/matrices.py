@@ -1,0 +1,118 @@
+"""Matrices of blocks: zeros and identities take the heights of their rows and the widths of their columns."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import islice, product
+
+from chasles.reading.context import FittingContext
+from chasles.reading.fits import MOST, Fit, Shape, made
+from chasles.reading.grammar import FlatRow, Terms
+from chasles.reading.grouping import Grid, Tokens
+from chasles.vocabulary import Block, Determinant, Symbol, symbols_of
+from chasles.vocabulary.measure import Extent
+from chasles.vocabulary.spelling import Precedence
+
+__all__ = ["block_fits", "grid_fits", "row_of_blocks"]
+
+MOST_SIZES = 1000
+MATRICES = ("bmatrix", "pmatrix", "Bmatrix", "matrix", "array", "smallmatrix", "bsmallmatrix", "psmallmatrix")
+
+
+def grid_fits(grid: Grid, ctx: FittingContext, read: Callable[[Tokens, FittingContext], list[Fit]]) -> list[Fit]:
+    """The readings of an environment with rows and columns."""
+    name = grid.name.rstrip("*")
+    if name not in (*MATRICES, "vmatrix"):
+        ctx.note(f"the environment {grid.name} stands inside a formula", grid.place)
+        return []
+    if len({len(row) for row in grid.rows}) != 1 or not all(all(row) for row in grid.rows):
+        ctx.note("the rows of the matrix differ in length, or an entry is empty", grid.place)
+        return []
+    fits = block_fits([[read(cell, ctx) for cell in row] for row in grid.rows], ctx)
+    if name != "vmatrix":
+        return fits
+    nodes = [(fit, made(Determinant, fit.node, tolerant=ctx.tolerant)) for fit in fits]
+    return [Fit(node, ctx.said(node), fit.cost) for fit, node in nodes if node is not None]
+
+
+def block_fits(cells: list[list[list[Fit]]], ctx: FittingContext) -> list[Fit]:
+    """The matrices that can be made of one reading for each cell."""
+    if not all(all(row) for row in cells):
+        return []
+    found = []
+    heights, widths = (
+        [_extents(row, 0, ctx) for row in cells],
+        [_extents(column, 1, ctx) for column in zip(*cells, strict=True)],
+    )
+    for sizes in islice(product(*heights, *widths), MOST_SIZES):
+        high, wide = sizes[: len(cells)], sizes[len(cells) :]
+        at = [[_at(cell, (high[i], wide[j])) for j, cell in enumerate(row)] for i, row in enumerate(cells)]
+        if not all(all(row) for row in at):
+            continue
+        for chosen in _consistent([cell for row in at for cell in row]):
+            if (fit := _block(chosen, len(cells[0]), ctx)) is not None:
+                found.append(fit)
+    if not found and ctx.tolerant:
+        firsts = [_first(cell) for row in cells for cell in row]
+        if (fit := _block(tuple(firsts), len(cells[0]), ctx)) is not None:
+            found = [fit]
+    return found
+
+
+def _consistent(cells: list[list[Fit]]) -> list[tuple[Fit, ...]]:
+    """One reading for each cell, so that no letter stands for two quantities."""
+    found: list[tuple[tuple[Fit, ...], dict[str, Symbol]]] = [((), {})]
+    for cell in cells:
+        longer = []
+        for chosen, letters in found:
+            for fit in cell:
+                own = {symbol.letter: symbol for symbol in symbols_of(fit.node)} if fit.node is not None else {}
+                if all(letters.get(letter, symbol) == symbol for letter, symbol in own.items()):
+                    longer.append(((*chosen, fit), {**letters, **own}))
+        found = longer[:MOST]
+    return [chosen for chosen, _ in found]
+
+
+def _first(cell: list[Fit]) -> Fit:
+    """The most usual reading of an entry that has a size, or the entry as a scalar."""
+    known = next((fit for fit in cell if fit.node is not None), None)
+    return known or cell[0].at((1, 1)) or cell[0]
+
+
+def row_of_blocks(terms: Terms, ctx: FittingContext) -> list[Fit]:
+    """Two blocks side by side without a mark between them, as in [A b]: wherever the terms can be cut."""
+    found = []
+    for k, (sign, row) in enumerate(zip(terms.signs, terms.rows, strict=True)):
+        cuts = range(1 if sign != "-" or not k else 0, len(row.pieces))
+        for cut in cuts if k or len(row.pieces) > 1 else ():
+            before = (*terms.rows[:k], *((FlatRow(row.pieces[:cut]),) if cut else ()))
+            left = Terms(terms.signs[: len(before)], before)
+            right = Terms(
+                ("" if cut else sign, *terms.signs[k + 1 :]), (FlatRow(row.pieces[cut:]), *terms.rows[k + 1 :])
+            )
+            found += block_fits([[ctx.terms(left), ctx.terms(right)]], ctx)
+    return [fit for fit in found if fit.shape and fit.shape[0] != 1]
+
+
+def _at(cell: list[Fit], shape: Shape) -> list[Fit]:
+    return [fit for each in cell if (fit := each.at(shape)) is not None]
+
+
+def _extents(cells: list[list[Fit]] | tuple[list[Fit], ...], side: int, ctx: FittingContext) -> list[Extent]:
+    """The heights of a row, or widths of a column, that its cells can have; where none says it, the usual ones."""
+    known = [dict.fromkeys(fit.shape[side] for fit in cell if fit.shape) for cell in cells
+             if all(fit.sized is None for fit in cell)]  # fmt: skip
+    if known:
+        return [extent for extent in known[0] if all(extent in each for each in known)]
+    literal = dict.fromkeys(fit.shape[side] for cell in cells for fit in cell if fit.shape)
+    if literal and not ctx.level:
+        return list(literal)
+    return list(dict.fromkeys((*literal, 1, *sorted(ctx.notation.sizes))))
+
+
+def _block(chosen: tuple[Fit, ...], width: int, ctx: FittingContext) -> Fit | None:
+    parts = [ctx.inside(fit, Precedence.SUM) for fit in chosen]
+    rows = [tuple(node for node, _ in parts[k : k + width]) for k in range(0, len(parts), width)]
+    node = made(Block, tuple(rows), tolerant=ctx.tolerant)
+    said = ("[", *(token for _, said in parts for token in said), "]")
+    return None if node is None else Fit(node, said, sum(fit.cost for fit in chosen))

@@ -1,0 +1,145 @@
+"""A notation from a TOML file: what the letters of a page are, and how its words are spelled."""
+
+from __future__ import annotations
+
+import re
+import sys
+import tomllib
+from collections.abc import Mapping, Sequence
+from functools import partial
+from hashlib import sha256
+from pathlib import Path
+from types import ModuleType
+from typing import Any, cast
+
+from chasles.nearest import nearest
+from chasles.reading.declared_letters import BadNotation, declare_letter
+from chasles.reading.grouping import Unread
+from chasles.reading.letter_table import LetterTable, letter_in
+from chasles.reading.page_notation import CONVENTIONS, PageNotation, in_module, known_words, usual_spellings
+from chasles.reading.spellings import Make
+from chasles.reading.tokens import BadPage
+from chasles.vocabulary import Identity, Node, Rate, Zero
+from chasles.vocabulary.functions import PRINTED, FunctionOf
+from chasles.vocabulary.nodes import node_fields
+from chasles.vocabulary.notation import Notation
+
+__all__ = ["BadNotation", "load_notation"]
+
+TABLES = ("operators", "symbols", "page", "equations", "section")
+PAGE = ("units", "assuming", *CONVENTIONS)
+SHORT = {"exp": "rotation_by_vector", "vee": "vect", "abs": "norm", "adjoint": "adjoint_of_motion"}
+NOT_PRINTED = (Rate, Identity, Zero)
+
+
+def load_notation(source: str | Path | ModuleType | Mapping[str, Any]) -> PageNotation:
+    """The notation of a TOML file, of its text, of its tables, or of a Python module.
+
+    Raises `BadNotation`, which says in one line what is wrong and where.
+    """
+    if isinstance(source, ModuleType):
+        return in_module(source)
+    if isinstance(source, Path):
+        try:
+            source = source.read_text(encoding="utf-8")
+        except (OSError, UnicodeDecodeError) as error:
+            raise BadNotation(f"{source}: {error}") from None
+    try:
+        tables = tomllib.loads(source) if isinstance(source, str) else dict(source)
+    except tomllib.TOMLDecodeError as error:
+        raise BadNotation(f"the notation is no TOML: {error}") from None
+    _known(tables, TABLES, "the notation")
+    return _Loading(tables).notation
+
+
+def _known(given: Mapping[str, Any], names: Sequence[str], where: str) -> None:
+    for name in given:
+        if name not in names:
+            raise BadNotation(f"{where} has no {name!r}{nearest(name, list(names))}: it takes {', '.join(names)}")
+
+
+class _Loading:
+    """Reads the tables one after the other."""
+
+    def __init__(self, tables: Mapping[str, Any]) -> None:
+        page = tables.get("page", {})
+        _known(page, PAGE, "[page]")
+        self.notation = PageNotation()
+        self.notation.home = _home(tables, bool(page.get("units", False)))
+        self.notation.assuming = tuple(page.get("assuming", ()))
+        self.notation.notes = tables.get("equations", {})
+        self.conventions = {name: bool(page[name]) for name in CONVENTIONS if name in page}
+        usual_spellings(self.notation)
+        forms: dict[Any, str] = {}
+        for name, spelled in tables.get("operators", {}).items():
+            self._operator(name, spelled, forms)
+        self.notation.forms = Notation(forms)
+        sys.modules[self.notation.home].NOTATION = self.notation.forms  # type: ignore[attr-defined]
+        for letter, said in tables.get("symbols", {}).items():
+            declare_letter(self.notation, self.notation.letters, letter, said)
+        for name, section in tables.get("section", {}).items():
+            table = LetterTable()
+            for letter, said in section.get("symbols", {}).items():
+                declare_letter(self.notation, table, letter, said)
+            self.notation.sections[name] = table
+        for check in self.notation.checks:
+            check()
+
+    def _operator(self, name: str, spelled: Any, forms: dict[Any, str]) -> None:
+        """Each spelling of a word; the first is the one in which it is printed."""
+        if name == "function":
+            for latex, called in spelled.items():
+                self._operator(called, [f"{latex}(#)"], forms)
+            return
+        every = [spelled] if isinstance(spelled, str) else spelled
+        if not every or not all(isinstance(each, str) for each in every):
+            raise BadNotation(f"[operators] {name}: expected a spelling such as '\\tilde{{#}}', or a list of them")
+        for place, form in enumerate(every):
+            if name in ("identity", "zero"):
+                self._constant(name, form)
+                continue
+            kind, make = self._word(name, form.count("#"))
+            try:
+                self.notation.spellings.add(form, make)
+            except (Unread, BadPage) as problem:
+                raise BadNotation(f"[operators] {name}: {problem}") from None
+            if not place and kind is not None and kind not in NOT_PRINTED:
+                forms[kind] = _numbered(form)
+
+    def _constant(self, name: str, form: str) -> None:
+        letter = letter_in(form)
+        if letter is None:
+            raise BadNotation(f"[operators] {name}: {form!r} is no letter")
+        digits = [int(each) for each in re.findall(r"\d+", letter.sub)] or [3]
+        node = Identity(digits[0], form) if name == "identity" else Zero(digits[0], (digits * 2)[1], form)
+        self.notation.letters.add(letter, lambda _: node)
+        self.notation.sizes.update(digits)
+
+    def _word(self, name: str, places: int) -> tuple[type[Node] | None, Make]:
+        words = dict(known_words())
+        kind = words.get(SHORT.get(name, name))
+        if kind is None and name in PRINTED:
+            return None, lambda *of: FunctionOf(name, of)
+        if kind is None:
+            known = sorted({*words, *SHORT, *PRINTED, "identity", "zero", "function"})
+            raise BadNotation(f"[operators] has no word {name!r}{nearest(name, known)}")
+        held = node_fields(cast(Any, kind))
+        if len(held) != places:
+            raise BadNotation(f"[operators] {name}: expected {len(held)} '#', found {places}")
+        taken = {name: value for name, value in self.conventions.items() if name in dir(kind)}
+        return kind, partial(cast(Make, kind), **taken)
+
+
+def _numbered(form: str) -> str:
+    """The form with #1 and #2 for its places."""
+    places = iter(range(1, 10))
+    return re.sub("#", lambda _: f"#{next(places)}", form)
+
+
+def _home(tables: Mapping[str, Any], units: bool) -> str:
+    """A module that stands for the page: the vocabulary asks it for units and for how words are printed."""
+    name = f"chasles_page_{sha256(repr(tables).encode()).hexdigest()[:16]}"
+    module = ModuleType(name)
+    module.UNITS = units  # type: ignore[attr-defined]
+    sys.modules[name] = module
+    return name

@@ -1,0 +1,211 @@
+"""What the letters of a page are, and how its words are spelled."""
+
+from __future__ import annotations
+
+import inspect
+import re
+import sys
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, fields, is_dataclass, replace
+from types import ModuleType
+from typing import Any, cast, get_type_hints
+
+from chasles.reading.fits import made
+from chasles.reading.letter_table import Glyph, LetterTable, letter_in
+from chasles.reading.spellings import Make, Spellings
+from chasles.vocabulary import (
+    PI,
+    Call,
+    Contract,
+    Cross,
+    Determinant,
+    Dot,
+    Identity,
+    Integral,
+    Inverse,
+    Misfit,
+    Node,
+    Norm,
+    Number,
+    Power,
+    Rate,
+    Scale,
+    Symbol,
+    Transpose,
+    Zero,
+    cot,
+    tan,
+)
+from chasles.vocabulary.families import Family, Index
+from chasles.vocabulary.functions import PRINTED, FunctionOf
+from chasles.vocabulary.nodes import node_fields
+from chasles.vocabulary.notation import BOOK, Notation
+from chasles.vocabulary.spelling import FUNCTIONS
+
+__all__ = ["CONVENTIONS", "PageNotation", "in_module", "known_words", "repeated_rate", "usual_spellings"]
+
+CONVENTIONS = ("scalar_last", "linear_first")
+
+
+@dataclass
+class PageNotation:
+    """Letters, spellings, families of letters, and the `forms` in which words are printed.
+
+    `home` is the module that stands for the page, `assuming` what holds on all of it, in LaTeX, and `notes` are what
+    is said of single equations; `checks` raise where something that is declared cannot be read.
+    """
+
+    letters: LetterTable = field(default_factory=LetterTable)
+    spellings: Spellings = field(default_factory=Spellings)
+    families: dict[Glyph, Family] = field(default_factory=dict)
+    indices: dict[str, Index] = field(default_factory=dict)
+    forms: Notation = BOOK
+    sizes: set[int] = field(default_factory=lambda: {1, 3})
+    integral: Make | None = None
+    quaternions: bool = False
+    home: str = ""
+    assuming: tuple[str, ...] = ()
+    notes: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
+    sections: dict[str, LetterTable] = field(default_factory=dict)
+    checks: list[Callable[[], Node]] = field(default_factory=list)
+
+    def within(self, section: str | None) -> PageNotation:
+        """The notation with the letters that mean something else in a section."""
+        name = next((name for name in self.sections if section and f"{section} ".startswith(f"{name} ")), None)
+        return self if name is None else replace(self, letters=self.sections[name].before(self.letters))
+
+    def declare(self, node: Node, text: str) -> None:
+        """Let the letter stand for the node."""
+        letter = letter_in(text)
+        if letter is not None:
+            self.letters.add(letter, lambda _: node)
+        for extent in node.shape:
+            if isinstance(extent, int):
+                self.sizes.add(extent)
+
+
+def _power(exponent: int) -> Make:
+    return lambda of: Power(of, exponent)
+
+
+def repeated_rate(order: int) -> Make:
+    """What takes the rate so many times."""
+
+    def make(of: Node) -> Node:
+        for _ in range(order):
+            of = Rate(of)
+        return of
+
+    return make
+
+
+def _product(left: Node, right: Node) -> Node:
+    """A product whose sign is a dot: of scalars, of a scalar and a term, of matrices."""
+    if left.is_scalar:
+        return Scale(left, right)
+    return Scale(right, left, True) if right.is_scalar else Contract((left, right))
+
+
+def _number_times(left: Node, right: Node) -> Node:
+    """A number multiplied by another with the sign that vectors have."""
+    if not isinstance(left, Number):
+        raise Misfit(f"{left} is no number")
+    return Scale(left, right)
+
+
+def usual_spellings(notation: PageNotation) -> None:
+    """The spellings that every text uses."""
+    spellings = notation.spellings
+    for kind, name in FUNCTIONS.items():
+        spellings.add(rf"\operatorname{{{name}}}(#)", kind)
+    for name, form in PRINTED.items():
+        one = name not in ("atan2", "max", "min")
+        make: Make = lambda *of, name=name: FunctionOf(name, of)  # noqa: E731
+        spellings.add(form if "#" in form else f"{form}(#)", make if not one else lambda of, make=make: make(of))
+    for name in ("sin", "cos"):
+        spellings.add(rf"\{name}(#)", lambda of, name=name: Call(name, of))
+    spellings.add(r"\tan(#)", tan)
+    spellings.add(r"\cot(#)", cot)
+    spellings.add(r"\det(#)", Determinant)
+    spellings.add(r"\|#\|", Norm)
+    spellings.add("|#|", Norm)
+    for order in range(1, 4):
+        spellings.add(rf"\{'d' * order}ot{{#}}", repeated_rate(order))
+    for script, of in {"T": Transpose, r"\top": Transpose, "-1": Inverse, "-T": lambda of: Transpose(Inverse(of)),
+                       r"-\top": lambda of: Transpose(Inverse(of))}.items():  # fmt: skip
+        spellings.add(f"#^{{{script}}}", of)
+    spellings.add(r"# \cdot #", Dot)
+    spellings.add(r"# \cdot #", _product)
+    spellings.add(r"# \times #", Cross)
+    spellings.add(r"# \times #", _number_times)
+    for _, word in known_words():
+        called = getattr(word, "function", None)
+        if isinstance(called, str) and called.isalpha() and len(node_fields(cast(Any, word))) == 1:
+            spellings.add(rf"\operatorname{{{called}}}(#)", word)
+    notation.declare(PI, PI.letter)
+
+
+def in_module(module: ModuleType) -> PageNotation:
+    """The notation of a Python module: its symbols, and the spellings that its `NOTATION`, or its chapter's, says."""
+    notation = PageNotation()
+    usual_spellings(notation)
+    around = module.__name__
+    while around and notation.forms is BOOK:
+        found = getattr(sys.modules.get(around), "NOTATION", None)
+        notation.forms = found if isinstance(found, Notation) else BOOK
+        around = around.rpartition(".")[0]
+    declared = list(dict.fromkeys(id(value) for value in vars(module).values()))
+    values = {id(value): value for value in vars(module).values()}
+    nodes = [values[each] for each in declared]
+    makers = _makers(nodes)
+    for word, form in notation.forms.all_forms.items():
+        make = makers.get(word) or (lambda *of, word=word: word(*of) if callable(word) else Call(word, *of))
+        if form_has_place(form):
+            notation.spellings.add(form, make)
+    for value in nodes:
+        if isinstance(value, Symbol | Identity | Zero):
+            notation.declare(value, value.letter)
+        elif isinstance(value, Index):
+            notation.indices[value.letter] = value
+        elif isinstance(value, Family) and (letter := letter_in(value.letter + value.mark)):
+            notation.families[letter] = value
+    notation.integral = makers.get(Integral)
+    return notation
+
+
+def known_words() -> Iterator[tuple[str, type[Node]]]:
+    """The words that are made of nothing but other words, by the names that a file has for them."""
+    from chasles.vocabulary import motion_vectors, motions, products, quaternions, rotation_vectors
+
+    assert all((motion_vectors, motions, products, quaternions, rotation_vectors))  # imported to be known here
+    waiting: list[type[Node]] = [Node]
+    while waiting:
+        kind = waiting.pop()
+        waiting += kind.__subclasses__()
+        if getattr(sys.modules[kind.__module__], kind.__name__, None) is not kind:
+            continue
+        held = node_fields(cast(Any, kind)) if is_dataclass(kind) else ()
+        if held and {each.name for each in fields(cast(Any, kind))} <= {*held, *CONVENTIONS}:
+            yield re.sub(r"(?<!^)(?=[A-Z])", "_", kind.__name__).lower(), kind
+
+
+def form_has_place(form: str) -> bool:
+    """Whether the form is that of a word with operands."""
+    return "#" in form
+
+
+def _makers(values: Iterable[Any]) -> dict[Any, Make]:
+    """The functions of a module that make a word of their arguments: they know its conventions."""
+    values = list(values)
+    symbols = {value.shape: value for value in reversed(values) if isinstance(value, Symbol)}
+    found: dict[Any, Make] = {}
+    for value in values:
+        if not inspect.isfunction(value) or not (hints := get_type_hints(value)).pop("return", None):
+            continue
+        if not hints or any(hint is not Node for hint in hints.values()):
+            continue
+        for symbol in symbols.values():
+            node = made(value, *[symbol] * len(hints))
+            if node is not None:
+                found.setdefault(type(node), value)
+    return found

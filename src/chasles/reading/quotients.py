@@ -1,0 +1,118 @@
+"""Fractions, derivatives that look like them, and exponentials."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import partial
+from itertools import product
+
+from chasles.reading.applying import applied
+from chasles.reading.context import FittingContext
+from chasles.reading.fits import Fit, made
+from chasles.reading.grammar import Atom, formula
+from chasles.reading.grouping import Tokens, Unread
+from chasles.reading.letter_table import Glyph, letter_of
+from chasles.reading.page_notation import repeated_rate
+from chasles.vocabulary import (
+    Group,
+    Misfit,
+    Negative,
+    Node,
+    Quotient,
+    Scale,
+    Skew,
+)
+from chasles.vocabulary.functions import FunctionOf
+from chasles.vocabulary.partial import PartialDerivative
+from chasles.vocabulary.rotation_vectors import RotationByVector
+from chasles.vocabulary.spelling import Precedence
+
+__all__ = ["exponential_fits", "fraction_fits", "of_tokens", "order_of_rate", "partial_by", "upright"]
+
+
+def of_tokens(tokens: Tokens, ctx: FittingContext) -> list[Fit]:
+    """The readings of what braces hold."""
+    try:
+        chain = formula(tokens)
+    except Unread as problem:
+        ctx.problems.append(problem)
+        return []
+    if chain.relations or chain.sides[0] is None:
+        ctx.note("an equation stands inside a formula", tokens[0] if tokens else None)
+        return []
+    return ctx.terms(chain.sides[0])
+
+
+def partial_by(above: Tokens, below: Tokens, ctx: FittingContext) -> list[Node]:
+    """What a partial derivative is taken by, where the fraction is one."""
+    if [token.text for token in (*above[:1], *below[:1])] != [r"\partial"] * 2:
+        return []
+    return [fit.node for fit in of_tokens(below[1:], ctx) if fit.node is not None]
+
+
+def order_of_rate(above: Tokens, below: Tokens) -> int:
+    """Which derivative by the time a fraction d/dt says; 0 if it is none."""
+    top, bottom = upright(above), upright(below)
+    if top[:1] != ["d"] or bottom[:2] != ["d", "t"]:
+        return 0
+    if len(bottom) == 2:
+        return 1
+    powers = bottom[2:] == top[1:3] and top[1:2] == ["^"] and top[2].isdigit()
+    return int(top[2]) if powers else 0
+
+
+def upright(tokens: Tokens) -> list[str]:
+    """The tokens of a differential without their typeface."""
+    return [token.text for token in tokens if token.text not in (r"\mathrm", "{", "}")]
+
+
+def fraction_fits(atom: Atom, ctx: FittingContext) -> list[Fit]:
+    """A quotient, or the rate of what stands behind the d of a numerator over dt."""
+    above, below = atom.arguments
+    if order := order_of_rate(above, below):
+        start = next(k for k, token in enumerate(above) if token.text == "d") + 1
+        start += 4 * (order > 1) + (above[0].text == r"\mathrm")
+        return applied((repeated_rate(order),), of_tokens(above[start:], ctx), ctx, Glyph(""), atom.text)
+    if upright(above)[:1] == upright(below)[:1] == ["d"]:
+        ctx.note("no word for a derivative by anything but the time: write a partial one", atom.place)
+        return []
+    if len(above) > 1 and (variables := partial_by(above, below, ctx)):
+        makes = [partial(PartialDerivative, by=by) for by in variables]
+        return applied(makes, of_tokens(above[1:], ctx), ctx, replace(letter_of(atom), base="", accents=()), atom.text)
+    found = []
+    for top, bottom in product(of_tokens(above, ctx), of_tokens(below, ctx)):
+        one, divisor = (top if top.node is not None else top.at((1, 1))), bottom.at((1, 1))
+        if one is None or divisor is None:
+            continue
+        (a, a_said), (b, b_said) = ctx.inside(one, Precedence.SUM), ctx.inside(divisor, Precedence.SUM)
+        node = made(Quotient, a, b, tolerant=ctx.tolerant)
+        if node is not None:
+            found.append(Fit(node, (r"\frac", *a_said, *b_said), one.cost + divisor.cost))
+    return found
+
+
+def exponential_fits(exponent: Tokens, ctx: FittingContext) -> list[Fit]:
+    """The exponential of a scalar, or of a multiple of a cross-product matrix."""
+    made_of = [(fit, made(exponential, fit.node)) for fit in of_tokens(exponent, ctx) if ctx.is_as_printed(fit)]
+    return [Fit(node, ctx.said(node), fit.cost) for fit, node in made_of if node is not None]
+
+
+def exponential(of: Node) -> Node:
+    """The exponential of a scalar, or of a multiple of a cross-product matrix; raises `Misfit` for anything else."""
+    if of.is_scalar:
+        return FunctionOf("exp", (of,))
+    vector = _axial(of)
+    if vector is None:
+        raise Misfit(f"{of} is neither a scalar nor a multiple of a cross-product matrix")
+    return RotationByVector(vector)
+
+
+def _axial(of: Node) -> Node | None:
+    """The vector whose cross-product matrix it is."""
+    if isinstance(of, Skew):
+        return of.of
+    if isinstance(of, Group | Negative) and (inner := _axial(of.below[0])) is not None:
+        return inner if isinstance(of, Group) else Negative(inner)
+    if isinstance(of, Scale) and (inner := _axial(of.term)) is not None:
+        return Scale(of.factor, inner, of.trailing)
+    return None

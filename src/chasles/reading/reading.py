@@ -1,0 +1,55 @@
+"""What is read of a printed equation: its parts in words, one way or several, or why it could not be read."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from chasles.reading.printed import PrintedEquation
+from chasles.vocabulary import Node
+
+__all__ = ["Part", "ReadEquation", "Reading", "Status"]
+
+Status = Literal["read", "ambiguous", "unread"]
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    r"""One relation between two expressions: `sign` is `=`, `\equiv`, `<`, `>`, `\leq`, `\geq` or `\neq`.
+
+    `fault` says why the two do not fit together, where they do not.
+    """
+
+    left: Node
+    sign: str
+    right: Node
+    fault: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """One way to read an equation: its parts in the order of print; a chain a = b = c is a = b and b = c.
+
+    What the equation is said to hold for, as in "for phi != 0", is `given`.
+    """
+
+    parts: tuple[Part, ...]
+    given: tuple[Part, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class ReadEquation:
+    """A printed equation with every reading that fits, the usual one first; without one, `why` it is unread.
+
+    `column` is the place of what could not be read, counted from 1 in the equation's LaTeX.
+    """
+
+    printed: PrintedEquation
+    readings: tuple[Reading, ...] = ()
+    why: str = ""
+    column: int | None = None
+
+    @property
+    def status(self) -> Status:
+        """Read in one way, in several, or in none."""
+        return "unread" if not self.readings else "read" if len(self.readings) == 1 else "ambiguous"

@@ -1,0 +1,204 @@
+"""Juxtapositions: products, functions and their arguments, signs between factors."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from chasles.reading.context import FittingContext
+from chasles.reading.factors import factors
+from chasles.reading.fits import UNUSUAL, Fit, Shape, kept, made
+from chasles.reading.grammar import Atom, FlatRow
+from chasles.reading.spellings import Make
+from chasles.reading.tokens import Token
+from chasles.vocabulary import Contract, Node, Quotient, Scale
+from chasles.vocabulary.spelling import Precedence
+
+__all__ = ["row_fits"]
+
+Pieces = tuple[Atom | Token, ...]
+
+
+def row_fits(row: FlatRow, ctx: FittingContext) -> list[Fit]:
+    """The readings of a row: the signs between factors hold less tightly than their juxtaposition."""
+    ctx.product = lambda items: _product(items, ctx)
+    return _signed(row.pieces, ctx)
+
+
+def _signed(pieces: Pieces, ctx: FittingContext) -> list[Fit]:
+    cuts = [k for k, piece in enumerate(pieces) if isinstance(piece, Token)]
+    if not cuts:
+        return _product(tuple(piece for piece in pieces if isinstance(piece, Atom)), ctx)
+    found: list[Fit] = []
+    signs = {k: piece.text for k, piece in enumerate(pieces) if isinstance(piece, Token)}
+    step = 1 if r"\times" in signs.values() else UNUSUAL
+    # The sign that binds least is the outermost: a stroke binds most, and of equal ones the last is outermost.
+    for rank, cut in enumerate(sorted(cuts, key=lambda k: (signs[k] == "/", -k))):
+        usual = rank * step
+        sign = pieces[cut]
+        assert isinstance(sign, Token)
+        left, right = pieces[:cut], pieces[cut + 1 :]
+        if not left or not right:
+            ctx.note(f"{sign.text} has nothing on one side", sign)
+            return []
+        if sign.text == "/":
+            found += _stroke(left, right, usual, ctx)
+            continue
+        makes = ctx.notation.spellings.infixes.get(sign.text, [])
+        if not makes:
+            ctx.note(f"no word for {sign.text}", sign)
+            return []
+        for one in _signed(left, ctx):
+            for other in _signed(right, ctx):
+                found += _infix(makes, one, other, sign, usual, ctx)
+    return kept(found)
+
+
+def _infix(makes: list[Make], one: Fit, other: Fit, sign: Token, usual: int, ctx: FittingContext) -> Iterator[Fit]:
+    for k, make in enumerate(makes):
+        left, right = one, other
+        if left.node is None or right.node is None:
+            shape = left.shape or right.shape or (1, 1)
+            left, right = left.at(shape), right.at(shape)  # type: ignore[assignment]
+            if left is None or right is None:
+                continue
+        if not (ctx.is_as_printed(left) and ctx.is_as_printed(right)):
+            continue
+        (a, _), (b, _) = ctx.inside(left, Precedence.PRODUCT), ctx.inside(right, Precedence.PRODUCT)
+        node = made(make, a, b)
+        if node is not None:
+            yield Fit(node, ctx.said(node), one.cost + other.cost + usual + UNUSUAL * k)
+            return
+    if one.shape and other.shape:
+        sizes = " and ".join(f"{rows} x {columns}" for rows, columns in (one.shape, other.shape))
+        ctx.note(f"no word for {sign.text} between {sizes}", sign)
+
+
+def _stroke(left: Pieces, right: Pieces, usual: int, ctx: FittingContext) -> Iterator[Fit]:
+    """A quotient on one line: of the product before the stroke by the next factor, or by all that follows."""
+    for end in range(1, len(right) + 1):
+        divisors = _product(right[:end], ctx)  # type: ignore[arg-type]
+        if any(isinstance(piece, Token) for piece in right):
+            break
+        for top in _signed(left, ctx):
+            for bottom in divisors:
+                one = top if top.node is not None else top.at((1, 1))
+                divisor = bottom if bottom.node is not None else bottom.at((1, 1))
+                if one is None or divisor is None or divisor.shape != (1, 1):
+                    continue
+                (a, a_said), (b, b_said) = ctx.inside(one, Precedence.PRODUCT), ctx.inside(divisor, Precedence.POWER)
+                node = made(Quotient, a, b, True, tolerant=ctx.tolerant)
+                if node is None:
+                    continue
+                fit = Fit(node, (*a_said, "/", *b_said), one.cost + divisor.cost + usual + 3 * (end - 1))
+                if end == len(right):
+                    yield fit
+                    continue
+                for rest in _product(right[end:], ctx):  # type: ignore[arg-type]
+                    yield from _times(fit, rest, ctx)
+
+
+def _product(items: tuple[Atom, ...], ctx: FittingContext) -> list[Fit]:
+    """The readings of atoms side by side, whichever way they can be grouped, factors taken from the left first."""
+    items = _names_whole(items, ctx)
+    count = len(items)
+    single: dict[tuple[int, int], list[Fit]] = {}
+    for start in range(count):
+        for end, fits in factors(items, start, ctx):
+            single.setdefault((start, end), []).extend(fits)
+    spans = {place: kept(fits) for place, fits in single.items()}
+    for length in range(1, count + 1):
+        for start in range(count - length + 1):
+            end = start + length
+            found = list(spans.get((start, end), ()))
+            for cut in range(end - 1, start, -1):
+                for left in spans.get((start, cut), ()):
+                    for right in single.get((cut, end), ()):
+                        found += _times(left, right, ctx)
+            if not found:
+                for cut in range(end - 1, start, -1):
+                    for left in spans.get((start, cut), ()):
+                        for right in spans.get((cut, end), ()):
+                            found += _times(left, right, ctx)
+            spans[start, end] = kept(found)
+    if not spans[0, count] and ctx.tolerant:
+        return _ill_formed(items, single, ctx)
+    return spans[0, count]
+
+
+def _names_whole(items: tuple[Atom, ...], ctx: FittingContext) -> tuple[Atom, ...]:
+    r"""The atoms with a name that is printed bold as one: \mathbf{1tr} is \mathbf{1} and tr."""
+    names = [name for name in ctx.notation.spellings.names if name.isalpha() and len(name) > 1]
+    found: list[Atom] = []
+    place = 0
+    while place < len(items):
+        bold = [item.arguments[0][0].text if item.text == r"\mathbf" else "" for item in items[place : place + 8]]
+        name = next((name for name in names if bold[: len(name)] == list(name)), "")
+        found.append(replace(items[place], kind="LETTER", text=name, arguments=()) if name else items[place])
+        place += len(name) or 1
+    return tuple(found)
+
+
+def _times(left: Fit, right: Fit, ctx: FittingContext) -> Iterator[Fit]:
+    """The product of two factors, if it fits; an identity takes its size from what it multiplies."""
+    if left.node is None or right.node is None:
+        yield from _times_sized(left, right, ctx)
+        return
+    (a, a_said), (b, b_said) = ctx.inside(left, Precedence.PRODUCT), ctx.inside(right, Precedence.PRODUCT)
+    node = made(multiplied, a, b)
+    if node is not None:
+        yield Fit(node, (*a_said, *b_said), left.cost + right.cost)
+
+
+def multiplied(a: Node, b: Node) -> Node:
+    """The product as an author writes it from left to right."""
+    if a.is_scalar:
+        return Scale(a, b)
+    if b.is_scalar:
+        return Scale(b, a, trailing=True)
+    return Contract((*(a.factors if isinstance(a, Contract) else (a,)), b))
+
+
+def _times_sized(left: Fit, right: Fit, ctx: FittingContext) -> Iterator[Fit]:
+    known = left if left.node is not None else right
+    if known.node is None or known.shape is None:
+        return
+    cost = left.cost + right.cost
+    node, said = ctx.inside(known, Precedence.PRODUCT)
+    if known.shape == (1, 1):
+        open_one = right if known is left else left
+        sized, trailing = open_one.sized, known is right
+        assert sized is not None
+        both = (*said, *open_one.said) if known is left else (*open_one.said, *said)
+
+        def scaled(shape: Shape) -> Node | None:
+            inner = sized(shape)
+            return None if inner is None else made(Scale, node, inner, trailing)
+
+        yield Fit(None, both, cost, sized=scaled, usual=open_one.usual)
+        return
+    side = known.shape[1] if known is left else known.shape[0]
+    square = (right if known is left else left).at((side, side))
+    if square is not None:
+        yield from _times(known, square, ctx) if known is left else _times(square, known, ctx)
+
+
+def _ill_formed(items: tuple[Atom, ...], single: dict[tuple[int, int], list[Fit]], ctx: FittingContext) -> list[Fit]:
+    """The product as it stands, though its factors do not fit together."""
+    total: Fit | None = None
+    start = 0
+    while start < len(items):
+        ends = [(end, fits) for (begin, end), fits in single.items() if begin == start and fits]
+        if not ends:
+            return []
+        start, fits = max(ends, key=lambda each: each[0])
+        fit = next((fit for fit in fits if fit.node is not None), None)
+        if fit is None:
+            return []
+        if total is None:
+            total = fit
+            continue
+        (a, a_said), (b, b_said) = ctx.inside(total, Precedence.PRODUCT), ctx.inside(fit, Precedence.PRODUCT)
+        node = made(multiplied, a, b, tolerant=True)
+        total = Fit(node, (*a_said, *b_said), total.cost + fit.cost)
+    return [] if total is None else [total]

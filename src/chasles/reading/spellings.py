@@ -1,0 +1,91 @@
+"""How words are spelled, the other way round: from an accent, a script, brackets, a name or a sign to the word."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from chasles.reading.grammar import Atom, FlatRow, Terms, formula
+from chasles.reading.grouping import TYPEFACES, Unread
+from chasles.reading.letter_table import letter_of, only_atom, said_of, text_of
+from chasles.reading.tokens import Token, tokens
+from chasles.vocabulary import Node
+
+__all__ = ["Make", "Spellings", "called", "signed"]
+
+Make = Callable[..., Node]
+HOLES = (r"\holeA", r"\holeB")
+
+
+@dataclass
+class Spellings:
+    """The words of a notation by what they look like; a look may stand for several."""
+
+    accents: dict[str, list[Make]] = field(default_factory=dict)
+    scripts: dict[str, list[Make]] = field(default_factory=dict)
+    brackets: dict[tuple[str, str, str], list[Make]] = field(default_factory=dict)
+    names: dict[str, list[Make]] = field(default_factory=dict)
+    subscripted: dict[str, list[Make]] = field(default_factory=dict)
+    infixes: dict[str, list[Make]] = field(default_factory=dict)
+
+    def add(self, form: str, make: Make) -> None:
+        """Let the form stand for what is made of its operands; raises `Unread` for a form that is no pattern."""
+        for name, hole in (("#1", HOLES[0]), ("#2", HOLES[1]), ("#", HOLES[0])):
+            form = form.replace(name, f"{hole} ")
+        chain = formula(tokens(form))
+        row = chain.sides[0].rows[0].pieces if chain.sides[0] and len(chain.sides[0].rows) == 1 else ()
+        found = _infix(row) or _applied(row)
+        atom = only_atom(chain)
+        if atom is not None:
+            found = self._of_atom(atom)
+        if found is None:
+            raise Unread(f"{form} is no pattern: write an accent, a script, brackets, a name or a sign around '#'")
+        look, key = found
+        getattr(self, look).setdefault(key, []).append(make)
+
+    def _of_atom(self, atom: Atom) -> tuple[str, object] | None:
+        letter = letter_of(atom)
+        if letter.base in HOLES and len(letter.accents) == 1 and not letter.sups and not letter.sub:
+            return "accents", letter.accents[0]
+        if letter.base in HOLES and not letter.accents and letter.sups:
+            return "scripts", " ".join(letter.loose.sups)
+        if letter.base in HOLES and letter.primes:
+            return "scripts", "'" * letter.primes
+        if atom.kind == "BRACKET" and len(atom.inside) == 1 and text_of(signed(atom)[1]) in HOLES:
+            return "brackets", (signed(atom)[0], letter.loose.sub, " ".join(letter.loose.sups))
+        if atom.sub and said_of(atom.sub) in HOLES:
+            return "subscripted", called(atom)
+        if atom.kind == "COMMAND" and atom.text not in TYPEFACES and said_of(atom.arguments[0]) in HOLES:
+            return "names", atom.text
+        return None
+
+
+def signed(atom: Atom) -> tuple[str, Terms]:
+    r"""The brackets, with the sign that stands at their end as in [a \times], and what they hold without it."""
+    (terms,) = atom.inside
+    *pieces, last = terms.rows[-1].pieces
+    if not isinstance(last, Token) or not pieces:
+        return atom.text, terms
+    half = len(atom.text) // 2
+    rows = (*terms.rows[:-1], FlatRow(tuple(pieces)))
+    return f"{atom.text[:half]}{last.text}{atom.text[half:]}", Terms(terms.signs, rows)
+
+
+def called(atom: Atom) -> str:
+    """The name of a function: without its typeface where that is upright."""
+    letter = letter_of(atom)
+    return letter.base.removeprefix(r"\mathrm ")
+
+
+def _infix(row: tuple[Atom | Token, ...]) -> tuple[str, object] | None:
+    if len(row) == 3 and isinstance(row[1], Token) and isinstance(row[0], Atom):
+        return "infixes", row[1].text
+    return None
+
+
+def _applied(row: tuple[Atom | Token, ...]) -> tuple[str, object] | None:
+    """A name before brackets, or before what it is applied to."""
+    if len(row) == 2 and isinstance(row[0], Atom) and isinstance(row[1], Atom):
+        subscript = f" _ {said_of(row[0].sub)}" if row[0].sub else ""
+        return "names", called(row[0]) + subscript
+    return None

@@ -1,0 +1,96 @@
+"""Sums: every term has one shape; zeros and identities without a size take it from the others."""
+
+from __future__ import annotations
+
+from chasles.reading.context import FittingContext
+from chasles.reading.fits import MOST, Fit, Shape, kept, made
+from chasles.reading.grammar import Terms
+from chasles.reading.rows import row_fits
+from chasles.vocabulary import Negative, Node, Sum
+from chasles.vocabulary.spelling import Precedence
+
+__all__ = ["sum_fits"]
+
+
+def sum_fits(terms: Terms, ctx: FittingContext) -> list[Fit]:
+    """The readings of a sum, the usual ones first."""
+    problems = len(ctx.problems)
+    rows = [row_fits(row, ctx) for row in terms.rows]
+    if not all(rows):
+        return []
+    del ctx.problems[problems:]
+    if len(rows) == 1 and terms.signs[0] != "-":
+        return rows[0]
+    shapes = dict.fromkeys(fit.shape for fits in rows for fit in fits if fit.shape)
+    found: list[Fit] = []
+    for shape in shapes:
+        found += _of_shape(terms.signs, rows, shape, ctx)
+    if not shapes:
+        found = [_sized(terms.signs, rows, ctx)]
+    if not found and ctx.tolerant:
+        found = _ill_formed(terms.signs, rows, ctx)
+    return kept(found)
+
+
+def _of_shape(signs: tuple[str, ...], rows: list[list[Fit]], shape: Shape, ctx: FittingContext) -> list[Fit]:
+    partial: list[Fit] = []
+    for place, (sign, fits) in enumerate(zip(signs, rows, strict=True)):
+        here = [fit for each in fits if (fit := each.at(shape)) is not None]
+        if place == 0:
+            partial = [fit for each in here if (fit := _first(sign, each, ctx)) is not None]
+        else:
+            partial = [
+                fit
+                for one in partial
+                for other in here
+                if (fit := _plus(one, sign, other, ctx, place == 1)) is not None
+            ]
+        partial = kept(partial)[:MOST]
+    return partial
+
+
+def _first(sign: str, fit: Fit, ctx: FittingContext) -> Fit | None:
+    if not sign:
+        node, said = ctx.inside(fit, Precedence.NEGATIVE)
+        return Fit(node, said, fit.cost)
+    if sign == "+":
+        return None
+    node, said = ctx.inside(fit, Precedence.DOT)
+    negative = made(Negative, node, tolerant=ctx.tolerant)
+    return None if negative is None else Fit(negative, ("-", *said), fit.cost)
+
+
+def _plus(one: Fit, sign: str, other: Fit, ctx: FittingContext, is_first: bool, tolerant: bool = False) -> Fit | None:
+    if sign not in "+-":
+        return None
+    assert one.node is not None
+    if tolerant and ctx.mixes(one, other):
+        return None
+    node, said = ctx.inside(other, Precedence.DOT)
+    term = Negative(node) if sign == "-" else node
+    before = one.node.terms if isinstance(one.node, Sum) and not is_first else (one.node,)
+    total = made(Sum, (*before, term), tolerant=tolerant)
+    return None if total is None else Fit(total, (*one.said, sign, *said), one.cost + other.cost)
+
+
+def _sized(signs: tuple[str, ...], rows: list[list[Fit]], ctx: FittingContext) -> Fit:
+    """A sum of zeros and identities alone."""
+    said = tuple(
+        token for sign, fits in zip(signs, rows, strict=True) for token in (*(sign,) * bool(sign), *fits[0].said)
+    )
+
+    def at(shape: Shape) -> Node | None:
+        found = _of_shape(signs, rows, shape, ctx)
+        return found[0].node if found else None
+
+    return Fit(None, said, sized=at, usual=rows[0][0].usual)
+
+
+def _ill_formed(signs: tuple[str, ...], rows: list[list[Fit]], ctx: FittingContext) -> list[Fit]:
+    firsts = [next((fit for fit in fits if fit.node is not None), None) or fits[0].at((3, 3)) for fits in rows]
+    if any(fit is None or fit.node is None for fit in firsts):
+        return []
+    total = _first(signs[0], firsts[0], ctx)  # type: ignore[arg-type]
+    for place, (sign, fit) in enumerate(zip(signs[1:], firsts[1:], strict=True)):
+        total = total and _plus(total, sign, fit, ctx, place == 0, True)  # type: ignore[arg-type]
+    return [total] if total else []

@@ -1,0 +1,176 @@
+"""Sizes that letters stand for: n rows, n + m columns. A matrix of such a size is measured block by block."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from dataclasses import replace as with_fields
+
+from chasles.vocabulary.arguments import Declared, WrongArgument, declaring, declaring_module
+from chasles.vocabulary.dimension import NO_DIMENSION, Dimension, has_units
+from chasles.vocabulary.letters import Identity, Symbol, Zero
+from chasles.vocabulary.measure import Extent, Measure, Misfit, uniform
+from chasles.vocabulary.nodes import Node
+from chasles.vocabulary.tree import rebuilt
+
+__all__ = ["Partition", "Size", "at_sizes", "blocks_of", "extents_of", "partition_beside", "parts_of", "rectangular",
+           "sizes_of", "uniform_blocks"]  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Size(Declared):
+    """A letter that stands for a whole number of rows or columns, or the sum of such `parts`: n, m + n, n + 1."""
+
+    name: str
+    parts: tuple[Extent, ...] = ()
+
+    def __str__(self) -> str:
+        return self.name
+
+    def __add__(self, other: Extent) -> Extent:
+        return _sum((*parts_of(self), *parts_of(other)))
+
+    def __radd__(self, other: int) -> Extent:
+        return _sum((*parts_of(other), *parts_of(self)))
+
+    def __index__(self) -> int:
+        raise Misfit(f"{self} stands for any number of rows or columns: entries are those of a matrix of a known size")
+
+    def __le__(self, other: object) -> bool:
+        return bool(self.__index__())
+
+    __ge__ = __lt__ = __gt__ = __le__
+
+
+def parts_of(extent: Extent) -> tuple[Extent, ...]:
+    """The letters and numbers of which an extent is the sum; raises `WrongArgument` for what is none."""
+    if isinstance(extent, Size):
+        return extent.parts or (extent,)
+    if not isinstance(extent, int) or isinstance(extent, bool) or extent < 0:
+        raise WrongArgument(f"{extent!r} is no size: write a whole number, or a letter for one, as in n = Size('n')")
+    return (extent,) if extent else ()
+
+
+def _sum(extents: Iterable[Extent]) -> Extent:
+    """The sum, numbers that meet taken together: those who write it otherwise mean other blocks."""
+    parts: list[Extent] = []
+    for extent in extents:
+        if parts and isinstance(extent, int) and isinstance(parts[-1], int):
+            parts[-1] += extent
+        else:
+            parts.append(extent)
+    return parts[0] if len(parts) == 1 else Size(" + ".join(map(str, parts)), tuple(parts))
+
+
+@dataclass(frozen=True, slots=True)
+class Partition:
+    """How high the rows of a grid of blocks are, and how wide its columns."""
+
+    rows: tuple[Extent, ...]
+    columns: tuple[Extent, ...]
+
+    @property
+    def shape(self) -> tuple[Extent, Extent]:
+        """The numbers of rows and columns."""
+        return _sum(self.rows), _sum(self.columns)
+
+    @property
+    def transposed(self) -> Partition:
+        """The partition of the transpose."""
+        return Partition(self.columns, self.rows)
+
+
+def extents_of(measure: Measure) -> tuple[tuple[Extent, ...], tuple[Extent, ...]]:
+    """The heights of the rows of the grid, and the widths of its columns."""
+    if measure.partition is None:
+        return (1,) * len(measure.grid), (1,) * len(measure.grid[0])
+    return measure.partition.rows, measure.partition.columns
+
+
+def blocks_of(measure: Measure) -> tuple[tuple[Extent, ...], tuple[Extent, ...]]:
+    """The same with neighbouring single rows and columns taken together."""
+    return parts_of(measure.shape[0]), parts_of(measure.shape[1])
+
+
+def partition_beside(left: Sequence[Measure], above: Sequence[Measure]) -> Partition | None:
+    """The partition of a grid with rows as high as those at the left and columns as wide as those above."""
+    rows = sum((extents_of(each)[0] for each in left), ())
+    columns = sum((extents_of(each)[1] for each in above), ())
+    return _partition(rows, columns)
+
+
+def _partition(rows: tuple[Extent, ...], columns: tuple[Extent, ...]) -> Partition | None:
+    return None if {*rows, *columns} == {1} else Partition(rows, columns)
+
+
+def _places(extent: Extent) -> Iterator[Extent]:
+    for part in parts_of(extent):
+        yield from (1,) * part if isinstance(part, int) else (part,)
+
+
+def uniform_blocks(height: Extent, width: Extent, dimension: Dimension | None, diagonal: bool = False) -> Measure:
+    """Every entry has the same dimension; off the `diagonal`, if only that is meant, there are zeros."""
+    rows, columns = tuple(_places(height)), tuple(_places(width))
+    grid = tuple(
+        tuple(None if diagonal and i != j else dimension for j, _ in enumerate(columns)) for i, _ in enumerate(rows)
+    )
+    return Measure(grid, _partition(rows, columns))
+
+
+def sizes_of(nodes: Iterable[Node]) -> tuple[Size, ...]:
+    """The letters for sizes that occur, in reading order, abbreviations opened."""
+    found: dict[Size, None] = {}
+    seen: set[Node] = set()
+    waiting = [*nodes]
+    while waiting:
+        node = waiting.pop(0)
+        if node in seen:
+            continue
+        seen.add(node)
+        waiting += [node.stands_for] if isinstance(node, Symbol) and node.stands_for is not None else node.below
+        partition = node.measure.partition if node.measure else None
+        if partition is not None:
+            found |= {part: None for part in (*partition.rows, *partition.columns) if isinstance(part, Size)}
+    return tuple(found)
+
+
+def at_sizes(node: Node, numbers: Mapping[str, int]) -> Node:
+    """The expression with numbers for the letters of these names; raises KeyError for a letter that has none."""
+    match node:
+        case Symbol():
+            inner = node.stands_for and at_sizes(node.stands_for, numbers)
+            return with_fields(node, size=_numbered(node.size, numbers), stands_for=inner)
+        case Identity(size):
+            return with_fields(node, size=_count(size, numbers))
+        case Zero(rows, columns):
+            return with_fields(node, rows=_count(rows, numbers), columns=_count(columns, numbers))
+        case _:
+            return rebuilt(node, tuple(at_sizes(part, numbers) for part in node.below))
+
+
+def _count(extent: Extent, numbers: Mapping[str, int]) -> int:
+    return sum(part if isinstance(part, int) else numbers[part.name] for part in parts_of(extent))
+
+
+def _numbered(measure: Measure, numbers: Mapping[str, int]) -> Measure:
+    rows, columns = ([_count(extent, numbers) for extent in extents] for extents in extents_of(measure))
+    lines = (sum(((d,) * k for d, k in zip(row, columns, strict=True)), ()) for row in measure.grid)
+    return Measure(sum(((line,) * k for line, k in zip(lines, rows, strict=True)), ()))
+
+
+@declaring
+def rectangular(
+    name: str,
+    letter: str,
+    meaning: str,
+    rows: Extent,
+    columns: Extent,
+    dimension: Dimension = NO_DIMENSION,
+    *,
+    constant: bool = False,
+) -> Symbol:
+    """A matrix of so many rows and columns, numbers or letters for numbers; its letter is printed bold."""
+    from chasles.vocabulary.words import boldface
+
+    size = uniform((rows, columns), dimension if has_units(declaring_module()) else NO_DIMENSION)
+    return Symbol(name, boldface(letter), size, meaning, constant, home=declaring_module())

@@ -1,0 +1,95 @@
+"""Every function that is compiled, in C and in NumPy, beside 400 digits: at large and small arguments, and at edges."""
+
+from __future__ import annotations
+
+import math
+
+import mpmath
+import numpy as np
+import pytest
+import sympy as sp
+
+import chasles
+
+x, y = sp.symbols("x y", real=True)
+third = sp.Rational(1, 3)
+EXPRESSIONS = [
+    *(sp.exp(x), sp.log(x), sp.log(1 + x), sp.log(x, 10), sp.exp(x) - 1, sp.exp(x) + y - 1, sp.exp(-x * y)),
+    *(x**third, x ** (2 * third), x**-third, x ** sp.Rational(3, 4), x ** sp.Float(0.25)),
+    *(x**y, 2**x, sp.pi**x, x**40, x**-50, x**7, x**-3, x ** sp.Rational(5, 2), sp.sqrt(x), sp.real_root(x, 3)),
+    *(sp.sinh(x), sp.cosh(x), sp.tanh(x), sp.coth(x), sp.sech(x), sp.csch(x)),
+    *(sp.asinh(x), sp.acosh(x), sp.atanh(x), sp.acoth(x), sp.asech(x), sp.acsch(x)),
+    *(sp.sin(x), sp.cos(x), sp.tan(x), sp.cot(x), sp.sec(x), sp.csc(x), sp.sinc(x), sp.atan2(x, y)),
+    *(sp.asin(x), sp.acos(x), sp.atan(x), sp.acot(x), sp.asec(x), sp.acsc(x)),
+    *(sp.floor(x), sp.ceiling(x), sp.frac(x), sp.Mod(x, y), sp.Mod(x, 3), sp.Heaviside(x), sp.Heaviside(x, 0)),
+    *(sp.erf(x), sp.erfc(x), sp.gamma(x), sp.loggamma(x), sp.factorial(x)),
+    *(sp.Max(x, y), sp.Min(x, y, 1), sp.Abs(x), sp.sign(x), sp.Abs(x) ** y),
+    *(x < y, sp.And(x < y, x > 0), sp.Or(x < y, sp.Not(x > 0)), sp.Xor(x < y, x > 0), sp.Implies(x < y, x < 1)),
+    sp.Piecewise((sp.exp(x), x < y), (sp.log(x), True)),
+]
+AT = [-3.7, -2.0, -1.0, -0.5, -1e-9, 0.0, 1e-9, 0.3, 1.0, 1.5, 2.0, 3.3, 10.0, 1e-150, 1e150, -1e150, 5e-324]
+BESIDE = (0.7, -1.3, 2.0)
+POINTS = [(a, b) for a in AT for b in BESIDE]
+UNITS = 24
+"""Roundoffs of 2^-53: what a chain of a few functions of libm may lose."""
+
+
+def exact(expression, a, b):
+    """The value to 400 digits, NaN where it is not real or there is none."""
+    with mpmath.workdps(400):
+        try:
+            value = sp.lambdify([x, y], expression, "mpmath")(mpmath.mpf(a), mpmath.mpf(b))
+            return math.nan if isinstance(value, mpmath.mpc) and value.imag else float(getattr(value, "real", value))
+        except OverflowError:
+            return math.inf
+        except (ZeroDivisionError, ValueError):
+            # Some functions have a value where mpmath's own formula has none: acot(0).
+            value = expression.subs({x: a, y: b}) if not a else sp.nan
+            return float(value) if value.is_finite and value.is_real else math.nan
+
+
+def overflows(expression, a):
+    """Whether one over the smallest of numbers stands in what is computed, by us or by SciPy."""
+    return a == 5e-324 and expression.has(sp.asech, sp.acsch, sp.loggamma)
+
+
+def agrees(got, wanted):
+    if math.isnan(wanted) or math.isinf(wanted):
+        return not math.isfinite(got)
+    if math.isinf(got):
+        return abs(wanted) > 1e307
+    return abs(got - wanted) <= UNITS * 2.0**-53 * abs(wanted) + 1e-307
+
+
+@pytest.fixture(scope="module")
+def computed():
+    """All expressions at all points: one kernel, since a compiler takes its time over each."""
+    entries = [sp.Piecewise((1, e), (0, True)) if isinstance(e, sp.logic.boolalg.Boolean) else e for e in EXPRESSIONS]
+    kernel = chasles.compile(sp.Matrix(entries), [x, y])
+    assert kernel.backend == "c"
+    first, second = (np.array(v) for v in zip(*POINTS, strict=True))
+    with np.errstate(all="ignore"):
+        single = np.array([kernel(a, b) for a, b in POINTS])
+        return {"c": kernel(first, second), "numpy": kernel.array_api(first, second), "one at a time": single}
+
+
+@pytest.mark.parametrize("way", ["c", "numpy", "one at a time"])
+@pytest.mark.parametrize("number", range(len(EXPRESSIONS)), ids=lambda number: str(EXPRESSIONS[number]))
+def test_every_function_beside_400_digits(computed, number, way):
+    wanted = [exact(EXPRESSIONS[number], a, b) for a, b in POINTS]
+    values = computed[way][:, number]
+    wrong = [found for found in zip(POINTS, values, wanted, strict=True) if not agrees(*found[1:])]
+    assert not [found for found in wrong if not overflows(EXPRESSIONS[number], found[0][0])]
+
+
+def test_a_power_that_is_no_number_of_the_machine_loses_what_its_rounding_does():
+    kernel = chasles.compile(x ** sp.Rational(5, 7), x)
+    for at in (1e-9, 0.3, 2.0, 1e9):
+        assert agrees(kernel(at), exact(x ** sp.Rational(5, 7), at, 0.0))
+
+
+@pytest.mark.parametrize("relation", [x < y, sp.Or(x > 1, y > 1)], ids=str)
+def test_a_truth_value_is_one_or_zero(relation):
+    kernel = chasles.compile(relation, [x, y])
+    assert kernel(1.0, 2.0) == 1.0
+    assert kernel(1.0, 0.5) == 0.0

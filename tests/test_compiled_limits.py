@@ -1,0 +1,149 @@
+"""Where formulas fail and functions do not: at angles of zero, at squares out of range, at zeros with a sign."""
+
+from __future__ import annotations
+
+import math
+from time import process_time
+
+import mpmath
+import numpy as np
+import pytest
+import sympy as sp
+
+import chasles
+from chasles.compiling.removable import Stumpff, without_removable
+
+x, y, z = sp.symbols("x y z", real=True)
+r = sp.sqrt(x**2 + y**2 + z**2)
+LIMITS = [
+    *(sp.sinc(x), sp.sin(x) / x, (1 - sp.cos(x)) / x**2, (x - sp.sin(x)) / x**3, (x * sp.cos(x) - sp.sin(x)) / x**2),
+    *(sp.sin(2 * x) * y / x, sp.sin(x) ** 2 / x, sp.sin(x) ** 4 / x**4, (1 - sp.cos(x)) ** 2 / x**4),
+    *(sp.sin(3 * x) * sp.cos(x) / x, sp.tan(x) / x, x / sp.sin(x), x * sp.cot(x), 1 / x**2 - sp.cot(x) / x),
+    *((sp.sin(x) / x).diff(x), (sp.sin(x) / x).diff(x, 2), (sp.cos(x) - 1 + x**2 / 2) / x**4),
+    *(y * sp.sin(r) / r, x * y * (1 - sp.cos(r)) / r**2, x * y * (r - sp.sin(r)) / r**3, sp.sin(r / 2) / r),
+    *(((1 - sp.cos(r)) / r**2).diff(x), 1 / r**2 - (1 + sp.cos(r)) / (2 * r * sp.sin(r)), sp.cos(r)),
+    sp.Piecewise((sp.sin(x) / x, sp.Ne(x, 0)), (1, True)),
+    sp.Piecewise((1, sp.Eq(r, 0)), (sp.sin(r) / r, True)),
+]
+AT = [(1e-8, 0.3, 0.2), (1e-8, 1e-9, 2e-8), (0.3, 0.2, 0.1), (1e-3, 1e-3, 0.0), (2.0, 1.0, 1.5), (1e-5, 1.0, 0.0)]
+UNITS = 64
+"""Roundoffs, in parts of the largest of a value and its derivatives."""
+
+
+@pytest.fixture(scope="module")
+def kernel():
+    return chasles.compile(sp.Matrix(LIMITS), [x, y, z], jacobian=True)
+
+
+def exact(expression, point):
+    """The value and its derivatives to 200 digits."""
+    rows = [expression, *(sp.diff(expression, by) for by in (x, y, z))]
+    with mpmath.workdps(200):
+        return [float(value) for value in sp.lambdify([x, y, z], rows, "mpmath")(*map(mpmath.mpf, point))]
+
+
+@pytest.mark.parametrize("number", range(len(LIMITS)), ids=lambda number: str(LIMITS[number]))
+def test_values_and_derivatives_near_a_limit(kernel, number):
+    expression = LIMITS[number].replace(sp.sinc, lambda a: sp.sin(a) / a)
+    for point in AT:
+        values, slopes = kernel(*point)
+        got, wanted = [values[number], *slopes[number]], exact(expression, point)
+        largest = max(map(abs, wanted))
+        assert max(abs(a - b) for a, b in zip(got, wanted, strict=True)) <= UNITS * 2.0**-53 * largest
+
+
+def test_at_the_limit_itself_all_have_values(kernel):
+    assert all(np.isfinite(part).all() for part in kernel(0.0, 0.0, 0.0))
+
+
+@pytest.mark.parametrize(
+    "expression",
+    [sp.sin(x) / x**2, sp.cos(x) / x, 1 / sp.sin(x), sp.sin(y) / x, sp.sin(x + y) / x, sp.sin(x) / (x + y), 1 / x],
+    ids=str,
+)
+def test_what_has_no_limit_has_no_value(expression):
+    with np.errstate(invalid="ignore"):
+        assert math.isnan(chasles.compile(expression, [x, y])(0.0, 0.0))
+
+
+def test_a_piece_that_is_no_limit_stays():
+    assert without_removable(sp.Piecewise((sp.sin(x) / x, sp.Ne(x, 0)), (2, True))).has(sp.Piecewise)
+    assert without_removable(sp.Piecewise((sp.sin(x) / x, sp.Ne(x, 1)), (1, True))).has(sp.Piecewise)
+
+
+@pytest.mark.parametrize("order", range(8))
+def test_the_functions_of_stumpff(order):
+    kernel = chasles.compile(Stumpff(order, x), x)
+    angles = np.array([0.0, 5e-324, 1e-8, 0.1, 1.0, 2.0, 3.0, 3.5, 4.0, 5.0, 7.0, 20.0])
+    with np.errstate(invalid="ignore"):
+        values = kernel.array_api(angles)
+    for a, got in zip(angles, values, strict=True):
+        with mpmath.workdps(60):
+            square = -(mpmath.mpf(a) ** 2)
+            wanted = sum(square**n / mpmath.factorial(2 * n + order) for n in range(100))
+        assert got == pytest.approx(float(wanted), rel=2e-15, abs=1e-16)
+
+
+LENGTHS = [
+    *(sp.sqrt(x**2 + y**2), sp.sqrt(x**2 + 4 * y**2 + z**2), sp.sqrt((x - y) ** 2 + (y + z) ** 2)),
+    *(
+        x / sp.sqrt(x**2 + y**2),
+        x / (x**2 + y**2),
+        x * y / (x**2 + z**2),
+        x * y * z / (x**2 + y**2) ** sp.Rational(3, 2),
+    ),
+    *(x / sp.sqrt(x**2 + y**2) + z / sp.sqrt(z**2 + y**2), x / r, r, y / r),
+]
+
+
+@pytest.fixture(scope="module")
+def lengths():
+    return chasles.compile(sp.Matrix(LENGTHS), [x, y, z])
+
+
+@pytest.mark.parametrize("scale", [1e200, 1e154, 1.0, 1e-154, 1e-200, 1e-300])
+@pytest.mark.parametrize("number", range(len(LENGTHS)), ids=lambda number: str(LENGTHS[number]))
+def test_lengths_neither_overflow_nor_vanish(lengths, number, scale):
+    point = [scale * value for value in (3.0, 4.0, -2.0)]
+    with mpmath.workdps(50):
+        wanted = float(sp.lambdify([x, y, z], LENGTHS[number], "mpmath")(*map(mpmath.mpf, point)))
+    assert lengths(*point)[number] == pytest.approx(wanted, rel=2e-15)
+
+
+@pytest.mark.parametrize(
+    "expression", [sp.Abs(x), sp.sqrt(x**2), sp.Max(sp.Abs(x), 0), sp.Abs(-x), sp.Abs(3 * x)], ids=str
+)
+def test_no_size_is_a_negative_zero(expression):
+    kernel = chasles.compile(sp.atan2(expression, y), [x, y])
+    for way in (kernel, kernel.array_api):
+        assert way(-0.0, -1.0) == math.pi
+        assert way(0.0, -1.0) == math.pi
+
+
+@pytest.mark.parametrize(
+    "expression",
+    [
+        sp.exp(x) * sp.sin(y) / y,
+        (x**2 + 1) ** y * (1 - sp.cos(y)) / y**2,
+        sp.exp(sp.sin(y) / y) * sp.sin(y) / y,
+        2**x * sp.tan(y) / y,
+        x * (1 - sp.cos(sp.tanh(sp.pi))) / sp.tanh(sp.pi) ** 2 + sp.sin(y) / y,
+        sp.Piecewise((x, x > sp.sin(sp.Rational(1, 4) - sp.cos(2)) / (sp.Rational(1, 4) - sp.cos(2))), (y, True)),
+    ],
+    ids=str,
+)
+def test_beside_powers_and_constants(expression: sp.Expr) -> None:
+    kernel = chasles.compile(expression, [x, y])
+    for point in ((0.3, 0.7), (1.5, -0.2)):
+        expected = float(expression.subs({x: sp.Rational(point[0]), y: sp.Rational(point[1])}).evalf(30))
+        assert kernel(*point) == pytest.approx(expected, rel=1e-14)
+    assert np.isfinite(kernel(0.3, 0.0))
+
+
+def test_what_is_shared_is_looked_at_once():
+    """In the tree it stands a million times, which would take minutes."""
+    shared, started = x, process_time()
+    for _ in range(20):
+        shared = sp.Mul(sp.sin(shared, evaluate=False), sp.Add(shared, y, evaluate=False), evaluate=False)
+    assert without_removable(sp.Add(sp.Pow(shared, -1, evaluate=False), shared, evaluate=False)).has(sp.sin)
+    assert process_time() - started < 20

@@ -1,0 +1,147 @@
+"""Notations in TOML: letters and spellings are found again in print, and what is wrong in a file is told."""
+
+from __future__ import annotations
+
+import pytest
+
+from chasles.reading.equations import read_equations
+from chasles.reading.notation_file import BadNotation, load_notation
+from chasles.reading.printed import PrintedEquation
+from chasles.reading.proposal import proposed
+from chasles.vocabulary import latex
+
+NOTATION = r"""
+[operators]
+skew      = ['\tilde{#}', '\widetilde{#}', '[#]_\times', '#^\wedge', '[#\times]']
+transpose = ['#^T', '#^\mathsf{T}', '#^\top']
+norm      = ['\|#\|', '|#|']
+identity  = ['\mathbf{1}', 'I', 'I_{3\times3}']
+zero      = ['0', '\mathbf{0}']
+function  = { '\operatorname{Exp}' = 'exp' }
+quaternion_product = '# \otimes #'
+adjoint   = '\operatorname{Ad}_{#}'
+
+[symbols]
+'\mathbf{Q}'          = { is = "rotation" }
+'\mathbf{e}'          = "unit vector"
+'\mathbf{r}_{##}'     = { is = "vector", unit = "m" }
+'R_{##}'              = { is = "rotation", inverse = 'R_{swapped}' }
+'\boldsymbol{\omega}' = "vector"
+'\omega_{x|y|z}'      = { is = "component", of = '\boldsymbol{\omega}' }
+'\phi'                = "angle"
+'m'                   = { is = "scalar", unit = "kg", positive = true, constant = true }
+'\mathbf{H}'          = { is = "matrix", shape = [4, 3] }
+'p'                   = "quaternion"
+'q'                   = "quaternion"
+'G'                   = { is = "matrix", shape = [4, 4] }
+'S'                   = { stands_for = '\phi \tilde{\mathbf{e}}' }
+
+[section.'2'.symbols]
+'m'                   = "rotation"
+
+[equations]
+'9' = { reading = '\mathbf{Q}\mathbf{e} = \mathbf{e}' }
+"""
+LOADED = load_notation(NOTATION)
+
+
+def read(text: str, **place: str):
+    return read_equations([PrintedEquation(text, **place)], LOADED)[0]
+
+
+@pytest.mark.parametrize(
+    ("text", "same"),
+    [
+        (r"\dot{\mathbf r}_A = [\boldsymbol\omega]_\times \mathbf{r}_A", r"\tilde{\boldsymbol{\omega}} \mathbf{r}_{A}"),
+        (r"\mathbf Q^\top = \boldsymbol\omega^\wedge", r"\tilde{\boldsymbol{\omega}}"),
+        (r"\mathbf Q = [\boldsymbol\omega\times]", r"\tilde{\boldsymbol{\omega}}"),
+        (r"\mathbf Q = \widetilde{\mathbf{r}_A + \mathbf{e}}", r"\tilde{\mathbf{r}_{A} + \mathbf{e}}"),
+        (r"R_{AB} = R_{BA}^\mathsf{T}", r"R_{B A}^T"),
+        (r"\omega_x^2 = |\boldsymbol\omega|^2", r"\|\boldsymbol{\omega}\|^2"),
+        (r"\mathbf{Q} = \operatorname{Exp}(\phi\mathbf e)", r"\operatorname{Exp}(\phi \mathbf{e})"),
+        (r"p = q \otimes p", r"q \otimes p"),
+        (r"1 = \cos^2\phi + \sin^2 \phi", r"\left( \cos \phi \right)^2 + \left( \sin \phi \right)^2"),
+        (r"\mathbf{r}_A \cdot \mathbf e = \mathbf{r}_A \cdot \mathbf e \times \boldsymbol\omega",
+         r"\mathbf{r}_{A} \cdot \left( \mathbf{e} \times \boldsymbol{\omega} \right)"),
+        (r"\dot{\mathbf r}_A = \frac{d}{dt}\left(\mathbf Q \mathbf{r}_B\right)",
+         r"\frac{d}{dt} \left( \mathbf{Q} \mathbf{r}_{B} \right)"),
+        (r"\phi = \frac12 m v", ""),
+    ],
+)  # fmt: skip
+def test_spellings(text: str, same: str):
+    found = read(text)
+    assert found.status == ("read" if same else "unread")
+    if same:
+        assert latex(found.readings[0].parts[0].right) == same
+
+
+def test_letters_know_what_they_are():
+    (part,) = read(r"R_{AB} = R_{BA}").readings[0].parts
+    assert part.left.meaning == "rotation"
+    assert part.right.stands_for == part.left.T
+    (part,) = read(r"m = \phi").readings[0].parts
+    assert (part.left.meaning, part.left.constant) == ("positive", True)
+
+
+def test_a_letter_may_be_another_in_a_section():
+    assert read(r"m = \mathbf{Q}").readings[0].parts[0].fault
+    assert not read(r"m = \mathbf{Q}", section="2 Kinematics").readings[0].parts[0].fault
+    assert read(r"m = \mathbf{Q}", section="21 Dynamics").readings[0].parts[0].fault
+
+
+def test_a_note_says_what_the_print_should_be():
+    assert latex(read(r"\mathbf{Q}\mathbf{z}", number="9").readings[0].parts[0].right) == r"\mathbf{e}"
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        ("[symbol]", "near it: symbols"),
+        ("[symbols", "no TOML"),
+        ("[symbols]\nx = { is = 'vektor' }", "near it: vector"),
+        ("[symbols]\nx = { iss = 'vector' }", "near it: is"),
+        ("[symbols]\n'a b' = 'vector'", "not one letter"),
+        ("[symbols]\n'a_' = 'vector'", "argument"),
+        ("[symbols]\nx = { is = 'vector', unit = 'furlong' }", "kg m^2/s"),
+        ("[symbols]\nx = { is = 'matrix', shape = 3 }", "[rows, columns]"),
+        ("[symbols]\n'x_{1|2}' = { is = 'component', of = 'y' }", "no letter declared before it"),
+        ("[symbols]\ny = { stands_for = 'a + b' }", "does not say what a is"),
+        ("[operators]\nskwe = '\\tilde{#}'", "near it: skew"),
+        ("[operators]\nskew = 'a b c #'", "no pattern"),
+        ("[operators]\nskew = '# \\times #'", "expected 1 '#', found 2"),
+        ("[page]\nunit = true", "near it: units"),
+    ],
+)
+def test_what_is_wrong_in_a_file_is_told(text: str, why: str):
+    with pytest.raises(BadNotation) as told:
+        load_notation(text)
+    assert why in str(told.value)
+    assert "\n" not in str(told.value)
+
+
+PAGE = [
+    r"\mathbf{R}\mathbf{R}^\top = \mathbf{1}, \quad \det(\mathbf{R}) = 1",
+    r"\dot{\mathbf{x}} = \boldsymbol{\omega} \times \mathbf{x}' = \boldsymbol{\omega}^\wedge \mathbf{x}'",
+    r"\omega_x^2 + \omega_y^2 + \omega_z^2 = \omega \cdot \omega",
+    r"x = l_1 \cos\theta_1 + l_2 \cos\theta_2",
+    r"{}^A\bar{v}^B = {}^A\bar{v}^C",
+    r"\frac{1}{2} m \|\mathbf{v}\|^2 = \begin{bmatrix} a & b \end{bmatrix} \begin{bmatrix} c \\ f_1 \end{bmatrix}",
+    r"a = \frac{",
+]
+
+
+def test_a_first_notation_is_proposed():
+    equations = [PrintedEquation(text) for text in PAGE]
+    text = proposed(equations)
+    for line in (
+        "transpose = ['#^\\top']",
+        "'\\mathbf{R}' = { is = \"rotation\" }  # ? or matrix",
+        "'\\boldsymbol{\\omega}' = { is = \"vector\" }",
+        "'\\omega_{x|y|z}' = { is = \"component\", of = '\\omega' }",
+        "'\\theta_{1}' = { is = \"angle\" }",
+        '"\\\\mathbf{x}\'" = { is = "vector" }',
+        "'{}^{A}\\bar{v}^{B}' = { is = \"vector\" }",
+    ):
+        assert line in text.splitlines(), text
+    found = read_equations(equations, load_notation(text))
+    assert [each.status for each in found] == ["read"] * 6 + ["unread"]

@@ -1,0 +1,30 @@
+"""Wherever operands lie in memory, results are the same bits."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from benchmarks.strides import LAYOUTS, NAMES, batches, shapes_of
+
+from chasles import kernels
+
+LAID = {"contiguous": lambda a: a, **LAYOUTS}
+
+
+@pytest.mark.parametrize("dtype", [np.float64, np.float32])
+@pytest.mark.parametrize("which", NAMES)
+def test_every_layout_gives_the_same_bits(which, dtype, ufuncs_by_level):
+    for kernel in [getattr(module, which) for module in (kernels, *ufuncs_by_level.values()) if hasattr(module, which)]:
+        given, returned = shapes_of(kernel)
+        for count in (1, 2, 3, 7, 8, 9, 17, 63, 64, 65, 131):
+            inputs = [a.astype(dtype) for a in batches(given, count)]
+            found = kernel(*inputs)
+            expected = found if isinstance(found, tuple) else (found,)
+            for number, (there, laid) in enumerate(LAID.items()):
+                for place in (slice(None), slice(number % len(inputs), number % len(inputs) + 1)):
+                    some = [laid(a) if k in range(len(inputs))[place] else a for k, a in enumerate(inputs)]
+                    for back, put in LAID.items():
+                        outputs = tuple(put(a.astype(dtype)) for a in batches(returned, count))
+                        kernel(*some, out=outputs)
+                        for a, b in zip(outputs, expected, strict=True):
+                            assert np.array_equal(a, b), (there, back, count)
