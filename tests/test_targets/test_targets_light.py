@@ -7,6 +7,7 @@ import re
 import time
 import tracemalloc
 from contextlib import suppress
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -126,9 +127,9 @@ def test_they_keep_no_memory(ufuncs):
 
     tracemalloc.start()
     try:
-        calls(10)
-        before = calls(1000)
-        assert calls(1000) - before < 1000
+        kept = [calls(count) for count in (10, 1000, 1000, 1000, 1000)]
+        # What a call keeps is kept in every round; a round in which another thread allocates is no such thing.
+        assert min(after - before for before, after in pairwise(kept[1:])) < 1000
     finally:
         tracemalloc.stop()
 
