@@ -23,7 +23,7 @@ def line_of(each: PageEquation, file: str) -> str:
     part = f" part {each.place}" if each.place > 1 else ""
     name = f"({number}){part}" if number else part.strip()
     words = " ".join(filter(None, (name, " ".join(told(each).split()))))
-    return f"{each.printed.file or file}:{each.printed.line}: {words}"
+    return f"{each.printed.file or file}:{each.line}: {words}"
 
 
 def annotation_of(each: PageEquation, file: str) -> str:
@@ -114,7 +114,7 @@ def record_of(each: PageEquation) -> dict[str, Any]:
     return {
         "number": printed.number,
         "label": printed.label,
-        "line": printed.line,
+        "line": each.line,
         "column": printed.column,
         "latex": printed.latex,
         "part": each.place,

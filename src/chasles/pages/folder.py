@@ -38,7 +38,7 @@ def files_of(page: Page, given: Mapping[str, Mapping[str, Any]]) -> dict[str, st
 
 
 def _table(page: Page) -> str:
-    rows = [f"| {each.printed.line} | {each.number} | {_cell(told(each))} |" for each in page.equations]
+    rows = [f"| {each.line} | {each.number} | {_cell(told(each))} |" for each in page.equations]
     return "\n".join(
         [f"# {page.file}", "", page.summary, "", "| line | number | finding |", "| --- | --- | --- |", *rows, ""]
     )
@@ -56,7 +56,7 @@ def _questions(page: Page, given: Mapping[str, Mapping[str, Any]]) -> str:
     lines = [ASKED]
     for name, equations in asked.items():
         for each in equations:
-            lines += [f"# line {each.printed.line}: {' '.join(each.printed.latex.split())}", f"# {_cell(told(each))}"]
+            lines += [f"# line {each.line}: {' '.join(each.printed.latex.split())}", f"# {_cell(told(each))}"]
         key = "reading" if any(each.others for each in equations) else "role"
         said = given.get(name) or {key: ""}
         lines += [f"[{json.dumps(name)}]", *(f"{each} = {json.dumps(value)}" for each, value in said.items()), ""]
@@ -68,7 +68,7 @@ def _unread(page: Page) -> str:
     for each in page.equations:
         if each.verdict == "unread":
             lines += [
-                f"- line {each.printed.line}: {told(each)}",
+                f"- line {each.line}: {told(each)}",
                 "",
                 f"      {' '.join(each.printed.latex.split())}",
                 "",

@@ -52,6 +52,11 @@ class PageEquation(Displayed):
         return self.read.printed
 
     @property
+    def line(self) -> int:
+        """The line of the page on which the relation stands."""
+        return (self.part.line if self.part else 0) or self.printed.line
+
+    @property
     def verdict(self) -> str:
         """The verdict in one word: what was not decided is "open", "ambiguous" or "unread"."""
         if self.finding is None:
@@ -100,8 +105,8 @@ class Page(Displayed):
         outer = [f"{n} {verdict}" for verdict, n in counts.items() if verdict in undecided]
         return ", ".join(
             [
-                f"{counts['displayed']} displayed equations",
-                f"{counts['equalities']} equalities: {counts['read']} read",
+                f"{counts['displayed']} displayed equation{'s' * (counts['displayed'] != 1)}",
+                f"{counts['equalities']} {'equality' if counts['equalities'] == 1 else 'equalities'}: {counts['read']} read",
                 f"{counts['decided']} decided" + (f" ({', '.join(inner)})" if inner else ""),
                 *outer,
             ]

@@ -37,7 +37,10 @@ class DisplayRow(NamedTuple):
 
 
 class DisplayedEquation(NamedTuple):
-    """One equation of a display, rows that go on with it joined; `fault` says why it is not clear whether one does."""
+    """One equation of a display, rows that go on with it joined; `fault` says why it is not clear whether one does.
+
+    It begins at `place`; before that stands what it shares with the row before.
+    """
 
     tokens: list[Token]
     raw: list[Token]
@@ -45,6 +48,7 @@ class DisplayedEquation(NamedTuple):
     label: str | None = None
     is_ended: bool = False
     fault: str = ""
+    place: Token = Token("")
 
     @property
     def latex(self) -> str:
@@ -97,7 +101,8 @@ def equations_of(
             tokens, own = _trailing_number(_without_alignment(line, is_paired))
             number = own or printed or row.tag or counted
             if {token.text for token in tokens} - DOTS:
-                new = DisplayedEquation(without_layout(tokens), row.raw, number, row.label, tokens[-1].text in ",.;")
+                kept, is_ended = without_layout(tokens), tokens[-1].text in ",.;"
+                new = DisplayedEquation(kept, row.raw, number, row.label, is_ended, place=tokens[0])
                 found = _added(found, new, line)
     if len(rows) > 1 or len({equation.number for equation in found}) > 1:
         return found
@@ -123,7 +128,8 @@ def _added(found: list[DisplayedEquation], new: DisplayedEquation, line: list[To
     fault = "" if goes_on else "a row that neither begins an equation nor goes on with a sign"
     raw = last.raw if last.raw is new.raw else [*last.raw, new.raw[0]._replace(text=r"\\"), *new.raw]
     joined = new._replace(tokens=[*last.tokens, *new.tokens], raw=raw, fault=last.fault or fault)
-    return [*before, joined._replace(number=last.number or new.number, label=last.label or new.label)]
+    named = joined._replace(number=last.number or new.number, label=last.label or new.label)
+    return [*before, named._replace(place=last.place)]
 
 
 def _joined(equations: list[DisplayedEquation]) -> DisplayedEquation:

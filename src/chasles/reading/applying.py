@@ -7,7 +7,7 @@ from itertools import product
 
 from chasles.reading.context import FittingContext
 from chasles.reading.fits import Fit, Shape, made
-from chasles.reading.letter_table import Glyph
+from chasles.reading.glyphs import Glyph
 from chasles.reading.read_back import tokens_of
 from chasles.reading.spellings import Make
 from chasles.vocabulary import (
@@ -26,7 +26,9 @@ def with_marks(fits: list[Fit], rest: Glyph, ctx: FittingContext) -> list[Fit]:
     """What accents and scripts make of it, from the inside out."""
     for accent in rest.accents:
         fits = applied(ctx.notation.spellings.accents.get(accent, ()), fits, ctx, rest, accent)
-    if rest.sub:
+    if rest.sub and (makes := ctx.notation.spellings.scripts.get(f"_ {rest.loose.sub}")):
+        fits = applied(makes, fits, ctx, rest, f"_{{{rest.sub}}}")
+    elif rest.sub:
         fits = [fit for each in fits for fit in _component(each, rest, ctx)]
     if rest.primes:
         fits = applied(ctx.notation.spellings.scripts.get("'" * rest.primes, ()), fits, ctx, rest, "'" * rest.primes)

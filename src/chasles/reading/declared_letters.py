@@ -8,8 +8,9 @@ from dataclasses import replace
 from typing import Any
 
 from chasles.nearest import nearest
+from chasles.reading.glyphs import Glyph, letter_in, spelled
 from chasles.reading.grouping import Unread
-from chasles.reading.letter_table import Glyph, LetterTable, letter_in
+from chasles.reading.letter_table import BadNotation, LetterTable
 from chasles.reading.page_notation import PageNotation
 from chasles.reading.tokens import BadPage
 from chasles.vocabulary import NO_DIMENSION, Dimension, Inverse, Misfit, Node, Symbol, Transpose, uniform
@@ -25,6 +26,7 @@ KINDS: dict[str, tuple[int, int]] = {
     "unit quaternion": (4, 1), "positive": (1, 1), "positive-definite": (3, 3),
 }  # fmt: skip
 """What a letter may be, and the shape that it then has unless the file says another."""
+TYPEFACE_NAMES = ("mathbf", "boldsymbol", "mathrm", "operatorname")
 OTHERS = ("component", "entry", "index")
 KNOWN_KEYS = ("is", "unit", "constant", "positive", "shape", "size", "of", "inverse", "stands_for", "meaning")
 UNITS = {"m": Dimension(1), "kg": Dimension(0, 1), "s": Dimension(0, 0, 1), "rad": NO_DIMENSION, "1": NO_DIMENSION,
@@ -32,13 +34,9 @@ UNITS = {"m": Dimension(1), "kg": Dimension(0, 1), "s": Dimension(0, 0, 1), "rad
          "Pa": Dimension(-1, 1, -2)}  # fmt: skip
 
 
-class BadNotation(ValueError):
-    """A notation that cannot be used: its text says in one line what is wrong and what is expected."""
-
-
 def declare_letter(notation: PageNotation, table: LetterTable, text: str, said: Any) -> None:
     """Enter what the file says of a letter; raises `BadNotation` for what is unknown or does not go together."""
-    where = f"[symbols] {text!r}"
+    where = f"[symbols] '{text}'"
     said = {"is": said} if isinstance(said, str) else said
     if not isinstance(said, Mapping):
         raise BadNotation(f"{where}: expected a table such as {{ is = 'vector' }}")
@@ -51,11 +49,14 @@ def declare_letter(notation: PageNotation, table: LetterTable, text: str, said: 
         raise BadNotation(f"{where}: {problem}") from None
     if letter is None:
         raise BadNotation(f"{where} is not one letter with its accents and scripts")
+    if table.said.setdefault(letter, (text, said))[1] != said:
+        raise BadNotation(f"{where}: '{table.said[letter][0]}' is the same letter, and says something else of it")
+    notation.matched[text] = False
     kind = said.get("is", "array" if "stands_for" in said else "")
     if kind == "index":
         notation.indices[letter.base] = Index(letter.base)
     elif kind in ("component", "entry"):
-        _component(notation, table, letter, said, where)
+        _component(notation, table, letter, text, said, where)
     elif kind in KINDS:
         _quantity(notation, table, letter, text, said, kind, where)
     else:
@@ -75,10 +76,15 @@ def _quantity(notation: PageNotation, table: LetterTable, letter: Glyph, text: s
     if inverse is not None and "{swapped}" not in inverse.replace("swapped", "{swapped}"):
         raise BadNotation(f"{where}: inverse = {inverse!r} does not say 'swapped', as in 'R_{{swapped}}'")
     made: dict[Glyph, Node] = {}
+    waiting: set[Glyph] = set()
 
     def symbol(found: Glyph) -> Node:
+        notation.matched[text] = True
         if found in made:
             return made[found]
+        if found in waiting:
+            raise BadNotation(f"{where}: what it stands for leads back to it")
+        waiting.add(found)
         latex = text if found == letter else spelled(found)
         stands_for: Node | None = None
         swapped = replace(found, sub=" ".join(reversed(found.sub.split()))) if inverse is not None else found
@@ -88,10 +94,11 @@ def _quantity(notation: PageNotation, table: LetterTable, letter: Glyph, text: s
             stands_for = _meant(notation, said["stands_for"], where)
         size = measure if stands_for is None or stands_for.measure is None else stands_for.measure
         constant = bool(said.get("constant", False))
+        waiting.discard(found)
         made[found] = Symbol(named(found), latex, size, meaning, constant, stands_for, notation.home)
         return made[found]
 
-    table.add(letter, symbol)
+    table.add(letter, symbol, text)
     if "stands_for" in said:
         notation.checks.append(lambda: symbol(letter))
 
@@ -121,7 +128,8 @@ def _dimension(unit: str, where: str) -> Dimension:
     return total
 
 
-def _component(notation: PageNotation, table: LetterTable, letter: Glyph, said: Mapping[str, Any], where: str) -> None:
+def _component(notation: PageNotation, table: LetterTable, letter: Glyph, text: str, said: Mapping[str, Any],
+               where: str) -> None:  # fmt: skip
     """Letters that are the entries of a column: of as many as there are alternatives, in their order."""
     marks = [mark.strip() for mark in letter.sub.split("|")]
     whole = letter_in(said.get("of", ""))
@@ -130,13 +138,14 @@ def _component(notation: PageNotation, table: LetterTable, letter: Glyph, said: 
 
     def meaning(row: int, mark: str) -> Callable[[Glyph], Node]:
         def make(_: Glyph) -> Node:
+            notation.matched[text] = True
             node, _rest = next(table.meanings(whole))
             return component(node, row, mark)
 
         return make
 
     for row, mark in enumerate(marks, 1):
-        table.add(replace(letter, sub=mark), meaning(row, mark))
+        table.add(replace(letter, sub=mark), meaning(row, mark), text)
 
 
 def _meant(notation: PageNotation, latex: str, where: str) -> Node:
@@ -154,21 +163,6 @@ def named(letter: Glyph) -> str:
     """A name for a symbol, in letters and digits."""
     primes = "'" * letter.primes
     said = " ".join((*letter.before, letter.base, *letter.accents, letter.sub, *letter.sups))
-    words = [
-        word for word in re.findall(r"\w+", said) if word not in ("mathbf", "boldsymbol", "mathrm", "operatorname")
-    ]
-    return "_".join(words) + primes
-
-
-def spelled(letter: Glyph) -> str:
-    """The letter in LaTeX."""
-    text = letter.base
-    for style in reversed(re.findall(r"(\\math\w+|\\boldsymbol) ", letter.base + " ")):
-        inner = text.replace(style, "", 1).strip()
-        text = rf"\boldsymbol{{{inner}}}" if style == r"\mathbf" and inner[:1] == "\\" else f"{style}{{{inner}}}"
-    for accent in letter.accents:
-        text = f"{accent}{{{text}}}"
-    sub = f"_{{{letter.sub}}}" if letter.sub else ""
-    sups = "".join(f"^{{{sup}}}" for sup in letter.sups)
-    left = "".join(f"{sign}{{{mark}}}" for sign, mark in zip("_^", letter.before, strict=True) if mark)
-    return ("{}" + left if left else "") + text + sub + "'" * letter.primes + sups
+    words = [word for word in re.findall(r"\w+", said) if word not in TYPEFACE_NAMES]
+    arguments = [word.strip("\\") for word in letter.arguments.split() if word.strip("\\") not in TYPEFACE_NAMES]
+    return "_".join(words) + primes + (f"({' '.join(arguments)})" if arguments else "")

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from chasles.reading.context import FittingContext
 from chasles.reading.fits import MOST, UNUSUAL, Fit, letters_agree
 from chasles.reading.grammar import Chain, formula
 from chasles.reading.grouping import RELATIONS, Tokens, Unread, closing, lines_of
+from chasles.reading.page_functions import functions_in
 from chasles.reading.page_notation import PageNotation
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.reading import Part, ReadEquation, Reading
@@ -31,16 +33,18 @@ MOST_READINGS = 6
 
 @dataclass(frozen=True, slots=True)
 class PrintedChain:
-    """One chain of relations; a condition is what stands behind a word such as "for"."""
+    """One chain of relations that begins on a line; a condition is what stands behind a word such as "for"."""
 
     chain: Chain
     is_condition: bool
+    line: int
 
 
 def read_equations(printed: Sequence[PrintedEquation], notation: PageNotation) -> tuple[ReadEquation, ...]:
     """Each printed equation with its readings; one that begins with a relation goes on with the side before."""
     found: list[ReadEquation] = []
     before: Tokens | None = None
+    notation = replace(notation, functions=functions_in(_chains(printed)))
     for equation in printed:
         try:
             marks, here = _as_noted(equation, notation), notation.within(equation.section)
@@ -51,6 +55,12 @@ def read_equations(printed: Sequence[PrintedEquation], notation: PageNotation) -
             read = ReadEquation(equation, (), str(problem), problem.column)
         found.append(read)
     return settled(found)
+
+
+def _chains(printed: Sequence[PrintedEquation]) -> Iterator[Chain]:
+    for equation in printed:
+        with suppress(Unread, BadPage):
+            yield from (formula(line) for line, _ in segments(equation.tokens) if line)
 
 
 def expressions(latex: str, notation: PageNotation) -> list[Node]:
@@ -83,10 +93,14 @@ def _read(
     equation: PrintedEquation, marks: Tokens, before: Tokens | None, notation: PageNotation
 ) -> tuple[ReadEquation, Tokens | None]:
     lines = [line for line in segments(marks) if line[0]]
-    chains = [PrintedChain(formula(line), condition) for line, condition in lines if not _is_range(line, notation)]
+    chains = [
+        PrintedChain(formula(line), condition, max(equation.line, line[0].line))
+        for line, condition in lines
+        if not _is_range(line, notation)
+    ]
     if chains and chains[0].chain.sides[0] is None and before:
         whole = (*before, *lines[0][0])
-        chains[0] = PrintedChain(formula(whole), chains[0].is_condition)
+        chains[0] = replace(chains[0], chain=formula(whole))
         lines[0] = whole, lines[0][1]
     if not any(said.chain.relations for said in chains):
         raise Unread("no relation stands in it", marks[0] if marks else None)
@@ -178,7 +192,7 @@ def _readings(chains: list[PrintedChain], ctx: FittingContext) -> list[Reading]:
     """The readings of all chains together, the usual ones first."""
     partial: list[tuple[int, tuple[Part, ...], tuple[Part, ...]]] = [(0, (), ())]
     for said in chains:
-        found = _chain(said.chain, ctx)
+        found = _chain(said, ctx)
         if said.is_condition:
             if not found:
                 raise ctx.problems[-1] if ctx.problems else Unread("what it holds for cannot be read")
@@ -201,8 +215,9 @@ def _inconsistent(parts: tuple[Part, ...]) -> int:
     return sum(len(symbols) - 1 for symbols in letters.values())
 
 
-def _chain(chain: Chain, ctx: FittingContext) -> list[tuple[int, tuple[Part, ...]]]:
+def _chain(said: PrintedChain, ctx: FittingContext) -> list[tuple[int, tuple[Part, ...]]]:
     """The chain as relations between neighbours, all sides of one shape and of dimensions that agree."""
+    chain = said.chain
     if not chain.relations:
         raise Unread("no relation stands here", None)
     if chain.sides[0] is None:
@@ -215,6 +230,7 @@ def _chain(chain: Chain, ctx: FittingContext) -> list[tuple[int, tuple[Part, ...
     unknown = next((r for r, sign in zip(chain.relations, signs, strict=True) if sign not in KNOWN), None)
     if unknown:
         raise Unread(f"no word for {unknown.text}", unknown)
+    places = [(sign, max(said.line, chain.relations[k].line if k else 0)) for k, sign in enumerate(signs)]
     found: list[tuple[int, tuple[Part, ...]]] = []
     for shape in dict.fromkeys(fit.shape for fits in sides for fit in fits if fit.shape):
         at = [[fit for each in fits if (fit := each.at(shape)) is not None] for fits in sides]
@@ -222,14 +238,14 @@ def _chain(chain: Chain, ctx: FittingContext) -> list[tuple[int, tuple[Part, ...
         for fits in at:
             chosen = [(*before, fit) for before in chosen for fit in fits if not before or _agree(before[-1], fit)]
             chosen = sorted(chosen, key=_unlikely)[: MOST * 2]
-        found += [(sum(fit.cost for fit in each), _parts(each, signs)) for each in chosen]
+        found += [(sum(fit.cost for fit in each), _parts(each, places)) for each in chosen]
     if not found and ctx.tolerant:
         firsts = [next((fit for fit in fits if fit.node is not None), fits[0]) for fits in sides]
         firsts = [fit.at((3, 3)) or fit if fit.node is None else fit for fit in firsts]
         if any(ctx.mixes(one, other) for one, other in pairwise(firsts)):
             return []
         if all(fit.node is not None for fit in firsts):
-            found = [(0, _parts(tuple(firsts), signs))]
+            found = [(0, _parts(tuple(firsts), places))]
     return found
 
 
@@ -242,10 +258,11 @@ def _agree(one: Fit, other: Fit) -> bool:
     return one.node is not None and other.node is not None and not _fault(one.node, other.node)
 
 
-def _parts(sides: tuple[Fit, ...], signs: list[str]) -> tuple[Part, ...]:
+def _parts(sides: tuple[Fit, ...], signs: list[tuple[str, int]]) -> tuple[Part, ...]:
     nodes = [fit.node for fit in sides if fit.node is not None]
     return tuple(
-        Part(left, sign, right, _fault(left, right)) for left, sign, right in zip(nodes, signs, nodes[1:], strict=False)
+        Part(left, sign, right, _fault(left, right), line)
+        for (left, right), (sign, line) in zip(pairwise(nodes), signs, strict=True)
     )
 
 

@@ -9,9 +9,10 @@ from functools import partial
 from chasles.reading.applying import with_marks
 from chasles.reading.context import FittingContext
 from chasles.reading.fits import UNUSUAL, Fit, Shape, made
+from chasles.reading.glyphs import letter_of, said_of, with_arguments
 from chasles.reading.grammar import Atom
-from chasles.reading.letter_table import letter_of, said_of
-from chasles.reading.marks import atom_fits
+from chasles.reading.marks import atom_fits, letter_fits
+from chasles.reading.page_functions import lists_letters
 from chasles.reading.page_notation import repeated_rate
 from chasles.reading.quotients import of_tokens, order_of_rate, partial_by, upright
 from chasles.reading.spellings import Make, called
@@ -51,12 +52,26 @@ def factors(items: tuple[Atom, ...], start: int, ctx: FittingContext) -> Iterato
             yield end, list(_made_of(operators, inner, None, ctx))
         return
     fits = atom_fits(atom, ctx)
-    if start + 1 < len(items) and _is_argument(items[start + 1]):
+    behind = items[start + 1] if start + 1 < len(items) else None
+    if behind is not None and (value := _value_fits(atom, behind, ctx)):
+        yield start + 2, with_marks(value, replace(letter_of(behind), accents=(), base=""), ctx)
+        fits = [replace(fit, cost=fit.cost + (UNUSUAL if lists_letters(behind) else UNUSUAL - 1)) for fit in fits]
+    elif start + 1 < len(items) and _is_argument(items[start + 1]):
         nodes = [(fit, made(At, fit.node, "t")) for fit in fits if fit.node is not None]
         at = [Fit(node, ctx.said(node), fit.cost) for fit, node in nodes if node is not None]
         yield start + 2, with_marks(at, replace(letter_of(items[start + 1]), accents=(), base=""), ctx)
         fits = [replace(fit, cost=fit.cost + UNUSUAL) for fit in fits]
     yield start + 1, fits
+
+
+def _value_fits(atom: Atom, bracket: Atom, ctx: FittingContext) -> list[Fit]:
+    """The value of a function: the notation knows its arguments, or the page has letters alone between its brackets."""
+    letter = with_arguments(letter_of(atom), bracket)
+    if letter is None or _is_argument(bracket):
+        return []
+    is_function = ctx.notation.functions.get(replace(letter, arguments="", sups=()))
+    fits = letter_fits(letter, ctx, is_function=is_function is not None)
+    return [replace(fit, cost=fit.cost + (2 * UNUSUAL if is_function is False else 0)) for fit in fits]
 
 
 def _is_argument(atom: Atom) -> bool:

@@ -18,7 +18,7 @@ from lark.lexer import Lexer
 from chasles.reading.grouping import Grid, Tokens, Unread, grouped
 from chasles.reading.tokens import Token
 
-__all__ = ["Atom", "Chain", "FlatRow", "Terms", "formula"]
+__all__ = ["Atom", "Chain", "FlatRow", "Terms", "formula", "terms_in"]
 
 GRAMMAR = r"""
 chain: terms? (RELATION terms)*
@@ -50,6 +50,11 @@ class Atom:
     primes: int = 0
     sups: tuple[Tokens, ...] = ()
     before: tuple[Tokens, Tokens] = ((), ())
+
+    @property
+    def is_marked(self) -> bool:
+        """Whether it has scripts."""
+        return bool(self.sub or self.primes or self.sups)
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,6 +154,14 @@ class _Built(Transformer[Any, Any]):
             raise Unread("two subscripts stand on one letter", subs[1][0] if subs[1] else nucleus.place)
         made = nucleus.kind, nucleus.text, nucleus.place, nucleus.arguments, nucleus.inside, nucleus.grid
         return Atom(*made, subs[0] if subs else None, primes, tuple(sups))
+
+
+def terms_in(atom: Atom) -> Iterator[Terms]:
+    """What brackets, fractions, roots, braces and matrices hold."""
+    yield from atom.inside
+    held = list(atom.arguments) if atom.kind in ("COMMAND_OF_TWO", "GROUP") or atom.text == r"\sqrt" else []
+    held += [cell for row in atom.grid.rows for cell in row] if atom.grid else []
+    yield from (side for tokens in held if tokens for side in formula(tokens).sides if side is not None)
 
 
 PARSER = Lark(GRAMMAR, parser="lalr", lexer=_Prepared, start="chain")

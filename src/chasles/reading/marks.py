@@ -8,8 +8,8 @@ from fractions import Fraction
 from chasles.reading.applying import applied, with_marks
 from chasles.reading.context import FittingContext
 from chasles.reading.fits import UNUSUAL, Fit, Shape, kept
+from chasles.reading.glyphs import Glyph, letter_of
 from chasles.reading.grammar import Atom, Terms
-from chasles.reading.letter_table import Glyph, letter_of
 from chasles.reading.matrices import block_fits, grid_fits, row_of_blocks
 from chasles.reading.quotients import exponential_fits, fraction_fits, of_tokens
 from chasles.reading.read_back import tokens_of
@@ -25,20 +25,14 @@ from chasles.vocabulary import (
 )
 from chasles.vocabulary.families import Entry, Kronecker
 
-__all__ = ["atom_fits"]
+__all__ = ["atom_fits", "letter_fits"]
 
 
 def atom_fits(atom: Atom, ctx: FittingContext) -> list[Fit]:
     """The readings of an atom with all its scripts; none, and a note why, where the notation does not know it."""
     letter = letter_of(atom)
-    found: list[Fit] = []
     problems = len(ctx.problems)
-    longest: Glyph | None = None
-    for node, rest in ctx.notation.letters.meanings(letter):
-        fits = with_marks([_of_symbol(node, ctx)], rest, ctx)
-        longest = longest or (rest if fits else None)
-        found += fits if rest == longest else [replace(fit, cost=fit.cost + UNUSUAL) for fit in fits]
-    found = found or _indexed(letter, ctx) or _thin(letter, ctx)
+    found = letter_fits(letter, ctx) or _indexed(letter, ctx) or _thin(letter, ctx)
     if not found:
         found = _nucleus(atom, letter, ctx)
     if found:
@@ -46,6 +40,17 @@ def atom_fits(atom: Atom, ctx: FittingContext) -> list[Fit]:
     elif len(ctx.problems) == problems and atom.kind in ("LETTER", "COMMAND"):
         ctx.note(f"the notation does not say what {''.join(_shown(letter))} is", atom.place)
     return kept(found)
+
+
+def letter_fits(letter: Glyph, ctx: FittingContext, is_function: bool = False) -> list[Fit]:
+    """What the letter means, and what the marks that are not part of its name make of it."""
+    found: list[Fit] = []
+    longest: Glyph | None = None
+    for node, rest in ctx.notation.letters.meanings(letter, is_function):
+        fits = with_marks([_of_symbol(node, ctx)], rest, ctx)
+        longest = longest or (rest if fits else None)
+        found += fits if rest == longest else [replace(fit, cost=fit.cost + UNUSUAL) for fit in fits]
+    return found
 
 
 def _shown(letter: Glyph) -> list[str]:

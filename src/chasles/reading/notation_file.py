@@ -14,8 +14,9 @@ from typing import Any, cast
 
 from chasles.nearest import nearest
 from chasles.reading.declared_letters import BadNotation, declare_letter
+from chasles.reading.glyphs import letter_in
 from chasles.reading.grouping import Unread
-from chasles.reading.letter_table import LetterTable, letter_in
+from chasles.reading.letter_table import LetterTable
 from chasles.reading.page_notation import CONVENTIONS, PageNotation, in_module, known_words, usual_spellings
 from chasles.reading.spellings import Make
 from chasles.reading.tokens import BadPage
@@ -41,15 +42,26 @@ def load_notation(source: str | Path | ModuleType | Mapping[str, Any]) -> PageNo
         return in_module(source)
     if isinstance(source, Path):
         try:
-            source = source.read_text(encoding="utf-8")
+            text = source.read_text(encoding="utf-8")
         except (OSError, UnicodeDecodeError) as error:
             raise BadNotation(f"{source}: {error}") from None
+        try:
+            return load_notation(text)
+        except BadNotation as error:
+            raise BadNotation(f"{source}{_line_of(str(error), text)}: {error}") from None
     try:
         tables = tomllib.loads(source) if isinstance(source, str) else dict(source)
     except tomllib.TOMLDecodeError as error:
         raise BadNotation(f"the notation is no TOML: {error}") from None
     _known(tables, TABLES, "the notation")
     return _Loading(tables).notation
+
+
+def _line_of(message: str, text: str) -> str:
+    """Where the text has the entry that the message names, as in ":12"."""
+    entry = re.search(r"\[\w+\] '?(.*?)'?(?::| has| is|$)", message)
+    places = [number for number, line in enumerate(text.splitlines(), 1) if entry and entry[1] in line]
+    return f":{places[-1]}" if entry and places else ""
 
 
 def _known(given: Mapping[str, Any], names: Sequence[str], where: str) -> None:
@@ -84,6 +96,7 @@ class _Loading:
             self.notation.sections[name] = table
         for check in self.notation.checks:
             check()
+        self.notation.matched.update(dict.fromkeys(self.notation.matched, False))
 
     def _operator(self, name: str, spelled: Any, forms: dict[Any, str]) -> None:
         """Each spelling of a word; the first is the one in which it is printed."""

@@ -11,7 +11,8 @@ from types import ModuleType
 from typing import Any, cast, get_type_hints
 
 from chasles.reading.fits import made
-from chasles.reading.letter_table import Glyph, LetterTable, letter_in
+from chasles.reading.glyphs import Glyph, letter_in
+from chasles.reading.letter_table import LetterTable
 from chasles.reading.spellings import Make, Spellings
 from chasles.vocabulary import (
     PI,
@@ -52,7 +53,8 @@ class PageNotation:
     """Letters, spellings, families of letters, and the `forms` in which words are printed.
 
     `home` is the module that stands for the page, `assuming` what holds on all of it, in LaTeX, and `notes` are what
-    is said of single equations; `checks` raise where something that is declared cannot be read.
+    is said of single equations; `checks` raise where something that is declared cannot be read. `functions` are the
+    letters that the page has with arguments, and `matched` says which entries of a file some letter has matched.
     """
 
     letters: LetterTable = field(default_factory=LetterTable)
@@ -68,11 +70,18 @@ class PageNotation:
     notes: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     sections: dict[str, LetterTable] = field(default_factory=dict)
     checks: list[Callable[[], Node]] = field(default_factory=list)
+    functions: Mapping[Glyph, bool] = field(default_factory=dict)
+    matched: dict[str, bool] = field(default_factory=dict)
 
     def within(self, section: str | None) -> PageNotation:
         """The notation with the letters that mean something else in a section."""
         name = next((name for name in self.sections if section and f"{section} ".startswith(f"{name} ")), None)
         return self if name is None else replace(self, letters=self.sections[name].before(self.letters))
+
+    @property
+    def unmatched(self) -> tuple[str, ...]:
+        """The entries of a file that no letter has matched so far."""
+        return tuple(entry for entry, is_matched in self.matched.items() if not is_matched)
 
     def declare(self, node: Node, text: str) -> None:
         """Let the letter stand for the node."""

@@ -7,11 +7,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
 from chasles.reading.commands import MARKS
-from chasles.reading.declared_letters import spelled
 from chasles.reading.equations import segments
-from chasles.reading.grammar import Atom, Terms, formula
-from chasles.reading.grouping import TYPEFACES, Tokens, Unread
-from chasles.reading.letter_table import Glyph, letter_in, letter_of
+from chasles.reading.glyphs import Glyph, letter_in, letter_of, spelled
+from chasles.reading.grammar import Terms, formula, terms_in
+from chasles.reading.grouping import TYPEFACES, Unread
 from chasles.reading.page_notation import PageNotation, usual_spellings
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.spellings import called
@@ -89,23 +88,11 @@ def _note(terms: Terms | None, within: str, uses: dict[Glyph, _Use], usual: Page
             if piece.kind == "LETTER" and name in usual.spellings.names:
                 before = name
                 continue
-            for inner, sign in _inside(piece):
-                _note(inner, sign or before, uses, usual)
+            for inner in terms_in(piece):
+                _note(inner, piece.text if piece.text in (r"\|\|", "||") else before, uses, usual)
             if piece.kind == "LETTER" or piece.text in TYPEFACES or piece.text in MARKS:
                 _note_letter(letter_of(piece), around, uses)
             before = within
-
-
-def _inside(atom: Atom) -> Iterator[tuple[Terms | None, str]]:
-    """What brackets, fractions, matrices and accents over several letters hold."""
-    yield from ((terms, atom.text if atom.text in (r"\|\|", "||") else "") for terms in atom.inside)
-    held: list[Tokens] = (
-        list(atom.arguments) if atom.kind in ("COMMAND_OF_TWO", "GROUP") or atom.text == r"\sqrt" else []
-    )
-    held += [cell for row in atom.grid.rows for cell in row] if atom.grid else []
-    for tokens in held:
-        if tokens:
-            yield from ((side, "") for side in formula(tokens).sides)
 
 
 def _note_letter(letter: Glyph, around: set[str], uses: dict[Glyph, _Use]) -> None:

@@ -9,9 +9,9 @@ from itertools import product
 from chasles.reading.applying import applied
 from chasles.reading.context import FittingContext
 from chasles.reading.fits import Fit, made
+from chasles.reading.glyphs import Glyph, letter_of
 from chasles.reading.grammar import Atom, formula
 from chasles.reading.grouping import Tokens, Unread
-from chasles.reading.letter_table import Glyph, letter_of
 from chasles.reading.page_notation import repeated_rate
 from chasles.vocabulary import (
     Group,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 from chasles.reading.printed import PrintedEquation
@@ -17,13 +17,14 @@ Status = Literal["read", "ambiguous", "unread"]
 class Part:
     r"""One relation between two expressions: `sign` is `=`, `\equiv`, `<`, `>`, `\leq`, `\geq` or `\neq`.
 
-    `fault` says why the two do not fit together, where they do not.
+    `fault` says why the two do not fit together, where they do not; `line` is where the page has it.
     """
 
     left: Node
     sign: str
     right: Node
     fault: str = ""
+    line: int = field(default=0, compare=False)
 
 
 @dataclass(frozen=True, slots=True)

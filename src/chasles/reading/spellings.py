@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
+from chasles.reading.glyphs import letter_of, only_atom, said_of, text_of
 from chasles.reading.grammar import Atom, FlatRow, Terms, formula
 from chasles.reading.grouping import TYPEFACES, Unread
-from chasles.reading.letter_table import letter_of, only_atom, said_of, text_of
 from chasles.reading.tokens import Token, tokens
 from chasles.vocabulary import Node
 
@@ -47,6 +47,8 @@ class Spellings:
         letter = letter_of(atom)
         if letter.base in HOLES and len(letter.accents) == 1 and not letter.sups and not letter.sub:
             return "accents", letter.accents[0]
+        if letter.base in HOLES and not letter.accents and letter.sub and not letter.sups:
+            return "scripts", f"_ {letter.loose.sub}"
         if letter.base in HOLES and not letter.accents and letter.sups:
             return "scripts", " ".join(letter.loose.sups)
         if letter.base in HOLES and letter.primes:

@@ -198,7 +198,7 @@ class TexPage:
             equations = [DisplayedEquation([opening], raw, first.tag or number, first.label, fault=str(fault))]
         for each in equations:
             if each.fault or states_relation(each.tokens):
-                line, column = (fault.line, fault.column) if fault else each.tokens[0][1:]
+                line, column = (fault.line, fault.column) if fault else each.place[1:]
                 named = each.label or label or None
                 where = self.numbering.name, source.file, each.fault
                 found = tuple(each.tokens)

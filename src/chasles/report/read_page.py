@@ -54,7 +54,7 @@ def _articles(page: Page) -> Iterator[str]:
 
 def _margin(each: PageEquation, file: str) -> str:
     kind = "fine" if is_fine(each) else "wrong" if each.verdict in ("fails", "ill-formed") else "open"
-    text = line_of(each, file).removeprefix(f"{each.printed.file or file}:{each.printed.line}:").strip()
+    text = line_of(each, file).removeprefix(f"{each.printed.file or file}:{each.line}:").strip()
     return f'<aside class="{kind}"><p>{escape(text)}</p></aside>'
 
 

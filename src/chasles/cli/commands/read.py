@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import click
 
 from chasles.cli.book import as_data
-from chasles.cli.failures import BAD_INPUT, FAILED, Failure
+from chasles.cli.failures import BAD_INPUT, FAILED, Failure, complain
 from chasles.cli.files import replace_whole, text_of_file, write_whole
 from chasles.cli.quiet import is_quiet
 
@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from chasles.reading.printed import PrintedEquation
 
 __all__ = ["command"]
+
+MOST_NAMED = 8
 
 
 @click.command(
@@ -73,7 +75,13 @@ def command(
         raise click.UsageError("say what the letters are with --notation; --propose prints a first notation")
     if out is not None and len(pages) > 1:
         raise click.UsageError("--out takes one page at a time")
-    found = [_read(page, _printed(page, macros, inline, follow), notation, out) for page in pages]
+    read = [_read(page, _printed(page, macros, inline, follow), notation, out) for page in pages]
+    found = [page for page, _ in read]
+    unmatched = [entry for entry in read[0][1] if all(entry in others for _, others in read)]
+    if unmatched and not is_quiet():
+        shown = [f"'{entry}'" for entry in unmatched[:MOST_NAMED]]
+        more = [f"{len(unmatched) - MOST_NAMED} more"] if len(unmatched) > MOST_NAMED else []
+        complain([f"{notation}: no letter of the page matches {', '.join(shown + more)}"])
     if html:
         from chasles.report.read_page import read_page_as_html
 
@@ -123,8 +131,13 @@ def _printed(page: Path, macros: Path | None, inline: bool, follow: bool) -> tup
         raise Failure(f"{page}:{error.line}: {error}", BAD_INPUT) from error
 
 
-def _read(page: Path, printed: tuple[PrintedEquation, ...], name: str, out: Path | None) -> Page:
-    """The page decided, with what a person has answered; what came of it is written to the folder."""
+def _read(
+    page: Path, printed: tuple[PrintedEquation, ...], name: str, out: Path | None
+) -> tuple[Page, tuple[str, ...]]:
+    """The page decided, with what a person has answered, and the letters of the notation that it does not have.
+
+    What came of it is written to the folder.
+    """
     from chasles.pages.folder import QUESTIONS, answers, files_of
     from chasles.pages.page import read_page
     from chasles.reading.notation_file import BadNotation
@@ -132,7 +145,7 @@ def _read(page: Path, printed: tuple[PrintedEquation, ...], name: str, out: Path
     try:
         notation = _notation(name)
         if out is None:
-            return read_page(printed, notation, str(page))
+            return read_page(printed, notation, str(page)), notation.unmatched
         asked = out / QUESTIONS
         given = answers(text_of_file(asked)) if asked.exists() else {}
         notes = {each: {**notation.notes.get(each, {}), **given.get(each, {})} for each in {**notation.notes, **given}}
@@ -140,12 +153,12 @@ def _read(page: Path, printed: tuple[PrintedEquation, ...], name: str, out: Path
         out.mkdir(parents=True, exist_ok=True)
         replace_whole({out / file: text for file, text in files_of(found, given).items()})
     except BadNotation as error:
-        raise Failure(str(error), BAD_INPUT) from error
+        raise Failure(str(error) if str(error).startswith(name) else f"{name}: {error}", BAD_INPUT) from error
     except OSError as error:
         raise Failure(f"cannot write {out}: {error.strerror}", BAD_INPUT) from error
     except ValueError as error:
         raise Failure(f"{out}: {QUESTIONS}: {error}", BAD_INPUT) from error
-    return found
+    return found, notation.unmatched
 
 
 def _notation(name: str) -> PageNotation:

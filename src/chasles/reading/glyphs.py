@@ -1,0 +1,150 @@
+"""Letters with their accents, scripts and arguments."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field, replace
+from functools import lru_cache
+
+from chasles.reading.commands import MARKS
+from chasles.reading.grammar import Atom, Chain, FlatRow, Terms, formula
+from chasles.reading.grouping import TYPEFACES, Tokens, Unread
+from chasles.reading.tokens import Token, tokens
+
+__all__ = ["Glyph", "letter_in", "letter_of", "only_atom", "said_of", "spelled", "text_of", "with_arguments"]
+
+BOLD = {r"\boldsymbol": r"\mathbf"}
+NAME = re.compile(r"\\(?:operatorname|text)\{(.*)\}$")
+
+
+@dataclass(frozen=True, slots=True)
+class Glyph:
+    r"""A letter with its accents from the inside out, its subscript, primes and superscripts, each as one text.
+
+    `before` are a subscript and a superscript at its left, `arguments` what brackets behind it hold: \Gamma(\phi).
+    """
+
+    base: str
+    accents: tuple[str, ...] = ()
+    sub: str = ""
+    primes: int = 0
+    sups: tuple[str, ...] = ()
+    before: tuple[str, str] = ("", "")
+    arguments: str = ""
+    place: Token | None = field(default=None, compare=False)
+
+    @property
+    def loose(self) -> Glyph:
+        """The same without its typefaces."""
+        return replace(self, base=_unstyled(self.base), sub=_unstyled(self.sub), sups=tuple(map(_unstyled, self.sups)))
+
+
+def _unstyled(text: str) -> str:
+    return " ".join(word for word in text.split() if word not in TYPEFACES)
+
+
+def said_of(marks: Tokens) -> str:
+    """The tokens as one text: without braces, bold in one way, upright names as one word."""
+    words = (NAME.sub(r"\1", BOLD.get(token.text, token.text)) for token in marks)
+    return " ".join(word for word in words if word not in ("{", "}"))
+
+
+def only_atom(chain: Chain) -> Atom | None:
+    """The atom, where the chain is nothing else."""
+    if chain.relations or chain.sides[0] is None or chain.sides[0].signs != ("",):
+        return None
+    pieces = chain.sides[0].rows[0].pieces
+    return pieces[0] if len(pieces) == 1 and isinstance(pieces[0], Atom) else None
+
+
+def _text(atom: Atom) -> str:
+    """What scripts are put on, as one text."""
+    match atom.kind:
+        case "BRACKET":
+            inside = " , ".join(text_of(terms) for terms in atom.inside)
+            half = len(atom.text) // 2
+            return f"{atom.text[:half]} {inside} {atom.text[half:]}"
+        case "GROUP":
+            return said_of(atom.arguments[0])
+        case "COMMAND" | "COMMAND_OF_TWO":
+            return " ".join((BOLD.get(atom.text, atom.text), *(said_of(each) for each in atom.arguments)))
+        case "GRID":
+            return r"\begin"
+        case _:
+            return NAME.sub(r"\1", atom.text)
+
+
+def text_of(terms: Terms) -> str:
+    """The terms as one text."""
+    return " ".join(f"{sign} {_text_of_row(row)}" for sign, row in zip(terms.signs, terms.rows, strict=True)).strip()
+
+
+def _text_of_row(row: FlatRow) -> str:
+    return " ".join(piece.text if isinstance(piece, Token) else _whole(piece) for piece in row.pieces)
+
+
+def _whole(atom: Atom) -> str:
+    sub = f" _ {said_of(atom.sub)}" if atom.sub else ""
+    return _text(atom) + sub + " '" * atom.primes + "".join(f" ^ {said_of(sup)}" for sup in atom.sups)
+
+
+@lru_cache(maxsize=4096)
+def letter_of(atom: Atom) -> Glyph:
+    """The letter that the atom is, styles and accents in whatever order the author put them."""
+    accents: list[str] = []
+    styles: list[str] = []
+    sub, primes, sups, place = "", 0, list[str](), atom.place
+    before = ("", "")
+    while True:
+        if atom.sub:
+            sub = " ".join(filter(None, (said_of(atom.sub), sub)))
+        primes += atom.primes
+        before = (said_of(atom.before[0]), said_of(atom.before[1])) if any(atom.before) else before
+        sups = [*map(said_of, atom.sups), *sups]
+        inner = None
+        if atom.kind == "GROUP" or atom.text in TYPEFACES or atom.text in MARKS:
+            try:
+                inner = only_atom(formula(atom.arguments[0])) if atom.arguments[0] else None
+            except Unread:
+                inner = None
+        if inner is None:
+            break
+        if atom.text in TYPEFACES:
+            styles.append(BOLD.get(atom.text, atom.text))
+        elif atom.kind == "COMMAND":
+            accents.insert(0, {r"\widetilde": r"\tilde", r"\widehat": r"\hat"}.get(atom.text, atom.text))
+        atom = inner
+    base = " ".join((*dict.fromkeys(styles), _text(atom)))
+    return Glyph(base, tuple(accents), sub, primes, tuple(sups), before, place=place)
+
+
+def with_arguments(letter: Glyph, bracket: Atom) -> Glyph | None:
+    """The letter with what the round brackets behind it hold as its arguments; None for other brackets."""
+    if bracket.text != "()" or not bracket.inside:
+        return None
+    return replace(letter, arguments=" , ".join(map(text_of, bracket.inside)))
+
+
+def letter_in(text: str) -> Glyph | None:
+    """The letter that a notation writes, with arguments where it is a function; None where that is several."""
+    chain = formula(tokens(text))
+    row = chain.sides[0].rows[0].pieces if chain.sides[0] and not chain.relations else ()
+    if len(row) == 2 and isinstance(row[0], Atom) and isinstance(row[1], Atom) and not row[1].is_marked:
+        return with_arguments(letter_of(row[0]), row[1])
+    atom = only_atom(chain)
+    return None if atom is None else letter_of(atom)
+
+
+def spelled(letter: Glyph) -> str:
+    """The letter in LaTeX."""
+    text = letter.base
+    for style in reversed(re.findall(r"(\\math\w+|\\boldsymbol) ", letter.base + " ")):
+        inner = text.replace(style, "", 1).strip()
+        text = rf"\boldsymbol{{{inner}}}" if style == r"\mathbf" and inner[:1] == "\\" else f"{style}{{{inner}}}"
+    for accent in letter.accents:
+        text = f"{accent}{{{text}}}"
+    sub = f"_{{{letter.sub}}}" if letter.sub else ""
+    sups = "".join(f"^{{{sup}}}" for sup in letter.sups)
+    left = "".join(f"{sign}{{{mark}}}" for sign, mark in zip("_^", letter.before, strict=True) if mark)
+    arguments = f"({letter.arguments.replace(' ,', ',')})" if letter.arguments else ""
+    return ("{}" + left if left else "") + text + sub + "'" * letter.primes + sups + arguments
