@@ -106,6 +106,9 @@ def test_a_note_says_what_the_print_should_be():
         ("[symbols]\nx = { is = 'matrix', shape = 3 }", "[rows, columns]"),
         ("[symbols]\n'x_{1|2}' = { is = 'component', of = 'y' }", "no letter declared before it"),
         ("[symbols]\ny = { stands_for = 'a + b' }", "does not say what a is"),
+        ("[symbols]\ny = { stands_for = 'y' }", "[symbols] 'y': what it stands for leads back to it"),
+        ("[symbols]\ny = { stands_for = 'z' }\nz = { stands_for = 'y^T' }", "leads back to it"),
+        ("[symbols]\n'\\mathbf{y}' = 'vector'\n'\\boldsymbol y' = 'matrix'", "'\\mathbf{y}' is the same letter"),
         ("[operators]\nskwe = '\\tilde{#}'", "near it: skew"),
         ("[operators]\nskew = 'a b c #'", "no pattern"),
         ("[operators]\nskew = '# \\times #'", "expected 1 '#', found 2"),
@@ -145,3 +148,100 @@ def test_a_first_notation_is_proposed():
         assert line in text.splitlines(), text
     found = read_equations(equations, load_notation(text))
     assert [each.status for each in found] == ["read"] * 6 + ["unread"]
+
+
+PATTERNS = r"""
+[operators]
+skew = ['#_\times', '[#]_\times']
+inverse = ['#^{-1}']
+
+[symbols]
+'v' = 'vector'
+'w' = 'vector'
+'x_{#}' = 'scalar'
+'x_{##}' = 'vector'
+'R_{#B}' = 'rotation'
+'R_{A#}' = 'matrix'
+'\Gamma' = 'matrix'
+'\bar{H}(#)' = { is = 'matrix', shape = [4, 3] }
+'\rho' = 'scalar'
+"""
+
+
+def parts_of(text: str, *more: str):
+    found = read_equations([PrintedEquation(each) for each in (text, *more)], load_notation(PATTERNS))
+    return [reading.parts[0] for reading in found[0].readings]
+
+
+def test_of_two_patterns_the_narrower_one_counts():
+    (part,) = parts_of(r"x_a = x_b")
+    assert part.left.shape == (1, 1)
+    (part,) = parts_of(r"x_{ab} = v")
+    assert not part.fault
+    with pytest.raises(BadNotation, match=r"'R_\{#B\}' and 'R_\{A#\}' both match R_\{A B\}"):
+        parts_of("R_{AB} = 1")
+
+
+def test_what_matches_nothing_is_known():
+    notation = load_notation(PATTERNS)
+    read_equations([PrintedEquation(r"R_{CB} = x_a v_\times")], notation)
+    assert {r"\Gamma", "w", "x_{##}"} < set(notation.unmatched)
+    assert not {"v", "x_{#}", "R_{#B}"} & set(notation.unmatched)
+
+
+@pytest.mark.parametrize(
+    ("text", "more", "left"),
+    [
+        (r"\Gamma(v) w = 0", (), r"\Gamma(v) w"),
+        (r"\Gamma(v)^{-1} = \Gamma^{-1}(w)", (), r"\Gamma(v)^{-1}"),
+        (r"\dot\Gamma(v) w = v", (), r"\dot{\Gamma(v)} w"),
+        (r"\Gamma(v - w) w = v", (r"\Gamma(v) = 1",), r"\Gamma(v - w) w"),
+        (r"\Gamma(v - w) w = v", (), r"\Gamma(v - w) w"),
+        (r"\Gamma(v - w) = v", (r"\Gamma w = v",), r"\Gamma \left( v - w \right)"),
+        (r"\bar H(-v) w = \bar H(v) w", (), r"\bar{H}(- v) w"),
+        (r"\rho(v) w = v", (), r"\rho(v) w"),
+        (r"\rho (v + w) = v", (), r"\rho \left( v + w \right)"),
+        (r"v_\times w = v", (), r"v_\times w"),
+    ],
+)
+def test_what_stands_in_brackets_behind_a_letter_is_its_argument_if_the_page_has_it_so(text, more, left):
+    (part,) = parts_of(text, *more)
+    assert part.fault == ""
+    assert latex(part.left).replace(" ", "") == left.replace(" ", "")
+
+
+def test_values_of_a_function_are_different_quantities():
+    (part,) = parts_of(r"\Gamma(v) = \Gamma(w)")
+    assert part.left != part.right
+
+
+OF_ANY_SIZE = r"""
+[operators]
+identity = ['\mathbf 1', 'I']
+transpose = ['#^T']
+norm = ['\|#\|']
+
+[symbols]
+'v' = 'vector'
+'\xi' = { is = 'array', shape = [6, 1] }
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "shapes"),
+    [
+        (r"\operatorname{tr}(I) = 6", {(3, 3), (6, 6)}),
+        (r"\det(2 I) = 8", {(3, 3), (6, 6)}),
+        (r"I^T I = I", {(3, 3), (6, 6)}),
+        (r"\mathbf 1 = I", {(3, 3), (6, 6)}),
+        (r"I = 1", {(3, 3), (6, 6)}),
+        (r"\|0\| = 0", {(1, 1), (3, 1)}),
+        (r"I v = v", {(3, 1)}),
+        (r"I \xi = \xi", {(6, 1)}),
+    ],
+)
+def test_an_identity_has_every_size_that_nothing_else_says(text, shapes):
+    found = read_equations([PrintedEquation(text)], load_notation(OF_ANY_SIZE))[0]
+    parts = [reading.parts[0] for reading in found.readings]
+    assert not any(part.fault for part in parts)
+    assert {part.left.of.shape if part.left.is_scalar else part.left.shape for part in parts} == shapes

@@ -15,6 +15,7 @@ import pytest
 
 from chasles.reading.equations import read_equations
 from chasles.reading.page_notation import in_module
+from chasles.reading.pages import displayed
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.read_back import tokens_of
 from chasles.reading.reading import ReadEquation
@@ -218,3 +219,27 @@ def test_in_an_integral_a_letter_means_what_runs_over_the_body():
     (reading,) = READ["3.130"].readings
     meanings = {symbol.letter: symbol.meaning for symbol in symbols_of(reading.parts[0].right)}
     assert meanings[r"\mathbf{r}"] == "position of P from the center of mass"
+
+
+@pytest.mark.parametrize(
+    ("text", "lines"),
+    [
+        (
+            "\\begin{aligned}\n\\mathbf{p} &= \\mathbf{a} \\\\\n&= \\mathbf{b} \\\\\n\n&= \\mathbf{c}\\end{aligned}",
+            [3, 4, 6],
+        ),
+        ("\\mathbf{p} = \\mathbf{a}, \\quad\n\\mathbf{p}\n= \\mathbf{b}", [2, 3]),
+        ("\\begin{aligned}\\mathbf{p} = \\mathbf{a} \\\\\n\\mathbf{b} \\\\ = \\mathbf{b}\\end{aligned}", [2, 3]),
+    ],
+)
+def test_each_part_has_its_line(text: str, lines: list[int]):
+    (found,) = read_equations([PrintedEquation(text, line=2)], NOTATION)
+    assert [part.line for part in found.readings[0].parts] == lines
+
+
+def test_rows_with_numbers_of_their_own_have_their_lines():
+    page = (
+        "\\begin{align}\n\\mathbf{p} &= \\mathbf{a} \\\\\n&= \\mathbf{b} \\\\\n\\mathbf{p} &= \\mathbf{c}\n\\end{align}"
+    )
+    found = read_equations(displayed(page, "tex"), NOTATION)
+    assert [(each.printed.line, each.readings[0].parts[0].line) for each in found] == [(2, 2), (3, 3), (4, 4)]

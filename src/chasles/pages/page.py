@@ -98,6 +98,7 @@ class Page(Displayed):
     def summary(self) -> str:
         """The counts in one line."""
         counts = self.counts
+        equalities = f"{counts['equalities']} equalit{'y' if counts['equalities'] == 1 else 'ies'}"
         words = {"holds-under": "hold under", "holds": "hold", "fails": "fail"}
         whole = ("displayed", "equalities", "read", "decided")
         undecided = ("open", "ambiguous", "unread", "undecided", "contradictory")
@@ -106,7 +107,7 @@ class Page(Displayed):
         return ", ".join(
             [
                 f"{counts['displayed']} displayed equation{'s' * (counts['displayed'] != 1)}",
-                f"{counts['equalities']} {'equality' if counts['equalities'] == 1 else 'equalities'}: {counts['read']} read",
+                f"{equalities}: {counts['read']} read",
                 f"{counts['decided']} decided" + (f" ({', '.join(inner)})" if inner else ""),
                 *outer,
             ]

@@ -54,8 +54,11 @@ def applied(makes: Sequence[Make], fits: list[Fit], ctx: FittingContext, rest: G
     """Each of the words made of each reading, as far as it fits."""
     found = []
     for make, fit in product(makes, fits):
-        if fit.node is None:
+        if fit.node is None and mark.startswith("^"):
             found += _applied_to_sized(make, fit, mark)
+        elif fit.node is None:
+            sizes = filter(None, map(fit.at, ctx.sizes_of([fit])))
+            found += [new for size in sizes for new in applied((make,), [size], ctx, rest, mark)][:1]
         elif ctx.is_as_printed(fit):
             inner, _ = ctx.inside(fit, Precedence.ATOM)
             node = made(make, inner, tolerant=ctx.tolerant)
@@ -75,7 +78,7 @@ def _applied_to_sized(make: Make, fit: Fit, mark: str) -> list[Fit]:
         node = None if inner is None else made(make, inner)
         return node if node is not None and node.shape == shape else None
 
-    return [Fit(None, (*fit.said, *tokens_of(mark)), fit.cost, sized=of_shape)] if mark.startswith("^") else []
+    return [Fit(None, (*fit.said, *tokens_of(mark)), fit.cost, sized=of_shape)]
 
 
 def _component(fit: Fit, rest: Glyph, ctx: FittingContext) -> list[Fit]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from chasles.reading.fits import Fit, Said
+from chasles.reading.fits import Fit, Said, Shape
 from chasles.reading.grammar import Atom, Terms
 from chasles.reading.grouping import Unread
 from chasles.reading.page_notation import PageNotation
@@ -65,6 +65,14 @@ class FittingContext:
     def is_as_printed(self, fit: Fit) -> bool:
         """Whether the word prints the tokens that it was read from."""
         return fit.node is None or fit.said == self.said(fit.node)
+
+    def sizes_of(self, fits: list[Fit]) -> list[Shape]:
+        """The shapes that those of open size may have where nothing else says it, the usual ones first."""
+        if all(fit.node is not None for fit in fits):
+            return [(1, 1)]
+        known = sorted(n for n in self.notation.sizes if n > 1)
+        usual = [fit.usual for fit in fits if fit.node is None]
+        return list(dict.fromkeys((*usual, (1, 1), *((n, n) for n in known), *((n, 1) for n in known))))
 
     def mixes(self, one: Fit, other: Fit) -> bool:
         """Whether scalars, vectors and quaternions meet as if all were quaternions, which words do not say; noted."""

@@ -232,7 +232,9 @@ def _chain(said: PrintedChain, ctx: FittingContext) -> list[tuple[int, tuple[Par
         raise Unread(f"no word for {unknown.text}", unknown)
     places = [(sign, max(said.line, chain.relations[k].line if k else 0)) for k, sign in enumerate(signs)]
     found: list[tuple[int, tuple[Part, ...]]] = []
-    for shape in dict.fromkeys(fit.shape for fits in sides for fit in fits if fit.shape):
+    shapes = dict.fromkeys(fit.shape for fits in sides for fit in fits if fit.shape)
+    squares = [(size, size) for size in sorted(ctx.notation.sizes) if size > 1]
+    for shape in (*shapes, *(each for each in squares if each not in shapes)):
         at = [[fit for each in fits if (fit := each.at(shape)) is not None] for fits in sides]
         chosen: list[tuple[Fit, ...]] = [()]
         for fits in at:

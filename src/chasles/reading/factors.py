@@ -8,7 +8,7 @@ from functools import partial
 
 from chasles.reading.applying import with_marks
 from chasles.reading.context import FittingContext
-from chasles.reading.fits import UNUSUAL, Fit, Shape, made
+from chasles.reading.fits import UNUSUAL, Fit, made
 from chasles.reading.glyphs import letter_of, said_of, with_arguments
 from chasles.reading.grammar import Atom
 from chasles.reading.marks import atom_fits, letter_fits
@@ -126,18 +126,17 @@ def _is_function(atom: Atom, ctx: FittingContext) -> bool:
 
 def _made_of(makes: list[Make], choices: list[list[Fit]], name: Atom | None, ctx: FittingContext) -> Iterator[Fit]:
     for chosen in choices:
-        sizes: list[Shape] = [(1, 1), *((n, n) for n in sorted(ctx.notation.sizes) if n > 1)]
-        sizes = list(dict.fromkeys((*(fit.usual for fit in chosen if fit.node is None), *sizes)))
         for make in makes:
-            for shape in sizes if any(fit.node is None for fit in chosen) else sizes[:1]:
+            more = 0
+            for shape in ctx.sizes_of(chosen):
                 fits = [fit if fit.node is not None else fit.at(shape) for fit in chosen]
                 if any(fit is None or not ctx.is_as_printed(fit) for fit in fits):
                     continue
                 nodes = [fit.node for fit in fits if fit is not None and fit.node is not None]
                 node = made(_raised, make, nodes, name, tolerant=ctx.tolerant)
                 if node is not None:
-                    yield Fit(node, ctx.said(node), sum(fit.cost for fit in chosen))
-                    break
+                    yield Fit(node, ctx.said(node), sum(fit.cost for fit in chosen) + more)
+                    more = 1  # of an identity every size is told of, the usual one first
 
 
 def _raised(make: Make, nodes: list[Node], name: Atom | None) -> Node:

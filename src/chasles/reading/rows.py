@@ -161,9 +161,18 @@ def multiplied(a: Node, b: Node) -> Node:
 
 def _times_sized(left: Fit, right: Fit, ctx: FittingContext) -> Iterator[Fit]:
     known = left if left.node is not None else right
-    if known.node is None or known.shape is None:
-        return
     cost = left.cost + right.cost
+    if known.node is None:
+
+        def squares(shape: Shape) -> Node | None:
+            one, other = left.at(shape), right.at(shape)
+            pair = (one, other) if one and other and shape[0] == shape[1] else ()
+            return made(multiplied, *(fit.node for fit in pair)) if pair else None
+
+        yield Fit(None, (*left.said, *right.said), cost, sized=squares, usual=left.usual)
+        return
+    if known.shape is None:
+        return
     node, said = ctx.inside(known, Precedence.PRODUCT)
     if known.shape == (1, 1):
         open_one = right if known is left else left
