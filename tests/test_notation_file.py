@@ -245,3 +245,11 @@ def test_an_identity_has_every_size_that_nothing_else_says(text, shapes):
     parts = [reading.parts[0] for reading in found.readings]
     assert not any(part.fault for part in parts)
     assert {part.left.of.shape if part.left.is_scalar else part.left.shape for part in parts} == shapes
+
+
+def test_a_notation_is_proposed_for_broken_formulas_too():
+    pages = (
+        r"\hat{}_a = \frac{a + }{b} + \bar{\hat{}} \begin{bmatrix} \vec & a_{b_} \end{bmatrix}",
+        r"\frac{a==b}{c}=1",
+    )
+    assert proposed([PrintedEquation(text) for text in pages]).startswith("[operators]")

@@ -243,3 +243,19 @@ def test_rows_with_numbers_of_their_own_have_their_lines():
     )
     found = read_equations(displayed(page, "tex"), NOTATION)
     assert [(each.printed.line, each.readings[0].parts[0].line) for each in found] == [(2, 2), (3, 3), (4, 4)]
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        (r"\mathbf{p} == \mathbf{a}", "= is not expected here"),
+        (r"\mathbf{p}, \mathbf{a}) = \mathbf{b}", ") is not expected here"),
+        (r"\mathbf{p} = \frac{\mathbf{a} + }{2}", "missing at the end"),
+        (r"\mathbf{p} = {}_ + \mathbf{a}", ""),
+        (r"\mathbf{p} = \begin{bmatrix} I & \mathbf{z} \\ \mathbf{1} & \mathbf{Q} \end{bmatrix}", ""),
+    ],
+)
+def test_what_is_broken_is_told_in_a_line(text: str, why: str):
+    (found,) = read_equations(displayed(text, "equation"), NOTATION)
+    assert found.status == "unread"
+    assert why in found.why or found.printed.fault

@@ -6,6 +6,7 @@ It is LALR(1), hence unambiguous, and says nothing of what letters mean: scripts
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
@@ -161,7 +162,9 @@ def terms_in(atom: Atom) -> Iterator[Terms]:
     yield from atom.inside
     held = list(atom.arguments) if atom.kind in ("COMMAND_OF_TWO", "GROUP") or atom.text == r"\sqrt" else []
     held += [cell for row in atom.grid.rows for cell in row] if atom.grid else []
-    yield from (side for tokens in held if tokens for side in formula(tokens).sides if side is not None)
+    for tokens in held:
+        with suppress(Unread):
+            yield from (side for side in (formula(tokens).sides if tokens else ()) if side is not None)
 
 
 PARSER = Lark(GRAMMAR, parser="lalr", lexer=_Prepared, start="chain")
@@ -178,9 +181,8 @@ def formula(tokens: Tokens) -> Chain:
     except UnexpectedInput as error:
         found = getattr(error, "token", None)
         value = found.value if found is not None else None
-        place = value if isinstance(value, Token) else getattr(value, "place", None)
-        if isinstance(value, tuple) and value:
-            place = value[0]
+        first = value[:1] if isinstance(value, tuple) and not isinstance(value, Token) else (value,)
+        place = first[0] if first and isinstance(first[0], Token) else getattr(value, "place", None)
         if place is None:
             raise Unread("something is missing at the end", tokens[-1] if tokens else None) from None
         raise Unread(f"{place.text} is not expected here", place) from None

@@ -54,7 +54,10 @@ def block_fits(cells: list[list[list[Fit]]], ctx: FittingContext) -> list[Fit]:
                 found.append(fit)
     if not found and ctx.tolerant:
         firsts = [_first(cell) for row in cells for cell in row]
-        if (fit := _block(tuple(firsts), len(cells[0]), ctx)) is not None:
+        if (
+            all(fit.node is not None for fit in firsts)
+            and (fit := _block(tuple(firsts), len(cells[0]), ctx)) is not None
+        ):
             found = [fit]
     return found
 

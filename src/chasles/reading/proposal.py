@@ -61,13 +61,21 @@ def _declared(stem: Glyph, use: _Use) -> Iterator[str]:
     if len(glyphs) > 3 and all(glyph.sub and not glyph.sups for glyph in glyphs):
         glyphs = [replace(stem, sub="##")]
     for glyph in glyphs:
-        if "#" not in glyph.sub and letter_in(spelled(glyph)) != glyph:
+        if "#" not in glyph.sub and not _is_one_letter(glyph):
             yield f"# {spelled(glyph)}: several letters in one; say what it is"
             continue
         yield f'{_quoted(spelled(glyph))} = {{ is = "{kind}" }}{question}'
     if len(glyphs) < len(use.letters) and components and stem in use.letters:
         marks = replace(stem, sub="x|y|z")
         yield f'{_quoted(spelled(marks))} = {{ is = "component", of = {_quoted(spelled(stem))} }}'
+
+
+def _is_one_letter(glyph: Glyph) -> bool:
+    """Whether it is read as the letter that it is once it is written."""
+    try:
+        return letter_in(spelled(glyph)) == glyph
+    except (Unread, BadPage):
+        return False
 
 
 def _quoted(text: str) -> str:
