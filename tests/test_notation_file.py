@@ -6,6 +6,7 @@ import pytest
 
 from chasles.reading.equations import read_equations
 from chasles.reading.notation_file import BadNotation, load_notation
+from chasles.reading.pages import displayed
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.proposal import proposed
 from chasles.vocabulary import latex
@@ -253,3 +254,66 @@ def test_a_notation_is_proposed_for_broken_formulas_too():
         r"\frac{a==b}{c}=1",
     )
     assert proposed([PrintedEquation(text) for text in pages]).startswith("[operators]")
+
+
+ABBREVIATIONS = r"""
+[operators]
+identity = ['I']
+transpose = ['#^T', '#^\mathsf{T}']
+quaternion_product = '# #'
+quaternion_conjugate = '#^*'
+
+[symbols]
+'v' = 'vector'
+'w' = 'vector'
+'m_{#}' = 'scalar'
+'R' = 'rotation'
+'a' = 'scalar'
+'b' = 'scalar'
+'\mathbf{q}' = 'unit quaternion'
+'\mathbf{p}' = 'unit quaternion'
+'\Delta a' = 'scalar'
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "parts"),
+    [
+        (r"I_3 v = \mathbf{1} v", [(r"I_{3} v", "=", r"\mathbf{1} v")]),
+        (r"0_{3\times3} v = \mathbf{0}", [(r"0_{3 \times 3} v", "=", r"\mathbf{0}")]),
+        (r"R = I + 0 \in SO(3)", [("R", "=", "I + 0")]),
+        (r"a = b \approx m_1", [("a", "=", "b"), ("b", r"\approx", "m_{1}")]),
+        (r"\sum_{i=1}^{3} m_i v = w", [("m_{1} v + m_{2} v + m_{3} v", "=", "w")]),
+        (r"a \prod_{i=0}^{1} m_i = b", [(r"a \left( m_{0} m_{1} \right)", "=", "b")]),
+        (r"a \pm b = b \pm a", [("a + b", "=", "b + a"), ("a - b", "=", "b - a")]),
+        (r"\Delta a\, v = w", [(r"\Delta a v", "=", "w")]),
+        (r"\mathbf{pq} = \mathbf{q}^{-1}", [(r"\mathbf{p} \mathbf{q}", "=", r"\mathbf{q}^*")]),
+        (r"\langle v, w\rangle = \bigl| R \bigr|", [(r"v \cdot w", "=", r"\det\left( R \right)")]),
+        (r"\frac{{}^A d v}{dt} = \frac{{}^A \mathrm{d}}{\mathrm{d}t} v",
+         [(r"\frac{{}^{A} d}{dt} v", "=", r"\frac{{}^{A} d}{dt} v")]),
+        (r"\begin{array}{rcl} a &=& b \\ &=& m_1 \end{array}", [("a", "=", "b"), ("b", "=", "m_{1}")]),
+        (r"\begin{array}{lr} a = b \; , & v = w \; \end{array}", [("a", "=", "b"), ("v", "=", "w")]),
+    ],
+)  # fmt: skip
+def test_what_a_formula_abbreviates(text, parts):
+    (found,) = read_equations(displayed(text, "equation"), load_notation(ABBREVIATIONS))
+    said = [(latex(part.left), part.sign, latex(part.right)) for part in found.readings[0].parts]
+    assert said == parts
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        (r"a = \pm b", r"\pm says two equations"),
+        (r"a = \sum_{i=1}^{n} m_i", r"no word for \sum"),
+        (r"a = \sum_{i=1}^{99} m_i", r"no word for \sum"),
+        (r"a + \dots + b = 0", r"\dots stands for what is left out"),
+        (r"v \in \mathbb{R}^3", r"\in claims nothing"),
+        (r"a = \lim_{b \to 0} b", r"no word for \lim"),
+        (r"w = R \begin{bmatrix} v \\ w \\ v \end{bmatrix}", "column of vectors"),
+    ],
+)
+def test_what_has_no_word_is_told(text, why):
+    (found,) = read_equations(displayed(text, "equation"), load_notation(ABBREVIATIONS))
+    assert found.status == "unread"
+    assert why in found.why

@@ -11,7 +11,7 @@ from types import ModuleType
 from typing import Any
 
 from chasles.display import Displayed
-from chasles.pages.deduction import Deduction, PageFinding
+from chasles.pages.deduction import DEFINING, Deduction, PageFinding
 from chasles.pages.facts import facts_of, kind_in_meaning
 from chasles.pages.premises import Premises
 from chasles.reading.equations import read_equations
@@ -158,7 +158,8 @@ def read_page(printed: tuple[PrintedEquation, ...], notation: PageNotation, file
         places[name] += len(relations[-1]) or 1
     found: list[PageEquation] = []
     for place, (equation, name) in enumerate(zip(equations, names, strict=True)):
-        ahead = tuple(claim for claims in relations[place + 1 : place + 1 + AHEAD] for claim in claims)
+        following = (claim for claims in relations[place + 1 : place + 1 + AHEAD] for claim in claims)
+        ahead = tuple(claim for claim in following if claim.sign in ("=", *DEFINING))
         role = notation.notes.get(name, {}).get("role", "")
         first = relations[place][0].part if relations[place] else 1
         found += _decided(equation, name, first, role, deduction, ahead)
@@ -201,7 +202,7 @@ def _said(
     claims = _relations(reading, number, first)
     with deduction.where(number, reading.given):
         for place, (part, claim) in enumerate(zip(reading.parts, claims, strict=True), 1):
-            following = (*claims[place:], *ahead)
+            following = (*(each for each in claims[place:] if each.sign in ("=", *DEFINING)), *ahead)
             yield part, deduction.say(number, claim.part, part.left, part.sign, part.right, role, following)
 
 

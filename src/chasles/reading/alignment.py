@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from chasles.reading import commands
 from chasles.reading.atoms import respelled
+from chasles.reading.grouping import closing
 from chasles.reading.lexemes import Token, cut, spelled
 from chasles.reading.tokens import without_layout
 
@@ -168,16 +169,20 @@ def _is_open(tokens: Sequence[Token]) -> bool:
 
 def _lines(tokens: list[Token], environment: str) -> Iterator[tuple[list[Token], bool]]:
     """The rows inside where the whole aligns equations or is a system of them, and whether & parts them in pairs."""
+    while tokens and tokens[0].text in ROW_END:
+        tokens = tokens[1:]
+    bare = without_layout(tokens)
     inside = tokens
-    start = int(len(tokens) > 1 and tokens[0].text == r"\{")
-    begin = BEGIN.match(tokens[start].text) if tokens else None
-    if begin and len(cut([*tokens[start:], tokens[0]._replace(text="&")], ("&",))[-1]) == 0:
+    start = int(len(bare) > 1 and bare[0].text == r"\{")
+    begin = BEGIN.match(bare[start].text) if bare else None
+    if begin and closing(tuple(bare), start) == len(bare) - 1:
         name = begin[1]
-        rows = cut(tokens[start + 1 : -1], ROW_END)
-        is_system = (start or "cases" in name) and name in SYSTEMS and all(map(_relations, filter(None, rows)))
+        rows = [row for row in cut(bare[start + 1 : -1], ROW_END) if {token.text for token in row} - {"&", r"\quad"}]
+        is_system = (start or "cases" in name) and name in SYSTEMS and all(map(_relations, rows))
+        is_system |= name == "array" and not start and bool(rows) and bool(_relations(rows[0]))
         if WRAPPERS.fullmatch(name) or is_system:
-            inside, environment = tokens[start + 1 : -1], name
-    rows = [row for row in cut(inside, ROW_END) if row]
+            inside, environment = bare[start + 1 : -1], name
+    rows = [row for row in cut(inside, ROW_END) if {token.text for token in row} - {"&", r"\quad"}]
     if inside is tokens and len(rows) < 2:
         yield (rows or [[]])[0], bool(PAIRED.fullmatch(environment))
     else:
@@ -186,11 +191,13 @@ def _lines(tokens: list[Token], environment: str) -> Iterator[tuple[list[Token],
 
 
 def _without_alignment(line: list[Token], is_paired: bool) -> list[Token]:
-    """Without marks of alignment; every second one parts two equations where they come in pairs."""
+    """Without marks of alignment; they part equations where these come in pairs, or stand in cells of their own."""
     cells = cut(line, ("&",))
     found = list(cells[0])
     for number, cell in enumerate(cells[1:], 1):
-        if is_paired and number % 2 == 0 and found:
+        places = _relations(cell)
+        are_whole = bool(places) and places[0] > 0 and bool(_relations(cells[number - 1][1:-1]))
+        if ((is_paired and number % 2 == 0) or are_whole) and found:
             found.append(found[-1]._replace(text=r"\quad"))
         found += cell
     return found

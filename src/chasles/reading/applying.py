@@ -2,22 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import product
 
 from chasles.reading.context import FittingContext
 from chasles.reading.fits import Fit, Shape, made
-from chasles.reading.glyphs import Glyph
+from chasles.reading.glyphs import Glyph, said_of
+from chasles.reading.grammar import Atom
 from chasles.reading.read_back import tokens_of
 from chasles.reading.spellings import Make
 from chasles.vocabulary import (
     Node,
     Power,
 )
+from chasles.vocabulary.functions import PRINTED, FunctionOf
 from chasles.vocabulary.parts import component, part
 from chasles.vocabulary.spelling import Precedence
 
-__all__ = ["applied", "with_marks"]
+__all__ = ["applied", "made_of", "with_marks"]
+
+BACKSLASH = "\\"
 
 PLACES = {"x": 1, "y": 2, "z": 3}
 
@@ -102,3 +106,34 @@ def _component(fit: Fit, rest: Glyph, ctx: FittingContext) -> list[Fit]:
 def _range(text: str) -> int | slice:
     first, _, last = text.partition(":")
     return slice(int(first), int(last)) if last else int(first)
+
+
+def made_of(
+    makes: list[Make], choices: Iterable[Sequence[Fit]], name: Atom | None, ctx: FittingContext
+) -> Iterator[Fit]:
+    """What words make of each choice of operands; their name may bear an exponent."""
+    for chosen in choices:
+        for make in makes:
+            more = 0
+            for shape in ctx.sizes_of(chosen):
+                fits = [fit if fit.node is not None else fit.at(shape) for fit in chosen]
+                if any(fit is None or not ctx.is_as_printed(fit) for fit in fits):
+                    continue
+                nodes = [fit.node for fit in fits if fit is not None and fit.node is not None]
+                node = made(_with_exponent, make, nodes, name, tolerant=ctx.tolerant)
+                if node is not None:
+                    yield Fit(node, ctx.said(node), sum(fit.cost for fit in chosen) + more)
+                    more = 1  # of an identity every size is told of, the usual one first
+
+
+def _with_exponent(make: Make, nodes: list[Node], name: Atom | None) -> Node:
+    """What a function makes of its arguments, raised to the exponent that its name bears; -1 makes it the inverse."""
+    exponents = [said_of(sup) for sup in name.sups] if name else []
+    if name is not None and exponents == ["- 1"] and (inverse := f"arc{name.text.strip(BACKSLASH)}") in PRINTED:
+        return FunctionOf(inverse, tuple(nodes))
+    node = make(*nodes)
+    if any(not each.isdigit() for each in exponents):
+        raise ValueError("a function's name bears something else than an exponent")
+    for each in exponents:
+        node = Power(node, int(each))
+    return node

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from chasles.reading.fits import Fit, Said, Shape
 from chasles.reading.grammar import Atom, Terms
@@ -66,7 +66,7 @@ class FittingContext:
         """Whether the word prints the tokens that it was read from."""
         return fit.node is None or fit.said == self.said(fit.node)
 
-    def sizes_of(self, fits: list[Fit]) -> list[Shape]:
+    def sizes_of(self, fits: Sequence[Fit]) -> list[Shape]:
         """The shapes that those of open size may have where nothing else says it, the usual ones first."""
         if all(fit.node is not None for fit in fits):
             return [(1, 1)]

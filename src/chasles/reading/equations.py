@@ -7,6 +7,7 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
+from chasles.reading.abbreviations import written_out
 from chasles.reading.context import FittingContext
 from chasles.reading.fits import MOST, UNUSUAL, Fit, letters_agree
 from chasles.reading.grammar import Chain, formula
@@ -27,7 +28,7 @@ __all__ = ["expressions", "read_equations", "segments"]
 ALIGNED = ("aligned", "align", "split", "gathered", "alignedat", "gather", "equation", "eqnarray", "multline",
            "multlined", "flalign")  # fmt: skip
 CONDITIONS = ("for", "if", "when", "where", "provided", "with", "as", "i.e.")
-KNOWN = ("=", r"\equiv", "<", ">", r"\leq", r"\geq", r"\neq")
+KNOWN = ("=", r"\equiv", "<", ">", r"\leq", r"\geq", r"\neq", r"\approx", r"\simeq")
 MOST_READINGS = 6
 
 
@@ -146,7 +147,7 @@ def segments(marks: Tokens) -> list[tuple[Tokens, bool]]:
                 break
             if part:
                 found.append((tuple(part), condition))
-    return _joined_lists(found)
+    return [(full, condition) for part, condition in _joined_lists(found) for full in written_out(part)]
 
 
 def _side_by_side(line: list[Token]) -> list[tuple[list[Token], str]]:
@@ -222,14 +223,14 @@ def _chain(said: PrintedChain, ctx: FittingContext) -> list[tuple[int, tuple[Par
         raise Unread("no relation stands here", None)
     if chain.sides[0] is None:
         raise Unread("the left side is missing", chain.relations[0])
+    signs = [RELATIONS.get(relation.text, relation.text) for relation in chain.relations]
+    unknown = next((r for r, sign in zip(chain.relations, signs, strict=True) if sign not in KNOWN), None)
+    if unknown:
+        raise Unread(f"{unknown.text} claims nothing that can be decided", unknown)
     sides = [ctx.terms(side) for side in chain.sides if side is not None]
     sides = [[fit for fit in fits if fit.node is None or ctx.is_as_printed(fit)] for fits in sides]
     if not all(sides):
         return []
-    signs = [RELATIONS.get(relation.text, relation.text) for relation in chain.relations]
-    unknown = next((r for r, sign in zip(chain.relations, signs, strict=True) if sign not in KNOWN), None)
-    if unknown:
-        raise Unread(f"no word for {unknown.text}", unknown)
     places = [(sign, max(said.line, chain.relations[k].line if k else 0)) for k, sign in enumerate(signs)]
     found: list[tuple[int, tuple[Part, ...]]] = []
     shapes = dict.fromkeys(fit.shape for fits in sides for fit in fits if fit.shape)

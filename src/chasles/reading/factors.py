@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
 
-from chasles.reading.applying import with_marks
+from chasles.reading.applying import made_of, with_marks
 from chasles.reading.context import FittingContext
 from chasles.reading.fits import UNUSUAL, Fit, made
 from chasles.reading.glyphs import letter_of, said_of, with_arguments
@@ -14,10 +14,9 @@ from chasles.reading.grammar import Atom
 from chasles.reading.marks import atom_fits, letter_fits
 from chasles.reading.page_functions import lists_letters
 from chasles.reading.page_notation import repeated_rate
-from chasles.reading.quotients import of_tokens, order_of_rate, partial_by, upright
+from chasles.reading.quotients import of_tokens, order_of_rate, partial_by, rate_in_frame, seen_from, upright
 from chasles.reading.spellings import Make, called
-from chasles.vocabulary import At, Node, Power, symbols_of
-from chasles.vocabulary.functions import PRINTED, FunctionOf
+from chasles.vocabulary import At, symbols_of
 from chasles.vocabulary.partial import PartialDerivative
 from chasles.vocabulary.spelling import Precedence
 
@@ -44,12 +43,12 @@ def factors(items: tuple[Atom, ...], start: int, ctx: FittingContext) -> Iterato
         if known or not _is_letter(atom, ctx):
             return
     if (makes := spellings.subscripted.get(name)) and atom.sub:
-        yield start + 1, list(_made_of(makes, [[fit] for fit in of_tokens(atom.sub, ctx)], atom, ctx))
+        yield start + 1, list(made_of(makes, [[fit] for fit in of_tokens(atom.sub, ctx)], atom, ctx))
         return
     if (operators := _operators(atom, ctx)) and start + 1 < len(items):
         for end in range(start + 2, len(items) + 1):
             inner = [[fit] for fit in ctx.product(items[start + 1 : end])]
-            yield end, list(_made_of(operators, inner, None, ctx))
+            yield end, list(made_of(operators, inner, None, ctx))
         return
     fits = atom_fits(atom, ctx)
     behind = items[start + 1] if start + 1 < len(items) else None
@@ -86,6 +85,9 @@ def _operators(atom: Atom, ctx: FittingContext) -> list[Make]:
     """What d/dt, or a partial derivative without what it is of, makes of what stands behind it."""
     if atom.kind != "COMMAND_OF_TWO" or "frac" not in atom.text:
         return []
+    frame, of = seen_from(*atom.arguments)
+    if frame and not of:
+        return [rate_in_frame(frame, ctx.notation.home)]
     above = upright(atom.arguments[0])
     order = order_of_rate(*atom.arguments)
     if order and len(above) == (1 if order == 1 else 3):
@@ -105,13 +107,13 @@ def _applications(
         for fits in arguments:
             choices = [[*chosen, fit] for chosen in choices for fit in fits]
         marks = replace(letter_of(first), accents=(), base="")
-        yield start + 2, with_marks(list(_made_of(makes, choices, name, ctx)), marks, ctx)
+        yield start + 2, with_marks(list(made_of(makes, choices, name, ctx)), marks, ctx)
         return
     for end in range(start + 2, len(items) + 1 if not _is_letter(name, ctx) else 0):
         if any(item.kind == "BRACKET" or _is_function(item, ctx) for item in items[start + 1 : end]):
             break
         inner = [[fit] for fit in ctx.product(items[start + 1 : end])]
-        fits = list(_made_of(makes, inner, name, ctx))
+        fits = list(made_of(makes, inner, name, ctx))
         few = first.kind == "NUMBER" and end == start + 2 and end < len(items) and items[end].kind != "GRID"
         yield end, [Fit(fit.node, fit.said, fit.cost + 2 * UNUSUAL * few + (end - start - 2)) for fit in fits]
 
@@ -122,34 +124,6 @@ def _is_letter(atom: Atom, ctx: FittingContext) -> bool:
 
 def _is_function(atom: Atom, ctx: FittingContext) -> bool:
     return called(atom) in ctx.notation.spellings.names and not _is_letter(atom, ctx)
-
-
-def _made_of(makes: list[Make], choices: list[list[Fit]], name: Atom | None, ctx: FittingContext) -> Iterator[Fit]:
-    for chosen in choices:
-        for make in makes:
-            more = 0
-            for shape in ctx.sizes_of(chosen):
-                fits = [fit if fit.node is not None else fit.at(shape) for fit in chosen]
-                if any(fit is None or not ctx.is_as_printed(fit) for fit in fits):
-                    continue
-                nodes = [fit.node for fit in fits if fit is not None and fit.node is not None]
-                node = made(_raised, make, nodes, name, tolerant=ctx.tolerant)
-                if node is not None:
-                    yield Fit(node, ctx.said(node), sum(fit.cost for fit in chosen) + more)
-                    more = 1  # of an identity every size is told of, the usual one first
-
-
-def _raised(make: Make, nodes: list[Node], name: Atom | None) -> Node:
-    """What a function makes of its arguments, raised to the exponent that its name bears; -1 makes it the inverse."""
-    exponents = [said_of(sup) for sup in name.sups] if name else []
-    if name is not None and exponents == ["- 1"] and (inverse := f"arc{name.text.strip(BACKSLASH)}") in PRINTED:
-        return FunctionOf(inverse, tuple(nodes))
-    node = make(*nodes)
-    if any(not each.isdigit() for each in exponents):
-        raise ValueError("a function's name bears something else than an exponent")
-    for each in exponents:
-        node = Power(node, int(each))
-    return node
 
 
 def _integral(items: tuple[Atom, ...], start: int, ctx: FittingContext) -> tuple[int, list[Fit]] | None:

@@ -57,13 +57,11 @@ class Fit:
 
 def made(make: Callable[..., Node], *parts: Any, tolerant: bool = False) -> Node | None:
     """What is made of the parts, or None where they do not fit; if `tolerant`, with its fault."""
-    if tolerant:
-        return printed(lambda: make(*parts))
     try:
-        node = make(*parts)
+        node = printed(lambda: make(*parts)) if tolerant else make(*parts)
     except (Misfit, ValueError, TypeError):
         return None
-    return node if node.fault is None else None
+    return node if tolerant or node.fault is None else None
 
 
 def letters_agree(*nodes: Node) -> bool:

@@ -11,7 +11,7 @@ from chasles.reading.grammar import Atom, Chain, FlatRow, Terms, formula
 from chasles.reading.grouping import TYPEFACES, Tokens, Unread
 from chasles.reading.tokens import Token, tokens
 
-__all__ = ["Glyph", "letter_in", "letter_of", "only_atom", "said_of", "spelled", "text_of", "with_arguments"]
+__all__ = ["Glyph", "joined", "letter_in", "letter_of", "only_atom", "said_of", "spelled", "text_of", "with_arguments"]
 
 BOLD = {r"\boldsymbol": r"\mathbf"}
 NAME = re.compile(r"\\(?:operatorname|text)\{(.*)\}$")
@@ -125,10 +125,20 @@ def with_arguments(letter: Glyph, bracket: Atom) -> Glyph | None:
     return replace(letter, arguments=" , ".join(map(text_of, bracket.inside)))
 
 
+def joined(sign: Atom, letter: Atom) -> Atom | None:
+    r"""The letter with a sign of difference before it as one name, as \Delta t is; None where there is no such sign."""
+    is_letter = letter.kind == "LETTER" or letter.text in TYPEFACES
+    if sign.text not in (r"\Delta", r"\delta", "d") or sign.is_marked or not is_letter:
+        return None
+    return replace(letter, kind="LETTER", text=f"{sign.text} {_text(letter)}", place=sign.place, arguments=())
+
+
 def letter_in(text: str) -> Glyph | None:
     """The letter that a notation writes, with arguments where it is a function; None where that is several."""
     chain = formula(tokens(text))
     row = chain.sides[0].rows[0].pieces if chain.sides[0] and not chain.relations else ()
+    if len(row) == 2 and isinstance(row[0], Atom) and isinstance(row[1], Atom) and (joint := joined(*row)):
+        return letter_of(joint)
     if len(row) == 2 and isinstance(row[0], Atom) and isinstance(row[1], Atom) and not row[1].is_marked:
         return with_arguments(letter_of(row[0]), row[1])
     atom = only_atom(chain)

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from fractions import Fraction
+from itertools import product
 
-from chasles.reading.applying import applied, with_marks
+from chasles.reading.applying import applied, made_of, with_marks
 from chasles.reading.context import FittingContext
 from chasles.reading.fits import UNUSUAL, Fit, Shape, kept
-from chasles.reading.glyphs import Glyph, letter_of
+from chasles.reading.glyphs import Glyph, letter_of, spelled
 from chasles.reading.grammar import Atom, Terms
 from chasles.reading.matrices import block_fits, grid_fits, row_of_blocks
 from chasles.reading.quotients import exponential_fits, fraction_fits, of_tokens
@@ -27,6 +29,12 @@ from chasles.vocabulary.families import Entry, Kronecker
 
 __all__ = ["atom_fits", "letter_fits"]
 
+SIZE = re.compile(r"(\d+)(?: \\times (\d+))?")
+WITHOUT_WORD = {
+    **{sign: f"no word for {sign}" for sign in (r"\sum", r"\prod", r"\int", r"\oint", r"\lim", r"\infty", r"\nabla")},
+    **{dots: f"{dots} stands for what is left out" for dots in (r"\dots", r"\ldots", r"\cdots", r"\vdots", r"\ddots")},
+}
+
 
 def atom_fits(atom: Atom, ctx: FittingContext) -> list[Fit]:
     """The readings of an atom with all its scripts; none, and a note why, where the notation does not know it."""
@@ -34,12 +42,20 @@ def atom_fits(atom: Atom, ctx: FittingContext) -> list[Fit]:
     problems = len(ctx.problems)
     found = letter_fits(letter, ctx) or _indexed(letter, ctx) or _thin(letter, ctx)
     if not found:
-        found = _nucleus(atom, letter, ctx)
+        found = _constant(letter, ctx) or _nucleus(atom, letter, ctx)
     if found:
         del ctx.problems[problems:]
-    elif len(ctx.problems) == problems and atom.kind in ("LETTER", "COMMAND"):
-        ctx.note(f"the notation does not say what {''.join(_shown(letter))} is", atom.place)
+    elif len(ctx.problems) == problems and atom.kind in ("LETTER", "COMMAND") and not _is_known(letter, ctx):
+        why = WITHOUT_WORD.get(atom.text) or f"the notation does not say what {''.join(_shown(letter))} is"
+        ctx.note(why, atom.place)
     return kept(found)
+
+
+def _is_known(letter: Glyph, ctx: FittingContext) -> bool:
+    """Whether it is a letter of the notation with marks that are words, though they do not fit it."""
+    meanings = ctx.notation.letters.meanings(letter)
+    scripts = ctx.notation.spellings.scripts
+    return any(not rest.accents and not rest.sub and all(sup in scripts for sup in rest.sups) for _, rest in meanings)
 
 
 def letter_fits(letter: Glyph, ctx: FittingContext, is_function: bool = False) -> list[Fit]:
@@ -116,6 +132,8 @@ def _nucleus(atom: Atom, letter: Glyph, ctx: FittingContext) -> list[Fit]:
             return exponential_fits(atom.sups[0], ctx)
         case "BRACKET" if len(atom.inside) == 1:
             return _bracketed(atom, rest, ctx)
+        case "BRACKET" if makes := spellings.brackets.get((f"{atom.text},", rest.loose.sub, " ".join(rest.loose.sups))):
+            return list(made_of(makes, list(product(*map(ctx.terms, atom.inside))), None, ctx))
         case "BRACKET" if atom.inside and atom.text in ("()", "[]"):
             return _column(atom, rest, ctx)
         case "GRID" if atom.grid is not None:
@@ -132,6 +150,25 @@ def _nucleus(atom: Atom, letter: Glyph, ctx: FittingContext) -> list[Fit]:
         case _:
             return []
     return with_marks(fits, rest, ctx)
+
+
+def _constant(letter: Glyph, ctx: FittingContext) -> list[Fit]:
+    r"""An identity or a zero that shows its size, as 0_{3\times 1} and I_3 do, or is set in bold."""
+    name, size = letter.loose.base, SIZE.fullmatch(letter.loose.sub)
+    is_bare = not letter.sub and (letter.base != name or letter.accents in ((r"\vec",), (r"\bar",)))
+    if name not in ("0", "1", "O", "I") or letter.primes or not (size or (is_bare and name in "01")):
+        return []
+    own = replace(letter, sups=(), place=None)
+    rows, columns = (int(size[1]), int(size[2] or 0)) if size else (0, 0)
+
+    def sized(shape: Shape) -> Node | None:
+        fits = rows in (0, shape[0]) and columns in (0, shape[1])
+        node = Identity(shape[0], spelled(own)) if name in "1I" else Zero(*shape, spelled(own))
+        return node if fits and (name in "0O" or shape[0] == shape[1] != 1) else None
+
+    usual = (rows or 3, columns or rows or 3) if name in "1I" else (rows or 3, columns or 1)
+    fit = Fit(None, tokens_of(spelled(own)), sized=sized, usual=usual)
+    return with_marks([fit], replace(letter, base="", accents=(), sub=""), ctx)
 
 
 def _number(text: str, ctx: FittingContext) -> list[Fit]:

@@ -41,6 +41,7 @@ from chasles.vocabulary.families import Family, Index
 from chasles.vocabulary.functions import PRINTED, FunctionOf
 from chasles.vocabulary.nodes import node_fields
 from chasles.vocabulary.notation import BOOK, Notation
+from chasles.vocabulary.quaternions import QuaternionConjugate
 from chasles.vocabulary.spelling import FUNCTIONS
 
 __all__ = ["CONVENTIONS", "PageNotation", "in_module", "known_words", "repeated_rate", "usual_spellings"]
@@ -115,6 +116,13 @@ def _product(left: Node, right: Node) -> Node:
     return Scale(right, left, True) if right.is_scalar else Contract((left, right))
 
 
+def _inverse_quaternion(of: Node) -> Node:
+    """The inverse of a unit quaternion, which is its conjugate."""
+    if not isinstance(of, Symbol) or not of.meaning.startswith("unit quaternion"):
+        raise Misfit(f"{of} is no unit quaternion")
+    return QuaternionConjugate(of)
+
+
 def _number_times(left: Node, right: Node) -> Node:
     """A number multiplied by another with the sign that vectors have."""
     if not isinstance(left, Number):
@@ -138,12 +146,15 @@ def usual_spellings(notation: PageNotation) -> None:
     spellings.add(r"\det(#)", Determinant)
     spellings.add(r"\|#\|", Norm)
     spellings.add("|#|", Norm)
+    spellings.add("|#|", Determinant)
     for order in range(1, 4):
         spellings.add(rf"\{'d' * order}ot{{#}}", repeated_rate(order))
     for script, of in {"T": Transpose, r"\top": Transpose, "-1": Inverse, "-T": lambda of: Transpose(Inverse(of)),
                        r"-\top": lambda of: Transpose(Inverse(of))}.items():  # fmt: skip
         spellings.add(f"#^{{{script}}}", of)
+    spellings.add("#^{-1}", _inverse_quaternion)
     spellings.add(r"# \cdot #", Dot)
+    spellings.add(r"\langle #, #\rangle", Dot)
     spellings.add(r"# \cdot #", _product)
     spellings.add(r"# \times #", Cross)
     spellings.add(r"# \times #", _number_times)

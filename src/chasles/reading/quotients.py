@@ -9,25 +9,31 @@ from itertools import product
 from chasles.reading.applying import applied
 from chasles.reading.context import FittingContext
 from chasles.reading.fits import Fit, made
-from chasles.reading.glyphs import Glyph, letter_of
+from chasles.reading.glyphs import Glyph, letter_of, said_of
 from chasles.reading.grammar import Atom, formula
-from chasles.reading.grouping import Tokens, Unread
+from chasles.reading.grouping import Tokens, Unread, closing
 from chasles.reading.page_notation import repeated_rate
+from chasles.reading.spellings import Make
 from chasles.vocabulary import (
     Group,
     Misfit,
     Negative,
     Node,
     Quotient,
+    Rate,
     Scale,
     Skew,
+    Symbol,
+    latex,
 )
+from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.functions import FunctionOf
 from chasles.vocabulary.partial import PartialDerivative
 from chasles.vocabulary.rotation_vectors import RotationByVector
 from chasles.vocabulary.spelling import Precedence
 
-__all__ = ["exponential_fits", "fraction_fits", "of_tokens", "order_of_rate", "partial_by", "upright"]
+__all__ = ["exponential_fits", "fraction_fits", "of_tokens", "order_of_rate", "partial_by", "rate_in_frame",
+           "seen_from", "upright"]  # fmt: skip
 
 
 def of_tokens(tokens: Tokens, ctx: FittingContext) -> list[Fit]:
@@ -61,6 +67,26 @@ def order_of_rate(above: Tokens, below: Tokens) -> int:
     return int(top[2]) if powers else 0
 
 
+def seen_from(above: Tokens, below: Tokens) -> tuple[str, Tokens]:
+    """The frame from which a rate is seen, as its d bears it at the left, and what it is the rate of."""
+    if [token.text for token in above[:3]] != ["{", "}", "^"] or upright(below) != ["d", "t"]:
+        return "", ()
+    end = closing(above, 3)
+    frame, rest = said_of(above[3:end]), above[end + 1 :]
+    start = 4 if [token.text for token in rest[:4]] == [r"\mathrm", "{", "d", "}"] else 1
+    return (frame, rest[start:]) if upright(rest[:start]) == ["d"] else ("", ())
+
+
+def rate_in_frame(frame: str, home: str) -> Make:
+    """A rate as seen from a frame: a quantity of its own, for frames are no words."""
+
+    def make(of: Node) -> Node:
+        letter = rf"\frac{{{{}}^{{{frame}}} d}}{{dt}} {latex(of)}"
+        return Symbol(f"rate in {frame} of {of}", letter, measured(Rate(of)), home=home)
+
+    return make
+
+
 def upright(tokens: Tokens) -> list[str]:
     """The tokens of a differential without their typeface."""
     return [token.text for token in tokens if token.text not in (r"\mathrm", "{", "}")]
@@ -73,6 +99,9 @@ def fraction_fits(atom: Atom, ctx: FittingContext) -> list[Fit]:
         start = next(k for k, token in enumerate(above) if token.text == "d") + 1
         start += 4 * (order > 1) + (above[0].text == r"\mathrm")
         return applied((repeated_rate(order),), of_tokens(above[start:], ctx), ctx, Glyph(""), atom.text)
+    frame, of = seen_from(above, below)
+    if frame and of:
+        return applied((rate_in_frame(frame, ctx.notation.home),), of_tokens(of, ctx), ctx, Glyph(""), atom.text)
     if upright(above)[:1] == upright(below)[:1] == ["d"]:
         ctx.note("no word for a derivative by anything but the time: write a partial one", atom.place)
         return []

@@ -8,10 +8,11 @@ from dataclasses import replace
 from chasles.reading.context import FittingContext
 from chasles.reading.factors import factors
 from chasles.reading.fits import UNUSUAL, Fit, Shape, kept, made
+from chasles.reading.glyphs import joined, letter_of
 from chasles.reading.grammar import Atom, FlatRow
 from chasles.reading.spellings import Make
 from chasles.reading.tokens import Token
-from chasles.vocabulary import Contract, Node, Quotient, Scale
+from chasles.vocabulary import Block, Contract, Node, Quotient, Scale
 from chasles.vocabulary.spelling import Precedence
 
 __all__ = ["row_fits"]
@@ -135,6 +136,9 @@ def _names_whole(items: tuple[Atom, ...], ctx: FittingContext) -> tuple[Atom, ..
         bold = [item.arguments[0][0].text if item.text == r"\mathbf" else "" for item in items[place : place + 8]]
         name = next((name for name in names if bold[: len(name)] == list(name)), "")
         found.append(replace(items[place], kind="LETTER", text=name, arguments=()) if name else items[place])
+        joint = joined(found[-2], found[-1]) if not name and len(found) > 1 else None
+        if joint is not None and next(ctx.notation.letters.meanings(letter_of(joint)), None) is not None:
+            found[-2:] = [joint]
         place += len(name) or 1
     return tuple(found)
 
@@ -148,6 +152,9 @@ def _times(left: Fit, right: Fit, ctx: FittingContext) -> Iterator[Fit]:
     node = made(multiplied, a, b)
     if node is not None:
         yield Fit(node, (*a_said, *b_said), left.cost + right.cost)
+    for make in ctx.notation.spellings.infixes.get("", ()):
+        if (node := made(make, a, b)) is not None:
+            yield Fit(node, ctx.said(node), left.cost + right.cost)
 
 
 def multiplied(a: Node, b: Node) -> Node:
@@ -192,6 +199,11 @@ def _times_sized(left: Fit, right: Fit, ctx: FittingContext) -> Iterator[Fit]:
         yield from _times(known, square, ctx) if known is left else _times(square, known, ctx)
 
 
+def _stacks_vectors(column: Block) -> bool:
+    shapes = {row[0].shape for row in column.rows}
+    return all(len(row) == 1 for row in column.rows) and len(shapes) == 1 and shapes != {(1, 1)}
+
+
 def _ill_formed(items: tuple[Atom, ...], single: dict[tuple[int, int], list[Fit]], ctx: FittingContext) -> list[Fit]:
     """The product as it stands, though its factors do not fit together."""
     total: Fit | None = None
@@ -209,5 +221,8 @@ def _ill_formed(items: tuple[Atom, ...], single: dict[tuple[int, int], list[Fit]
             continue
         (a, a_said), (b, b_said) = ctx.inside(total, Precedence.PRODUCT), ctx.inside(fit, Precedence.PRODUCT)
         node = made(multiplied, a, b, tolerant=True)
+        if node is not None and node.fault and isinstance(b, Block) and _stacks_vectors(b):
+            ctx.note("a column of vectors stands for one of numbers: no word for that", items[start - 1].place)
+            return []
         total = Fit(node, (*a_said, *b_said), total.cost + fit.cost)
     return [] if total is None else [total]

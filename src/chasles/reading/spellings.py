@@ -53,6 +53,8 @@ class Spellings:
             return "scripts", " ".join(letter.loose.sups)
         if letter.base in HOLES and letter.primes:
             return "scripts", "'" * letter.primes
+        if atom.kind == "BRACKET" and len(atom.inside) == 2 and all(text_of(each) in HOLES for each in atom.inside):
+            return "brackets", (f"{atom.text},", letter.loose.sub, " ".join(letter.loose.sups))
         if atom.kind == "BRACKET" and len(atom.inside) == 1 and text_of(signed(atom)[1]) in HOLES:
             return "brackets", (signed(atom)[0], letter.loose.sub, " ".join(letter.loose.sups))
         if atom.sub and said_of(atom.sub) in HOLES:
@@ -86,8 +88,10 @@ def _infix(row: tuple[Atom | Token, ...]) -> tuple[str, object] | None:
 
 
 def _applied(row: tuple[Atom | Token, ...]) -> tuple[str, object] | None:
-    """A name before brackets, or before what it is applied to."""
+    """A name before brackets, or before what it is applied to; or two operands side by side."""
     if len(row) == 2 and isinstance(row[0], Atom) and isinstance(row[1], Atom):
+        if row[0].text in HOLES and row[1].text in HOLES:
+            return "infixes", ""
         subscript = f" _ {said_of(row[0].sub)}" if row[0].sub else ""
         return "names", called(row[0]) + subscript
     return None
