@@ -178,8 +178,8 @@ def _lines(tokens: list[Token], environment: str) -> Iterator[tuple[list[Token],
     if begin and closing(tuple(bare), start) == len(bare) - 1:
         name = begin[1]
         rows = [row for row in cut(bare[start + 1 : -1], ROW_END) if {token.text for token in row} - {"&", r"\quad"}]
-        is_system = (start or "cases" in name) and name in SYSTEMS and all(map(_relations, rows))
-        is_system |= name == "array" and not start and bool(rows) and bool(_relations(rows[0]))
+        is_system = (start > 0 or "cases" in name) and name in SYSTEMS and all(map(_relations, rows))
+        is_system = is_system or (name == "array" and not start and bool(rows) and bool(_relations(rows[0])))
         if WRAPPERS.fullmatch(name) or is_system:
             inside, environment = bare[start + 1 : -1], name
     rows = [row for row in cut(inside, ROW_END) if {token.text for token in row} - {"&", r"\quad"}]

@@ -137,10 +137,9 @@ def letter_in(text: str) -> Glyph | None:
     """The letter that a notation writes, with arguments where it is a function; None where that is several."""
     chain = formula(tokens(text))
     row = chain.sides[0].rows[0].pieces if chain.sides[0] and not chain.relations else ()
-    if len(row) == 2 and isinstance(row[0], Atom) and isinstance(row[1], Atom) and (joint := joined(*row)):
-        return letter_of(joint)
-    if len(row) == 2 and isinstance(row[0], Atom) and isinstance(row[1], Atom) and not row[1].is_marked:
-        return with_arguments(letter_of(row[0]), row[1])
+    if len(row) == 2 and isinstance(row[0], Atom) and isinstance(row[1], Atom):
+        joint = joined(row[0], row[1])
+        return letter_of(joint) if joint else None if row[1].is_marked else with_arguments(letter_of(row[0]), row[1])
     atom = only_atom(chain)
     return None if atom is None else letter_of(atom)
 
