@@ -285,7 +285,11 @@ quaternion_conjugate = '#^*'
         (r"a = b \approx m_1", [("a", "=", "b"), ("b", r"\approx", "m_{1}")]),
         (r"\sum_{i=1}^{3} m_i v = w", [("m_{1} v + m_{2} v + m_{3} v", "=", "w")]),
         (r"a \prod_{i=0}^{1} m_i = b", [(r"a \left( m_{0} m_{1} \right)", "=", "b")]),
-        (r"a \pm b = b \pm a", [("a + b", "=", "b + a"), ("a - b", "=", "b - a")]),
+        (r"a \pm b = b \mp \Delta a", [("a + b", "=", r"b - \Delta a"), ("a - b", "=", r"b + \Delta a")]),
+        (r"\begin{bmatrix} v \\ w \end{bmatrix} = \begin{bmatrix} a & 0 \\ b & 1 \end{bmatrix}"
+         r"\begin{bmatrix} w \\ v \end{bmatrix}",
+         [(r"\begin{bmatrix} v \\ w \end{bmatrix}", "=",
+           r"\begin{bmatrix} a w + 0 v \\ b w + 1 v \end{bmatrix}")]),
         (r"\Delta a\, v = w", [(r"\Delta a v", "=", "w")]),
         (r"\mathbf{pq} = \mathbf{q}^{-1}", [(r"\mathbf{p} \mathbf{q}", "=", r"\mathbf{q}^*")]),
         (r"\langle v, w\rangle = \bigl| R \bigr|", [(r"v \cdot w", "=", r"\det\left( R \right)")]),
@@ -310,7 +314,7 @@ def test_what_a_formula_abbreviates(text, parts):
         (r"a + \dots + b = 0", r"\dots stands for what is left out"),
         (r"v \in \mathbb{R}^3", r"\in claims nothing"),
         (r"a = \lim_{b \to 0} b", r"no word for \lim"),
-        (r"w = R \begin{bmatrix} v \\ w \\ v \end{bmatrix}", "column of vectors"),
+        (r"a = \left\{ \begin{bmatrix} 1 \end{bmatrix} \right.", "\\{ is not closed"),
     ],
 )
 def test_what_has_no_word_is_told(text, why):

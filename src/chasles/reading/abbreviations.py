@@ -28,7 +28,7 @@ def written_out(line: Tokens) -> Iterator[Tokens]:
     sides = lines_of(line, tuple(RELATIONS))
     if len(sides) > 1 and all(any(token.text in SIGNS for token in side) for side in sides):
         for way in (0, 1):
-            yield tuple(token._replace(text=SIGNS.get(token.text, token.text * 2)[way::2]) for token in line)
+            yield tuple(token._replace(text=SIGNS.get(token.text, (token.text,) * 2)[way]) for token in line)
     else:
         yield line
 

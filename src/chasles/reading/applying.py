@@ -21,6 +21,8 @@ from chasles.vocabulary.spelling import Precedence
 
 __all__ = ["applied", "made_of", "with_marks"]
 
+OF_MATRICES = ("exp", "log", "sqrt")
+"""What is of numbers alone here, but has a meaning for matrices, too."""
 BACKSLASH = "\\"
 
 PLACES = {"x": 1, "y": 2, "z": 3}
@@ -121,7 +123,10 @@ def made_of(
                     continue
                 nodes = [fit.node for fit in fits if fit is not None and fit.node is not None]
                 node = made(_with_exponent, make, nodes, name, tolerant=ctx.tolerant)
-                if node is not None:
+                if node is not None and node.fault and isinstance(node, FunctionOf) and node.function in OF_MATRICES:
+                    size = " x ".join(map(str, nodes[0].shape))
+                    ctx.note(f"no word for {node.function} of {size}", name and name.place)
+                elif node is not None:
                     yield Fit(node, ctx.said(node), sum(fit.cost for fit in chosen) + more)
                     more = 1  # of an identity every size is told of, the usual one first
 

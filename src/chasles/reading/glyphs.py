@@ -107,8 +107,8 @@ def letter_of(atom: Atom) -> Glyph:
                 inner = only_atom(formula(atom.arguments[0])) if atom.arguments[0] else None
             except Unread:
                 inner = None
-        if inner is None:
-            break
+        if inner is None or (atom.kind == "GROUP" and atom.sub and inner.sub):
+            break  # a second subscript is put on all that stands in the braces
         if atom.text in TYPEFACES:
             styles.append(BOLD.get(atom.text, atom.text))
         elif atom.kind == "COMMAND":

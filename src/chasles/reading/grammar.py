@@ -16,7 +16,7 @@ from lark import Token as Terminal
 from lark.exceptions import UnexpectedInput, VisitError
 from lark.lexer import Lexer
 
-from chasles.reading.grouping import Grid, Tokens, Unread, grouped
+from chasles.reading.grouping import CLOSING, OPENING, Grid, Tokens, Unread, grouped
 from chasles.reading.tokens import Token
 
 __all__ = ["Atom", "Chain", "FlatRow", "Terms", "formula", "terms_in"]
@@ -184,5 +184,18 @@ def formula(tokens: Tokens) -> Chain:
         first = value[:1] if isinstance(value, tuple) and not isinstance(value, Token) else (value,)
         place = first[0] if first and isinstance(first[0], Token) else getattr(value, "place", None)
         if place is None:
-            raise Unread("something is missing at the end", tokens[-1] if tokens else None) from None
+            raise _unfinished(tokens) from None
         raise Unread(f"{place.text} is not expected here", place) from None
+
+
+def _unfinished(tokens: Tokens) -> Unread:
+    """What is missing at the end: a bracket that closes, or anything behind a sign."""
+    open_ones: list[Token] = []
+    for token in tokens:
+        if token.text in OPENING:
+            open_ones.append(token)
+        elif token.text in CLOSING and open_ones:
+            open_ones.pop()
+    if open_ones:
+        return Unread(f"{open_ones[-1].text} is not closed", open_ones[-1])
+    return Unread("something is missing at the end", tokens[-1] if tokens else None)

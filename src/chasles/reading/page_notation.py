@@ -10,6 +10,7 @@ from dataclasses import dataclass, field, fields, is_dataclass, replace
 from types import ModuleType
 from typing import Any, cast, get_type_hints
 
+from chasles.reading.exponentials import exponential
 from chasles.reading.fits import made
 from chasles.reading.glyphs import Glyph, letter_in
 from chasles.reading.letter_table import LetterTable
@@ -29,6 +30,7 @@ from chasles.vocabulary import (
     Norm,
     Number,
     Power,
+    Quotient,
     Rate,
     Scale,
     Symbol,
@@ -117,10 +119,10 @@ def _product(left: Node, right: Node) -> Node:
 
 
 def _inverse_quaternion(of: Node) -> Node:
-    """The inverse of a unit quaternion, which is its conjugate."""
-    if not isinstance(of, Symbol) or not of.meaning.startswith("unit quaternion"):
-        raise Misfit(f"{of} is no unit quaternion")
-    return QuaternionConjugate(of)
+    """The inverse of a quaternion: its conjugate over its squared norm, which is 1 for a unit quaternion."""
+    conjugate = QuaternionConjugate(of)
+    is_unit = isinstance(of, Symbol) and of.meaning.startswith("unit quaternion")
+    return conjugate if is_unit else Quotient(conjugate, Power(Norm(of), 2))
 
 
 def _number_times(left: Node, right: Node) -> Node:
@@ -141,6 +143,9 @@ def usual_spellings(notation: PageNotation) -> None:
         spellings.add(form if "#" in form else f"{form}(#)", make if not one else lambda of, make=make: make(of))
     for name in ("sin", "cos"):
         spellings.add(rf"\{name}(#)", lambda of, name=name: Call(name, of))
+    spellings.add(r"\exp(#)", exponential)
+    spellings.add(r"\log(#)", lambda of: FunctionOf("log", (of,)))
+    spellings.add(r"\operatorname{arctan2}(#, #)", lambda *of: FunctionOf("atan2", of))
     spellings.add(r"\tan(#)", tan)
     spellings.add(r"\cot(#)", cot)
     spellings.add(r"\det(#)", Determinant)

@@ -8,6 +8,7 @@ from itertools import product
 
 from chasles.reading.applying import applied
 from chasles.reading.context import FittingContext
+from chasles.reading.exponentials import exponential
 from chasles.reading.fits import Fit, made
 from chasles.reading.glyphs import Glyph, letter_of, said_of
 from chasles.reading.grammar import Atom, formula
@@ -15,21 +16,14 @@ from chasles.reading.grouping import Tokens, Unread, closing
 from chasles.reading.page_notation import repeated_rate
 from chasles.reading.spellings import Make
 from chasles.vocabulary import (
-    Group,
-    Misfit,
-    Negative,
     Node,
     Quotient,
     Rate,
-    Scale,
-    Skew,
     Symbol,
     latex,
 )
 from chasles.vocabulary.fitting import measured
-from chasles.vocabulary.functions import FunctionOf
 from chasles.vocabulary.partial import PartialDerivative
-from chasles.vocabulary.rotation_vectors import RotationByVector
 from chasles.vocabulary.spelling import Precedence
 
 __all__ = ["exponential_fits", "fraction_fits", "of_tokens", "order_of_rate", "partial_by", "rate_in_frame",
@@ -124,24 +118,3 @@ def exponential_fits(exponent: Tokens, ctx: FittingContext) -> list[Fit]:
     """The exponential of a scalar, or of a multiple of a cross-product matrix."""
     made_of = [(fit, made(exponential, fit.node)) for fit in of_tokens(exponent, ctx) if ctx.is_as_printed(fit)]
     return [Fit(node, ctx.said(node), fit.cost) for fit, node in made_of if node is not None]
-
-
-def exponential(of: Node) -> Node:
-    """The exponential of a scalar, or of a multiple of a cross-product matrix; raises `Misfit` for anything else."""
-    if of.is_scalar:
-        return FunctionOf("exp", (of,))
-    vector = _axial(of)
-    if vector is None:
-        raise Misfit(f"{of} is neither a scalar nor a multiple of a cross-product matrix")
-    return RotationByVector(vector)
-
-
-def _axial(of: Node) -> Node | None:
-    """The vector whose cross-product matrix it is."""
-    if isinstance(of, Skew):
-        return of.of
-    if isinstance(of, Group | Negative) and (inner := _axial(of.below[0])) is not None:
-        return inner if isinstance(of, Group) else Negative(inner)
-    if isinstance(of, Scale) and (inner := _axial(of.term)) is not None:
-        return Scale(of.factor, inner, of.trailing)
-    return None

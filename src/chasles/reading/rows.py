@@ -12,7 +12,8 @@ from chasles.reading.glyphs import joined, letter_of
 from chasles.reading.grammar import Atom, FlatRow
 from chasles.reading.spellings import Make
 from chasles.reading.tokens import Token
-from chasles.vocabulary import Block, Contract, Node, Quotient, Scale
+from chasles.vocabulary import Block, Contract, Misfit, Node, Quotient, Scale, Sum
+from chasles.vocabulary.parts import part
 from chasles.vocabulary.spelling import Precedence
 
 __all__ = ["row_fits"]
@@ -152,9 +153,23 @@ def _times(left: Fit, right: Fit, ctx: FittingContext) -> Iterator[Fit]:
     node = made(multiplied, a, b)
     if node is not None:
         yield Fit(node, (*a_said, *b_said), left.cost + right.cost)
-    for make in ctx.notation.spellings.infixes.get("", ()):
+    for make in (*ctx.notation.spellings.infixes.get("", ()), _mixed):
         if (node := made(make, a, b)) is not None:
             yield Fit(node, ctx.said(node), left.cost + right.cost)
+
+
+def _mixed(a: Node, column: Node) -> Node:
+    """A matrix times a column of vectors: what the columns of numbers would be, with vectors for the numbers."""
+    if not isinstance(column, Block) or not _stacks_vectors(column) or a.is_scalar or a.shape[1] != len(column.rows):
+        raise Misfit("no column of vectors")
+    rows, columns = a.shape
+    entries = a.rows if isinstance(a, Block) and len(a.rows) == rows else None
+    sums = []
+    for i in range(rows):
+        row = [entries[i][j] if entries else part(a, (i + 1, j + 1)) for j in range(columns)]
+        terms = [Scale(factor, vector) for factor, (vector,) in zip(row, column.rows, strict=True)]
+        sums.append((Sum(tuple(terms)),))
+    return Block(tuple(sums))
 
 
 def multiplied(a: Node, b: Node) -> Node:
@@ -221,8 +236,7 @@ def _ill_formed(items: tuple[Atom, ...], single: dict[tuple[int, int], list[Fit]
             continue
         (a, a_said), (b, b_said) = ctx.inside(total, Precedence.PRODUCT), ctx.inside(fit, Precedence.PRODUCT)
         node = made(multiplied, a, b, tolerant=True)
-        if node is not None and node.fault and isinstance(b, Block) and _stacks_vectors(b):
-            ctx.note("a column of vectors stands for one of numbers: no word for that", items[start - 1].place)
+        if node is not None and node.fault and ctx.mixes(total, fit):
             return []
         total = Fit(node, (*a_said, *b_said), total.cost + fit.cost)
     return [] if total is None else [total]
