@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import os
 import platform
+import re
 import shlex
 import shutil
 import subprocess
@@ -37,8 +38,10 @@ _FIXED_HEADERS = ("src/batches.h", "src/vectors.h")
 """What knows no kernel, and so came with the package, or else is compiled once and kept."""
 _LEVELS = ("x86-64-v3", "x86-64-v4")
 """Beyond the compiler's own target, in the order of `batches.h`."""
-_PATIENCE = 300.0
-"""Seconds after which a compiler is given up."""
+_PATIENCE = 300
+"""Seconds of processor time after which a compiler, or a part that it has started, is ended."""
+_OUT_OF_TIME = re.compile(r"^(-24|152) |cpu ?time limit", re.IGNORECASE)
+"""How a command ends then, and what it says where it was a part."""
 
 
 class CompilerFailed(RuntimeError):
@@ -165,14 +168,20 @@ def _offers_vectors(version: str) -> bool:
 
 
 def _run(command: Sequence[str], folder: Path | None = None) -> str:
+    """What the command says. The system ends it, and cc1 below cc, after so much work, however busy the machine is."""
+    limited = ("sh", "-c", f'ulimit -S -t {_PATIENCE}; exec "$@"', "sh", *command)
+    called = limited if os.name == "posix" else command
     try:
         done = subprocess.run(
-            command, cwd=folder, capture_output=True, text=True, timeout=_PATIENCE, check=False, errors="replace"
-        )
-    except (OSError, subprocess.TimeoutExpired) as error:
+            called, cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False,
+            errors="replace", env={**os.environ, "LC_ALL": "C"},
+        )  # fmt: skip
+    except OSError as error:
         raise CompilerFailed(f"{shlex.join(command)}: {error}") from error
     if done.returncode:
         lines = done.stderr.strip().splitlines()
         said = next((line for line in lines if "error" in line), lines[0] if lines else "it says nothing")
+        if _OUT_OF_TIME.search(f"{done.returncode} {done.stderr}"):
+            said = f"it was ended after {_PATIENCE} seconds of processor time"
         raise CompilerFailed(f"{shlex.join(command)}: exit status {done.returncode}: {said}")
     return done.stdout
