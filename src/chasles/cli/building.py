@@ -6,13 +6,9 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from chasles import kernels as installed
 from chasles.cli.checkout import generated_folder
 from chasles.cli.failures import Failure
 from chasles.cli.files import replace_whole
-from chasles.compiling.compiler import CompilerFailed, found
-from chasles.compiling.sources import library_of
-from chasles.kernels.chapter import COMPILED
 from chasles.statements import Chapter
 from chasles.targets import Origin, Page, TargetKernel
 from chasles.targets.emit import filled
@@ -26,6 +22,12 @@ NEW_CHAPTER = Path(__file__).parent / "new_chapter"
 
 def compiled(kernels: Sequence[TargetKernel], texts: Mapping[str, str], folder: Path) -> Path:
     """The shared object of the kernels, beside what was emitted. Raises Failure where it cannot be made."""
+    # A new chapter is written without these.
+    from chasles import kernels as installed
+    from chasles.compiling.compiler import CompilerFailed, found
+    from chasles.compiling.sources import library_of
+    from chasles.kernels.chapter import COMPILED
+
     emitted = f"the kernels are emitted to {folder}, and not compiled"
     if installed.make_ufunc is None:
         raise Failure(f"{emitted}: this chasles has no compiled part, which makes the ufuncs; they run in NumPy")
