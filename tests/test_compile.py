@@ -563,12 +563,12 @@ def test_a_compiler_that_fails_is_warned_of(empty_cache, tmp_path, monkeypatch):
 def test_a_compiler_without_end_is_ended(endless, tmp_path, monkeypatch):
     """After so much processor time, also where the work is done by a process below it."""
     if endless == "CPU":
-        endless = "echo 'gcc: internal compiler error: CPU time limit exceeded signal terminated program cc1' >&2; exit 4"
+        endless = "echo 'gcc: fatal error: CPU time limit exceeded signal terminated program cc1' >&2; exit 4"
     script = tmp_path / "endless"
     script.write_text(f"#!/bin/sh\n{endless}\n")
     script.chmod(0o755)
     monkeypatch.setattr(compiler, "_PATIENCE", 1)
-    with pytest.raises(compiler.CompilerFailed, match="endless -c x.c: .*ended after 1 seconds of processor time"):
+    with pytest.raises(compiler.CompilerFailed, match=r"endless -c x\.c: .*ended after 1 seconds of processor time"):
         compiler._run((str(script), "-c", "x.c"))
 
 
