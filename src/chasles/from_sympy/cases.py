@@ -16,6 +16,7 @@ from sympy.core.relational import Relational
 
 from chasles.from_sympy.atoms import ASSUMPTIONS
 from chasles.from_sympy.enclosures import NotEnclosed, ends_of
+from chasles.from_sympy.opening import parts_of
 
 __all__ = ["SIGNS", "SplitCase", "powers_in", "switches_in"]
 
@@ -29,7 +30,7 @@ Fact = tuple[Any, int]
 
 def switches_in(expressions: Iterable[Any], *kinds: type) -> list[Any]:
     """The parts of some kinds, or of any that change with a sign, innermost first."""
-    found = {part for e in expressions for part in e.atoms(*(kinds or SWITCHES))}
+    found = {part for e in expressions for part in parts_of(e) if isinstance(part, kinds or SWITCHES)}
     return sorted(found, key=lambda part: (len(part.atoms(*SWITCHES)), str(part)))
 
 

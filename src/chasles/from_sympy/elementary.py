@@ -18,7 +18,7 @@ from chasles.from_sympy.arcs import INVERSE, Arc, arc_of, without_arcs
 from chasles.from_sympy.divisors import CIRCULAR
 from chasles.from_sympy.factors import factors_of, is_entire, is_evident
 from chasles.from_sympy.hyperbolic import EXPONENTIALS, LOGARITHMS
-from chasles.from_sympy.opening import FunctionSymbol, Signed, excerpt, is_atom
+from chasles.from_sympy.opening import FunctionSymbol, Signed, excerpt, is_atom, parts_of
 from chasles.problems.variables import Untreatable
 
 __all__ = ["Elementary", "is_elementary"]
@@ -120,7 +120,7 @@ class Elementary:
     def _meet(self, *arguments: Any) -> None:
         """What is hidden in a variable, or cancels, has to be real, and not to divide by zero."""
         met = map(sympy.sympify, arguments)
-        self.defined |= {e: None for e in met if not all(map(is_entire, sympy.preorder_traversal(e)))}
+        self.defined |= {e: None for e in met if not all(map(is_entire, parts_of(e)))}
 
     def _word(self, origin: Any, kind: type[FunctionSymbol] = FunctionSymbol, positive: bool = True) -> Any:
         word = kind(str(origin), positive=True) if positive else kind(str(origin), real=True)
@@ -249,7 +249,7 @@ class Elementary:
 
 def is_elementary(e: Any) -> bool:
     """Whether exponentials, logarithms, or powers with other exponents than halves, quarters, ... occur."""
-    for part in sympy.preorder_traversal(e):
+    for part in parts_of(e):
         if any(part.func in rules for rules in (EXPONENTIALS, LOGARITHMS, INVERSE)) or part is sympy.E:
             return True
         if isinstance(part, sympy.Pow) and not (part.exp.is_Rational and part.exp.q & (part.exp.q - 1) == 0):

@@ -13,7 +13,7 @@ from chasles.checker.expressions.elementary import FUNCTIONS
 from chasles.from_sympy.atoms import nonzero_by_sign, real_copy
 from chasles.from_sympy.complexes import Parts
 from chasles.from_sympy.divisors import CIRCULAR
-from chasles.from_sympy.opening import is_atom, sides
+from chasles.from_sympy.opening import is_atom, parts_of, sides
 from chasles.from_sympy.pantelides import offsets
 from chasles.from_sympy.side_conditions import listed
 from chasles.from_sympy.triads import Triad, triads_of
@@ -158,9 +158,10 @@ def _without_given_angles(result: SideConditions, expressions: list[Any]) -> lis
 
 def _angles_in(expressions: Iterable[Any]) -> set[Any]:
     """The atoms that occur in arguments of functions, of which the angles are the most common."""
-    calls = {call for e in expressions for call in e.atoms(*CIRCULAR, *ELEMENTARY, sympy.Pow)}
+    kinds = (*CIRCULAR, *ELEMENTARY, sympy.Pow)
+    calls = {call for e in expressions for call in parts_of(e) if isinstance(call, kinds)}
     calls = {call for call in calls if not call.is_Pow or call.exp.free_symbols}
-    parts = (part for call in calls for argument in call.args for part in sympy.preorder_traversal(argument))
+    parts = (part for call in calls for argument in call.args for part in parts_of(argument))
     return {part for part in parts if is_atom(part)}
 
 
@@ -236,7 +237,7 @@ def _add_derivatives(result: SideConditions, item: Equations, variables: set[Any
 
 
 def _functions(expression: Any) -> set[Any]:
-    return set(expression.atoms(AppliedUndef))
+    return {part for part in parts_of(expression) if isinstance(part, AppliedUndef)}
 
 
 def orders_of(expressions: Iterable[Any]) -> dict[Any, int]:
@@ -245,7 +246,8 @@ def orders_of(expressions: Iterable[Any]) -> dict[Any, int]:
     for expression in expressions:
         for function in sorted(_functions(expression), key=str):
             found.setdefault(function, 0)
-        for derivative in sorted(expression.atoms(sympy.Derivative), key=str):
+        derivatives = (part for part in parts_of(expression) if isinstance(part, sympy.Derivative))
+        for derivative in sorted(derivatives, key=str):
             if isinstance(derivative.expr, AppliedUndef):
                 found[derivative.expr] = max(found.get(derivative.expr, 0), derivative.derivative_count)
     return found

@@ -14,7 +14,7 @@ from sympy.matrices import MatrixBase, MatrixExpr
 from chasles.from_sympy.unevaluated import explicit, written_out
 from chasles.problems.variables import Untreatable
 
-__all__ = ["Entries", "FunctionSymbol", "Signed", "atoms_of", "excerpt", "is_atom", "opened", "sides"]
+__all__ = ["Entries", "FunctionSymbol", "Signed", "atoms_of", "excerpt", "is_atom", "opened", "parts_of", "sides"]
 
 LONGEST_EXCERPT = 80
 
@@ -58,13 +58,26 @@ def is_atom(expression: Any) -> bool:
     return isinstance(expression, sympy.Symbol | AppliedUndef | sympy.matrices.expressions.matexpr.MatrixElement)
 
 
+def parts_of(expression: Any) -> Iterator[Any]:
+    """Each different part of an expression once, itself first; `atoms` meets all that is repeated again."""
+    return _different(expression, lambda _: False)
+
+
 def atoms_of(expression: Any) -> Iterator[Any]:
-    """The real variables that occur in an expression."""
-    walk = sympy.preorder_traversal(expression)
-    for part in walk:
-        if is_atom(part):
-            walk.skip()
+    """The real variables that occur in an expression, each once."""
+    return filter(is_atom, _different(expression, is_atom))
+
+
+def _different(expression: Any, is_last: Callable[[Any], bool]) -> Iterator[Any]:
+    seen = set()
+    waiting = [expression]
+    while waiting:
+        part = waiting.pop()
+        if part not in seen:
+            seen.add(part)
             yield part
+            if not is_last(part):
+                waiting += reversed(part.args)
 
 
 def opened(value: Any, what: str) -> Entries:
@@ -99,16 +112,18 @@ def _spelled_out(write: Callable[[Any], Any], value: Any) -> Any:
 
 def _evaluated(entry: Any) -> Any:
     """The entry with derivatives of expressions taken, and zero for the symbols that SymPy is told to be."""
-    zeros = {atom: sympy.S.Zero for atom in entry.atoms(sympy.Symbol, AppliedUndef) if atom.is_zero}
+    parts = list(parts_of(entry))
+    zeros = {part: sympy.S.Zero for part in parts if isinstance(part, sympy.Symbol | AppliedUndef) and part.is_zero}
     if zeros:
         whole, entry = entry, entry.xreplace(zeros)
         met = {e.xreplace(zeros) for e in whole.atoms(sympy.Pow, sympy.Function)}
         if any(e.args and e.free_symbols for e in met - entry.atoms(sympy.Pow, sympy.Function)):
             raise Untreatable(f"{excerpt(whole)} is not treated: it is multiplied by zero, and has to be defined")
-    for inexact in entry.atoms(sympy.Float):
+        parts = list(parts_of(entry))
+    for inexact in (part for part in parts if isinstance(part, sympy.Float)):
         exact = str(sympy.nsimplify(inexact, rational=True))
         raise Untreatable(f"{inexact} is a floating-point number, which is not exact: write Rational({exact!r})")
-    for derivative in entry.atoms(sympy.Derivative):
+    for derivative in (part for part in parts if isinstance(part, sympy.Derivative)):
         if not isinstance(derivative.expr, AppliedUndef):
             entry = entry.xreplace({derivative: derivative.doit()})
     return _spelled_out(written_out, entry)

@@ -24,14 +24,20 @@ def is_atom(e: Any) -> bool:
 
 
 def atoms_of(e: Any) -> Iterator[Any]:
-    """The real quantities that occur in an expression."""
-    if is_atom(e):
-        yield e
-    elif isinstance(e, sympy.MatrixSymbol):
-        yield from (e[i, j] for i in range(e.rows) for j in range(e.cols))
-    else:
-        for part in e.args:
-            yield from atoms_of(part)
+    """The real quantities that occur in an expression, each once, however often its parts are repeated."""
+    met = set()
+    waiting = [e]
+    while waiting:
+        part = waiting.pop()
+        if part in met:
+            continue
+        met.add(part)
+        if is_atom(part):
+            yield part
+        elif isinstance(part, sympy.MatrixSymbol):
+            yield from (part[i, j] for i in range(part.rows) for j in range(part.cols))
+        else:
+            waiting += reversed(part.args)
 
 
 def require_independent(atoms: Iterable[Any]) -> None:

@@ -6,11 +6,11 @@ rational. What is not found at one draw is tried again at another.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from random import Random
 
-from chasles.algebra.surds import SurdSum, square_root
+from chasles.algebra.surds import Key, SurdSum, square_root
 from chasles.points.search.values import Partial, Values, degree
 
 __all__ = ["eliminable", "solve_one", "unknowns"]
@@ -94,7 +94,7 @@ def _small(partial: Partial, places: list[int], random: Random) -> dict[int, Sur
     """Small integers that satisfy the equation."""
     for trial in range(TRIES):
         reach = 1 if trial < TRIES // 2 else 3
-        point = {k: Fraction(random.randint(-reach, reach)) for k in places}
+        point = {k: random.randint(-reach, reach) for k in places}
         if _at(partial, point).is_zero:
             return {k: SurdSum.rational(x) for k, x in point.items()}
     return None
@@ -121,11 +121,12 @@ def _on_quadric(partial: Partial, places: list[int], random: Random, plain: bool
     return {k: SurdSum.rational(point[k] + t * way[k]) for k in places}
 
 
-def _at(partial: Partial, point: dict[int, Fraction]) -> SurdSum:
-    total = SurdSum({})
+def _at(partial: Partial, point: Mapping[int, Fraction | int]) -> SurdSum:
+    total: dict[Key, Fraction] = {}
     for monomial, coefficient in partial.items():
-        size = Fraction(1)
+        size: Fraction | int = 1
         for place, exponent in monomial:
             size *= point[place] ** exponent
-        total = total + coefficient * SurdSum.rational(size)
-    return total
+        for key, part in coefficient.terms.items() if size else ():
+            total[key] = total.get(key, Fraction(0)) + part * size
+    return SurdSum({key: part for key, part in total.items() if part})

@@ -93,7 +93,8 @@ class Values:
             awkward: list[tuple[int, int]] = []
             for place, exponent in monomial:
                 if place in self.rational:
-                    coefficient *= self.rational[place] ** exponent
+                    value = self.rational[place]
+                    coefficient *= value if exponent == 1 else value**exponent
                 elif place in self.irrational:
                     awkward.append((place, exponent))
                 else:
