@@ -3,6 +3,7 @@
 # make quick    sets up .venv; runs in less than a minute those tests that find most
 # make bench    sets up .venv and the peers; times the kernels beside them (ARGS="--rounds 3" and the like)
 # make docs     sets up .venv; executes and builds the manual: docs/_build/html/index.html
+# make coq      sets up .venv; writes the verdicts as theorems to proofs/, where Coq checks them (Debian package coq)
 # make lint | types | compile | wheel | clean
 #
 # PYTHON=python3.12 chooses the interpreter, CC=clang the compiler. Where a compiler and Python.h are at hand, kernels
@@ -22,7 +23,7 @@ INSTALL := SKBUILD_BUILD_DIR=$(VENV)/build $(PIP) install --no-build-isolation -
 BUILD_FILES := pyproject.toml CMakeLists.txt $(wildcard cmake/*) src/chasles/__init__.py
 C_FILES := $(wildcard generated/c/include/* generated/c/src/* generated/gufunc/*)
 
-.PHONY: all chapter compile test quick bench docs lint types wheel clean
+.PHONY: all chapter compile test quick bench docs coq lint types wheel clean
 .DELETE_ON_ERROR:
 
 all: chapter
@@ -64,6 +65,10 @@ docs: $(VENV)/.compiled $(VENV)/.tools $(VENV)/.docs
 	@rm -rf docs/_build
 	@$(BIN)/python -m sphinx -W --keep-going --nitpicky --quiet --jobs 2 --builder html docs docs/_build/html
 	@echo "docs/_build/html/index.html"
+
+coq: $(VENV)/.compiled
+	@$(BIN)/chasles decide --brief --coq proofs/derivations $(ARGS)
+	@$(BIN)/chasles --chapter chasles.rotations decide --brief --coq proofs/rotations $(ARGS)
 
 lint: $(VENV)/.tools
 	@$(BIN)/ruff check

@@ -34,6 +34,7 @@ ORDER = (
     "deciding",
     "repairs",
     "decisions",
+    "coq",
     "pages",
     "deriving",
     "asking",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
@@ -25,9 +26,21 @@ __all__ = ["command"]
 @as_data
 @click.option("--brief", is_flag=True, help="Show findings and totals only.")
 @click.option("--recheck/--no-recheck", default=True, help="Check the verdicts again without the prover (default).")
+@click.option(
+    "--coq",
+    type=click.Path(path_type=Path, file_okay=False),
+    metavar="FOLDER",
+    help="Write verdicts as theorems for Coq to this folder; where Coq is installed, it checks them.",
+)
 @click.option("--anew", is_flag=True, help="Search for all proofs again; do not check what is known.")
 def command(
-    numbers: tuple[str, ...], sections: tuple[str, ...], json: bool, brief: bool, recheck: bool, anew: bool
+    numbers: tuple[str, ...],
+    sections: tuple[str, ...],
+    json: bool,
+    brief: bool,
+    recheck: bool,
+    coq: Path | None,
+    anew: bool,
 ) -> int:
     """Decide whether equations are right: all of them, or those named.
 
@@ -41,10 +54,18 @@ def command(
 
     book = chapter()
     outcome, _ = decide(chosen(book, numbers, sections), book, recheck=recheck, anew=anew)
+    theorems = None
+    if coq is not None:
+        from chasles.cli.theorems import written
+
+        theorems = written(coq, [decision for _, decision in outcome.decided])
     if json:
-        click.echo(as_json({"statements": [record(entry, decision) for entry, decision in outcome.decided]}))
+        records = [record(entry, decision) for entry, decision in outcome.decided]
+        click.echo(as_json({"statements": records} | ({"coq": theorems.record} if theorems else {})))
     else:
         _show(outcome, brief)
+        for line in theorems.in_words if theorems else ():
+            click.echo(line)
     say_once_what_is_faster()
     return complain(outcome.failures)
 

@@ -1,0 +1,96 @@
+"""The theorems of `decide --coq`: written to a folder, checked by Coq where it is installed, and told of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+from chasles.cli.failures import FAILED, Failure
+from chasles.cli.writing import write_whole
+from chasles.coq.checking import MISSING, Checked, coq_version, verdicts_of_coq
+from chasles.coq.folder import Chunk, chunks, files_of
+from chasles.coq.theorems import Claimed, claims_of
+from chasles.decisions.session import Decision
+from chasles.report.waiting import progress
+from chasles.report.words import number_of
+
+__all__ = ["Theorems", "written"]
+
+
+@dataclass(frozen=True, slots=True)
+class Theorems:
+    """What was written to a folder, and what Coq says of it, if there is a Coq of some `version`."""
+
+    folder: Path
+    claims: tuple[Claimed, ...]
+    parts: tuple[Chunk, ...]
+    version: str | None
+    checked: tuple[Checked, ...]
+
+    @property
+    def in_words(self) -> Iterator[str]:
+        """What is not accepted, each with its reason, and how many are."""
+        for claim, why_not in self._not_accepted():
+            yield f"({claim.number}) {claim.form}: not accepted by Coq: {why_not}"
+        if self.version is None:
+            yield f"{number_of(sum(bool(claim.proof) for claim in self.claims), 'theorem')} in {self.folder}; {MISSING}"
+        else:
+            accepted = [each.claim for each in self.checked if each.accepted]
+            of = number_of(len(self.claims), "statement")
+            yield f"Coq {self.version} accepted {len(accepted)} of {of} in {self.folder}"
+            if parts := sum(not claim.whole for claim in accepted):
+                yield f"of {parts} of them, theorems and inverses, the equations, one by one"
+
+    @property
+    def record(self) -> dict[str, Any]:
+        """The same for programs: `accepted` is null where there is no Coq."""
+        verdicts = {each.claim.name: each.accepted for each in self.checked}
+        files = {claim.name: part for part in self.parts for claim in part.claims}
+        reasons = {claim.name: why for claim, why in self._not_accepted()}
+        return {
+            "folder": str(self.folder),
+            "version": self.version,
+            "theorems": [
+                {
+                    "number": claim.number,
+                    "form": claim.form,
+                    "name": claim.name,
+                    "whole": claim.whole,
+                    "accepted": verdicts.get(claim.name, None if self.version is None and claim.proof else False),
+                    "reason": reasons.get(claim.name),
+                    "file": f"{files[claim.name].statements}.v" if claim.said else None,
+                    "sha256": sha256(files[claim.name].said().encode()).hexdigest() if claim.said else None,
+                }
+                for claim in self.claims
+            ],
+        }
+
+    def _not_accepted(self) -> Iterator[tuple[Claimed, str]]:
+        refused = {each.claim.name: each.why_not for each in self.checked}
+        for claim in self.claims:
+            if why_not := claim.why_not or refused.get(claim.name, ""):
+                yield claim, why_not
+
+
+def written(folder: Path, decisions: Sequence[Decision]) -> Theorems:
+    """Write the theorems of the decisions, checked by Coq if it is installed: then only proofs that it accepts.
+
+    The folder's files are written whole or not at all. Raises Failure where that is not possible.
+    """
+    claims = tuple(claims_of(decisions))
+    parts = tuple(chunks(claims))
+    version = coq_version()
+    proved = [claim for claim in claims if claim.proof]
+    chosen = {claim.name for claim in proved}
+    checked: tuple[Checked, ...] = ()
+    if version is not None:
+        try:
+            checked = tuple(progress(verdicts_of_coq(parts), len(proved), "Coq"))
+        except ChildProcessError as error:
+            raise Failure(str(error), FAILED) from error
+        chosen = {each.claim.name for each in checked if each.accepted}
+    write_whole(folder, files_of(parts, chosen))
+    return Theorems(folder, claims, parts, version, checked)

@@ -1,0 +1,1 @@
+"""Verdicts as theorems for Coq: statements for people to read, and proofs from the certificates."""

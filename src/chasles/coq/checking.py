@@ -1,0 +1,113 @@
+"""Does Coq accept it? Files are compiled one at a time, in a folder of their own, with bounded memory."""
+
+from __future__ import annotations
+
+import re
+import resource
+import shutil
+import subprocess
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from chasles.coq.folder import Chunk
+from chasles.coq.names import THEORIES, theory
+from chasles.coq.theorems import Claimed
+
+__all__ = ["AXIOMS", "MISSING", "Checked", "coq_version", "verdicts_of_coq"]
+
+MISSING = "coqc was not found: install the Debian package coq, and Coq checks what is written"
+AXIOMS = frozenset({
+    "ClassicalDedekindReals.sig_forall_dec", "ClassicalDedekindReals.sig_not_dec",
+    "functional_extensionality_dep",
+})  # fmt: skip
+"""What the real numbers of Coq's library rest on. A theorem that rests on anything else is not counted as accepted."""
+MEMORY = 3 * 2**30
+SECONDS = 300
+"""What one file may take: bytes of memory, seconds of processor time."""
+FORBIDDEN = re.compile(
+    r"\b(?:Admitted|admit|give_up)\b|^\s*(?:Axioms?|Parameters?|Conjecture|Hypothes[ie]s|Variables?)\b", re.MULTILINE
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Checked:
+    """Whether Coq accepted a theorem, and if not, why."""
+
+    claim: Claimed
+    why_not: str = ""
+
+    @property
+    def accepted(self) -> bool:
+        """Whether Coq accepted it."""
+        return not self.why_not
+
+
+def coq_version() -> str | None:
+    """The version of the Coq that is installed, None if there is none."""
+    if shutil.which("coqc") is None:
+        return None
+    said = subprocess.run(["coqc", "--print-version"], capture_output=True, text=True, check=False).stdout.split()
+    return said[0] if said else None
+
+
+def verdicts_of_coq(parts: Iterable[Chunk]) -> Iterator[Checked]:
+    """What Coq says of each theorem that has a proof. Raises `ChildProcessError` if it refuses a statement."""
+    with TemporaryDirectory(prefix="chasles-coq-") as name:
+        folder = Path(name)
+        for each in THEORIES:
+            _require(folder, each, theory(each))
+        for part in parts:
+            _require(folder, part.statements, part.said())
+            yield from _proved(folder, part)
+
+
+def _require(folder: Path, name: str, text: str) -> None:
+    done = _compiled(folder, name, text)
+    if done.returncode:
+        raise ChildProcessError(f"Coq refuses {name}.v: {done.stderr.strip()}")
+
+
+def _compiled(folder: Path, name: str, text: str) -> subprocess.CompletedProcess[str]:
+    (folder / f"{name}.v").write_text(text, "utf-8")
+    command = ["coqc", "-q", "-noglob", "-R", ".", "Chasles", f"{name}.v"]
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False, preexec_fn=_bounded)
+
+
+def _bounded() -> None:
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
+
+
+def _proved(folder: Path, part: Chunk) -> Iterator[Checked]:
+    """Coq stops at the first theorem that it refuses; it goes on with the next one."""
+    waiting = []
+    for claim in part.claims:
+        if claim.proof and (found := FORBIDDEN.search(claim.proof)):
+            yield Checked(claim, f"its proof says {found[0]}")
+        elif claim.proof:
+            waiting.append(claim)
+    while waiting:
+        done = _compiled(folder, part.proofs, part.proved({claim.name for claim in waiting}))
+        rests = _assumptions(done.stdout)
+        accepted = waiting if not done.returncode else waiting[: len(rests)]
+        for claim, axioms in zip(accepted, rests, strict=True):
+            foreign = sorted(axioms - AXIOMS)
+            yield Checked(claim, f"it rests on {', '.join(foreign)}" if foreign else "")
+        waiting = waiting[len(accepted) :]
+        if waiting:
+            yield Checked(waiting.pop(0), _reason(done))
+
+
+def _assumptions(printed: str) -> list[set[str]]:
+    """The axioms of each theorem in turn, as `Print Assumptions` prints them."""
+    blocks = re.split(r"^(?=Axioms:|Closed under the global context)", printed, flags=re.MULTILINE)[1:]
+    return [set(re.findall(r"^([\w.']+)\s*:", block.removeprefix("Axioms:"), re.MULTILINE)) for block in blocks]
+
+
+def _reason(done: subprocess.CompletedProcess[str]) -> str:
+    if done.returncode < 0 or "Out of memory" in done.stderr:
+        return "it takes more time or memory than one file may"
+    said = re.sub(r"\s+", " ", done.stderr.partition("Error:")[2]).strip()
+    return f"Coq refuses the proof: {said[-200:] or done.stderr.strip()[-200:]}"

@@ -1,0 +1,154 @@
+"""The division that a certificate asks for, carried out once more with its quotients kept: they are the cofactors."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from chasles.checker.division import solved_for
+from chasles.checker.quantities import squeezed
+from chasles.checker.sparse import (
+    ONE,
+    ZERO,
+    Polynomial,
+    Rejected,
+    cleared,
+    exponents,
+    number,
+    parsed,
+    powered,
+    variable,
+)
+from chasles.coq.sources import ProofReading
+from chasles.vocabulary import Node
+
+__all__ = ["Combination", "Reckoning", "Solved"]
+
+MOST_REPLACED = 10**5
+"""So many terms are replaced at most; Coq would not get through more in reasonable time."""
+
+
+@dataclass(frozen=True, slots=True)
+class Combination:
+    """A difference times a product of nonzero factors is the sum of cofactors times what vanishes, by label."""
+
+    powers: int
+    cofactors: tuple[tuple[str, Polynomial], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Solved:
+    """The variable at a place is a numerator over a product of nonzero factors; and why."""
+
+    place: int
+    numerator: Polynomial
+    below: int
+    why: Combination
+
+
+class Reckoning:
+    """What a certificate says, as combinations of what vanishes: the entries of the goals, and what is solved."""
+
+    def __init__(self, reading: ProofReading, certificate: Mapping[str, Any]) -> None:
+        self.reading = reading
+        self._divisions = [
+            (label, *solved_for(_factors(reading, term), reading.vanishing[label]))
+            for label, term in certificate.get("division", ())
+        ]
+        self.solved = [self._solved(name, said) for name, said in certificate.get("solved", {}).items()]
+        reading.settle({each.place: each.numerator * _inverse(each.below) for each in self.solved})
+        self._entries = certificate.get("entries", {})
+
+    def goal(self, count: int, left: Node, right: Node) -> Iterator[Combination]:
+        """The entries of one goal, row by row."""
+        written = self.reading.as_written(left, right)
+        for i, j, difference in self.reading.difference(left, right):
+            said = self._entries.get(f"{count}:{i},{j}")
+            squares = self.reading.squares(written[i, j] - difference)
+            yield self._combined(written[i, j], said or {}, said is None, squares)
+
+    def _solved(self, name: str, said: Mapping[str, Any]) -> Solved:
+        places = self.reading.places
+        below = sum(int(power) << 8 * places[squeezed(label)] for label, power in said.get("denominator", {}).items())
+        place, numerator = places[squeezed(name)], parsed(said["numerator"], places)
+        claim = variable(place) - numerator * _inverse(below)
+        return Solved(place, numerator, below, self._combined(claim, said, True))
+
+    def _combined(
+        self, claim: Polynomial, said: Mapping[str, Any], divides: bool, squares: Mapping[str, Polynomial] | None = None
+    ) -> Combination:
+        """The claim as a combination; raises `Rejected` if the certificate does not make it one."""
+        nonzero, places = self.reading.nonzero, self.reading.places
+        over = ONE
+        for label, power in said.get("denominator", {}).items():
+            over *= powered(places[squeezed(label)], power)
+        found = dict(squares or {})
+        for label, text in said.get("cofactors", {}).items():
+            found[label] = found.get(label, ZERO) + parsed(text, places) * over
+        rest = claim
+        for label, cofactor in found.items():
+            rest -= cofactor * self.reading.vanishing[label]
+        numerator, powers = cleared(rest, nonzero)
+        top = _joined(powers, *(cleared(cofactor, nonzero)[1] for cofactor in found.values()))
+        scaled = {label: _times(cofactor, top, nonzero) for label, cofactor in found.items()}
+        for label, cofactor in self._divided(numerator, divides):
+            more = _times(cofactor * _inverse(powers), top, nonzero)
+            scaled[label] = scaled.get(label, ZERO) + more
+        return Combination(top, tuple((label, cofactor) for label, cofactor in scaled.items() if cofactor))
+
+    def _divided(self, polynomial: Polynomial, divides: bool) -> Iterator[tuple[str, Polynomial]]:
+        """The quotients by what vanishes."""
+        quotients = [ZERO] * len(self._divisions)
+        before, replaced = -1, 0
+        while before < replaced and divides:
+            before = replaced
+            for k, (_, factors, equal) in enumerate(self._divisions):
+                guard = sum(128 << 8 * place for place, _ in exponents(factors))
+                while found := {m for m in polynomial.terms if (m | guard) - factors & guard == guard}:
+                    quotient = Polynomial({m - factors: polynomial.terms[m] for m in found}, polynomial.below)
+                    kept = {m: c for m, c in polynomial.terms.items() if m not in found}
+                    polynomial = Polynomial(kept, polynomial.below) + quotient * equal
+                    quotients[k] += quotient
+                    replaced += len(found)
+                    if replaced > MOST_REPLACED:
+                        raise Rejected("the division is too long")
+        if polynomial:
+            raise Rejected("something is left when the certificate's division is done")
+        for (label, factors, _), quotient in zip(self._divisions, quotients, strict=True):
+            vanishing = self.reading.vanishing[label]
+            yield label, quotient * number(Fraction(vanishing.below, vanishing.terms[factors]))
+
+
+def _factors(reading: ProofReading, term: str) -> int:
+    (factors,) = parsed(f"1*{term}", reading.places).terms
+    return factors
+
+
+def _inverse(powers: int) -> Polynomial:
+    return Polynomial({powers: 1})
+
+
+def _joined(*tops: int) -> int:
+    powers: dict[int, int] = {}
+    for top in tops:
+        for place, power in exponents(top):
+            powers[place] = max(powers.get(place, 0), power)
+    return sum(power << 8 * place for place, power in powers.items())
+
+
+def _times(polynomial: Polynomial, top: int, nonzero: list[Polynomial]) -> Polynomial:
+    """A polynomial times the product of nonzero factors, which leaves no inverse in it."""
+    for k, power in exponents(top):
+        for _ in range(power):
+            polynomial = _once(polynomial, k, nonzero[k])
+    return polynomial
+
+
+def _once(polynomial: Polynomial, k: int, factor: Polynomial) -> Polynomial:
+    """A polynomial times a nonzero factor, of which variable k is the inverse."""
+    inverse = 1 << 8 * k
+    over = {m - inverse: c for m, c in polynomial.terms.items() if m >> 8 * k & 255}
+    rest = {m: c for m, c in polynomial.terms.items() if not m >> 8 * k & 255}
+    return Polynomial(over, polynomial.below) + Polynomial(rest, polynomial.below) * factor

@@ -1,0 +1,158 @@
+"""Expressions in Coq, spelled as the theories spell them, with brackets only where precedence asks for them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from chasles import vocabulary as w
+from chasles.coq.names import Names, bare_of
+
+__all__ = ["Spelling", "Unsaid"]
+
+ATOM, APPLIED, POWER, MINUS, TIMES, PLUS, LOOSE = 0, 10, 30, 35, 40, 50, 200
+"""How tightly the parts of a spelling hold together, as Coq counts it."""
+Spelled = tuple[str, int]
+
+
+class Unsaid(Exception):
+    """Something is not said in Coq; the message says what."""
+
+
+class Spelling:
+    """How expressions are spelled: numbers as reals, the rest as matrices, what moves at the instant t."""
+
+    def __init__(self, names: Names, applied: Callable[[w.Node, str], str]) -> None:
+        self.names = names
+        self._applied = applied
+
+    def side(self, node: w.Node) -> str:
+        """One side of an equation."""
+        return self.number(node) if node.shape == (1, 1) else self.matrix(node)
+
+    def equation(self, left: w.Node, right: w.Node) -> str:
+        """Two sides that are equal, of the same size."""
+        if left.shape != right.shape:
+            raise Unsaid(f"{left} and {right} differ in size")
+        if left.shape == (1, 1):
+            return f"{self.number(left)} = {self.number(right)}"
+        return f"({self.matrix(left)} = {self.matrix(right)})%M"
+
+    def number(self, node: w.Node, most: int = LOOSE) -> str:
+        """A scalar, in brackets if it is looser than `most`."""
+        return _held(self._number(node), most)
+
+    def matrix(self, node: w.Node, most: int = LOOSE) -> str:
+        """A matrix, in brackets if it is looser than `most`; what is 1 x 1 as one."""
+        return _held(self._matrix(node), most)
+
+    def _number(self, node: w.Node) -> Spelled:
+        node = bare_of(node)
+        if node.shape != (1, 1):
+            raise Unsaid(f"{node} is no number")
+        match node:
+            case w.Number(value):
+                text = f"{abs(value.numerator)}" + f" / {value.denominator}" * (value.denominator > 1)
+                level = ATOM if value.denominator == 1 else TIMES
+                return (text, level) if value >= 0 else (f"- {text}", max(level, MINUS))
+            case w.Zero():
+                return "0", ATOM
+            case w.Identity():
+                return "1", ATOM
+            case w.Norm(of):
+                return f"norm {self.matrix(of, ATOM)}", APPLIED
+            case w.Dot(left, right):
+                return f"dot {self.matrix(left, ATOM)} {self.matrix(right, ATOM)}", APPLIED
+            case w.Trace(of):
+                return f"trace {self.matrix(of, ATOM)}", APPLIED
+            case w.Determinant(of):
+                return f"det {self.matrix(of, ATOM)}", APPLIED
+            case w.Call("cos" | "sin" as function, argument):
+                return f"{function} {self.number(argument, ATOM)}", APPLIED
+            case w.Scale(factor, term):
+                return f"{self.number(factor, TIMES)} * {self.number(term, TIMES - 1)}", TIMES
+            case w.Quotient(numerator, denominator):
+                return f"{self.number(numerator, TIMES)} / {self.number(denominator, TIMES - 1)}", TIMES
+            case w.Power(base, exponent):
+                return f"{self.number(base, POWER - 1)} ^ {exponent}", POWER
+            case w.Transpose(of):
+                return self._number(of)
+            case w.Contract() | w.Block():
+                return f"the {self.matrix(node, ATOM)}", APPLIED
+            case w.Integral(of):
+                return f"integral (fun b => {self.number(of)})", APPLIED
+        return self._either(node, self.number)
+
+    def _matrix(self, node: w.Node) -> Spelled:
+        node = bare_of(node)
+        if node.shape == (1, 1) and not isinstance(node, w.Contract | w.Block):
+            return f"number {self.number(node, ATOM)}", APPLIED
+        match node:
+            case w.Zero(int() as rows, int() as columns):
+                return f"zero {rows} {columns}", APPLIED
+            case w.Identity(int() as size):
+                return f"one {size}", APPLIED
+            case w.Scale(factor, term):
+                return f"{self.number(factor, TIMES - 1)} *: {self.matrix(term, TIMES - 1)}", TIMES
+            case w.Quotient(numerator, denominator):
+                return f"{self.matrix(numerator, TIMES)} / {self.number(denominator, TIMES - 1)}", TIMES
+            case w.Power(base, exponent):
+                return f"{self.matrix(base, POWER - 1)} ^ {exponent}", POWER
+            case w.Transpose(of):
+                return f"{self.matrix(of, ATOM)}^T", ATOM + 1
+            case w.Contract((first, *others)):
+                factors = [self.matrix(first, TIMES), *(self.matrix(factor, TIMES - 1) for factor in others)]
+                return " * ".join(factors), TIMES
+            case w.Skew(of):
+                return f"CPM {self.matrix(of, ATOM)}", APPLIED
+            case w.Cross(left, right):
+                return f"cross {self.matrix(left, ATOM)} {self.matrix(right, ATOM)}", APPLIED
+            case w.Vect(of):
+                return f"vect {self.matrix(of, ATOM)}", APPLIED
+            case w.Cofactor(of):
+                return f"cofactor {self.matrix(of, ATOM)}", APPLIED
+            case w.Block(rows):
+                lines = [_folded("beside", [self._matrix(block) for block in row]) for row in rows]
+                return _folded("below", lines)
+            case w.Integral(of):
+                return f"integrated integral (fun b => {_scoped(self.matrix(of))})", APPLIED
+        return self._either(node, self.matrix)
+
+    def _either(self, node: w.Node, part: Callable[[w.Node, int], str]) -> Spelled:
+        """What is said alike of numbers and of matrices."""
+        match node:
+            case w.Symbol() if node == w.PI:
+                return "PI", ATOM
+            case w.Symbol():
+                return _application(self._applied(node, self.names.symbol(node)))
+            case w.Rate():
+                return _application(self._applied(node, self.names.rate(node)))
+            case w.Negative(term):
+                return f"- {part(term, MINUS)}", MINUS
+            case w.Sum((first, *others)):
+                text = part(first, PLUS)
+                for term in others:
+                    sign, other = ("-", term.term) if isinstance(term, w.Negative) else ("+", term)
+                    text += f" {sign} {part(other, PLUS - 1)}"
+                return text, PLUS
+        raise Unsaid(f"{type(node).__name__} is no word of the theories")
+
+
+def _held(spelled: Spelled, most: int) -> str:
+    text, level = spelled
+    return text if level <= most else f"({text})"
+
+
+def _application(text: str) -> Spelled:
+    return text, APPLIED if " " in text else ATOM
+
+
+def _folded(word: str, parts: list[Spelled]) -> Spelled:
+    """Blocks put together two by two, from the last."""
+    folded = parts[-1]
+    for part in reversed(parts[:-1]):
+        folded = f"{word} {_held(part, ATOM)} {_held(folded, ATOM)}", APPLIED
+    return folded
+
+
+def _scoped(text: str) -> str:
+    return f"({text})%M"

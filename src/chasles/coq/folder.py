@@ -1,0 +1,72 @@
+"""The folder for Coq: theories, statements for people to read, proofs for Coq to check, and the list of these."""
+
+from __future__ import annotations
+
+from collections.abc import Container, Sequence
+from dataclasses import dataclass
+
+from chasles.coq.names import THEORIES, theory
+from chasles.coq.theorems import Claimed
+
+__all__ = ["Chunk", "chunks", "files_of"]
+
+IN_ONE_FILE = 10
+"""So many statements are in one file: more would save time, and take more memory."""
+HEAD = "(* SPDX-License-Identifier: BSD-3-Clause *)\n"
+
+
+@dataclass(frozen=True, slots=True)
+class Chunk:
+    """Some of the statements, in two files: `Statements_N.v` to be read, and `Proofs_N.v`."""
+
+    number: str
+    claims: tuple[Claimed, ...]
+
+    @property
+    def statements(self) -> str:
+        """The name of the file of statements, without its ending."""
+        return f"Statements_{self.number}"
+
+    @property
+    def proofs(self) -> str:
+        """The name of the file of proofs, without its ending."""
+        return f"Proofs_{self.number}"
+
+    def said(self) -> str:
+        """The statements."""
+        parts = [f"{_comment(claim)}\n{claim.said}" for claim in self.claims if claim.said]
+        return f"{HEAD}From Chasles Require Export Hypotheses.\n\n" + "\n".join(parts)
+
+    def proved(self, chosen: Container[str]) -> str:
+        """The proofs of those whose names are chosen, and what each of them rests on."""
+        parts = [f"{claim.proof}Print Assumptions {claim.theorem}.\n" for claim in self.claims if claim.name in chosen]
+        return f"{HEAD}From Chasles Require Import Bodies {self.statements}.\n\n" + "\n".join(parts)
+
+
+def chunks(claims: Sequence[Claimed]) -> list[Chunk]:
+    """The statements, in files of a size that Coq takes."""
+    said = [claim for claim in claims if claim.said]
+    groups = [tuple(said[k : k + IN_ONE_FILE]) for k in range(0, len(said), IN_ONE_FILE)]
+    width = len(str(len(groups)))
+    return [Chunk(f"{count:0{width}}", group) for count, group in enumerate(groups, 1)]
+
+
+def files_of(parts: Sequence[Chunk], chosen: Container[str]) -> dict[str, str]:
+    """All files by name, with the proofs of those chosen; of the list `coq_makefile` makes a Makefile."""
+    texts = {f"{name}.v": theory(name) for name in THEORIES}
+    for part in parts:
+        texts[f"{part.statements}.v"] = part.said()
+        texts[f"{part.proofs}.v"] = part.proved(chosen)
+    return {"_CoqProject": "\n".join(("-R . Chasles", *texts, "")), **texts}
+
+
+def _comment(claim: Claimed) -> str:
+    """What a statement is, as a comment, in which Coq would begin strings at quotation marks."""
+    what = (
+        f"({claim.number}) {claim.form}"
+        + ("" if claim.whole else ", of what it claims the equations")
+        + f": {claim.says}"
+    )
+    for mark in ('"', "(*", "*)"):
+        what = what.replace(mark, "")
+    return f"(* {what} *)"

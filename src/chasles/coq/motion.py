@@ -1,0 +1,220 @@
+"""What moves, at one instant: functions of time become what they are then, rates what the rules say that they are."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import chain
+
+from chasles import vocabulary as w
+from chasles.coq.expressions import Spelling, Unsaid
+from chasles.coq.names import bare_of
+from chasles.coq.polynomials import Polynomials
+from chasles.coq.sources import Source
+from chasles.coq.statement import Premise, Said, bare_rate
+from chasles.statements import Hypothesis, Problem
+
+__all__ = ["Instant"]
+
+PARTS = ("(proj1 {})", "(proj1 (proj2 {}))", "(proj2 (proj2 {}))")
+
+
+class Instant:
+    """The first steps of a proof, and what is known after them.
+
+    `free` are the variables, by name, `defined` are those that a premise E_... says, and `premises` is what to call
+    the premises, in order.
+    """
+
+    def __init__(self, said: Said, problem: Problem, spell: Polynomials, sources: list[Source]) -> None:
+        self.said, self.problem = said, problem
+        self.spelling = Spelling(said.names, lambda node, name: name + " b" * said.runs(node))
+        self._sources = list(_chains(sources))
+        self._spins = list(self._turning(spell))
+        self.defined: dict[w.Node, str] = {}
+        self.free: dict[str, w.Node] = {}
+        for node, name in chain(said.names.symbols.items(), said.names.rates.items()):
+            if node in said.rules or (isinstance(node, w.Rate) and not self._is_free(node)):
+                self.defined[node] = name
+            else:
+                self.free[name] = node
+        for spin, names in self._spins:
+            self.free |= dict.fromkeys(names, spin)
+        self.derived = [
+            node
+            for node in self.defined
+            if isinstance(node, w.Rate) and node not in said.rules and node not in self._turned
+        ]
+        self._kept = [
+            each
+            for each in said.premises
+            if not each.name.startswith("rate'") and each.name not in ("open'T", "under'")
+        ]
+
+    def _turning(self, spell: Polynomials) -> Iterator[tuple[w.Symbol, tuple[str, ...]]]:
+        """The spins of rotations, which rules of the problem say and the statement does not."""
+        self._turned: dict[w.Rate, str] = {}
+        for left, right in self.problem.rules[len(self.said.problem.rules) :]:
+            assert isinstance(left, w.Rate)
+            assert isinstance(left.of, w.Symbol)
+            spin = next(part for part in w.walk(right) if isinstance(part, w.Symbol) and part != left.of)
+            name = self.said.names.fresh(f"w_{self.said.names.symbol(left.of)}")
+            moves = w.Rate(left) in self.said.names.rates
+            names = (name, f"{name}_dot") if moves else (name,)
+            spell.spins[spin] = (name, f"{name}_dot")
+            self._turned[left] = self.said.names.rates[left]
+            yield spin, names
+
+    def _is_free(self, node: w.Rate) -> bool:
+        """Whether nothing says what a rate is."""
+        inner: w.Node = node
+        while isinstance(inner, w.Rate):
+            if inner in self.said.rules or inner in self._turned:
+                return False
+            inner = inner.of
+        return isinstance(inner, w.Symbol) and inner not in self.said.rules and not inner.constant
+
+    @property
+    def premises(self) -> list[str]:
+        """The names of what is assumed, in order."""
+        return [each for each, _ in self._facts()]
+
+    def _facts(self) -> Iterator[tuple[str, bool]]:
+        """What is known, and whether it holds at every instant."""
+        for each in self._kept:
+            yield each.name, each.moves
+        for node in (*self._turned, *self.derived):
+            yield f"def'{self.said.names.rates[node]}", True
+        for source in self._sources:
+            yield source.name, True
+
+    def source(self, hypothesis: Hypothesis) -> str:
+        """The premise that says a hypothesis."""
+        return self._premise(hypothesis).name
+
+    def _premise(self, about: object) -> Premise:
+        return next(each for each in self.said.premises if type(each.about) is type(about) and each.about == about)
+
+    def equation(self, source: Source) -> str:
+        """The term that says an equation."""
+        return source.name if source.order else self._said(source, self._premise(source.about).name)
+
+    def _said(self, source: Source, premise: str) -> str:
+        """The part of a premise that is the equation."""
+        kind = source.about.kind if isinstance(source.about, Hypothesis) else ""
+        match kind:
+            case "rotation" | "orthonormal":
+                return PARTS[source.equation].format(f"(rotation_quadrics _ {premise})")
+            case "half_turn":
+                return PARTS[source.equation].format(premise)
+            case "definite":
+                return f"(proj1 {premise})"
+        return premise
+
+    def steps(self) -> Iterator[str]:
+        """All is brought to one instant, and what is known is put before the claim."""
+        said = self.said
+        binders = " ".join(name for name, _ in said.binders)
+        if not said.timed:
+            if binders:
+                yield f"intros {binders}."
+            return
+        yield f"intros {binders} {' '.join(each.name for each in said.premises)} t now'."
+        yield from self._spun()
+        for node in self.derived:
+            yield from self._rate(node)
+        for source in self._sources:
+            yield from self._rate_of(source)
+        facts = [f"({name} t now')" if moves else name for name, moves in self._facts()]
+        if facts:
+            yield f"generalize {' '.join(facts)}; cbv beta."
+        names = [*self.free, *self.defined.values()]
+        now = [f"({name} t)" if self._moves(name) else name for name in names]
+        yield f"generalize {' '.join(now)}; clear; intros {' '.join(names)}."
+
+    def _moves(self, name: str) -> bool:
+        spins = {each for _, names in self._spins for each in names}
+        nodes = {**self.free, **{known: node for node, known in self.defined.items()}}
+        return name in spins or self.said.moves(nodes[name])
+
+    def _spun(self) -> Iterator[str]:
+        """Rotations that move have a spin."""
+        for (_, names), (left, name) in zip(self._spins, self._turned.items(), strict=True):
+            assert isinstance(left, w.Rate)
+            rotation = next(h for h in self.problem.hypotheses if h.kind == "rotation" and h.subjects[0] == left.of)
+            known = f"open'T {self.source(rotation)} rate'{name}"
+            if len(names) == 1:
+                yield f"destruct (spin_of_rotation T _ _ {known}) as ({names[0]} & def'{name})."
+            else:
+                second = f"rate'{self.said.names.rates[w.Rate(left)]}"
+                found = f"{' & '.join(names)} & rate'{names[0]} & def'{name}"
+                yield f"destruct (spin_of_rotation_moves T _ _ _ {known} {second}) as ({found})."
+
+    def _rate(self, node: w.Node) -> Iterator[str]:
+        """What a rate is, by the rules of differentiation."""
+        assert isinstance(node, w.Rate)
+        name = self.said.names.rates[node]
+        of = bare_rate(node.of)
+        if self.said.runs(node):
+            raise Unsaid(f"the rate of {node.of}, which differs from element to element")
+        lemma = "equal_scalar_rates" if node.shape == (1, 1) else "equal_rates"
+        if of in self.derived or of in self._turned:
+            sides, equal = "_ _", f"exact def'{self.said.names.rates[of]}"
+        else:
+            opened = self._opened(self.said.rules.get(of, of))
+            sides, equal = f"{self._function(of)} {self._function(opened)}", self._by_definitions()
+        yield (
+            f"eassert (def'{name} : forall t, T t -> {name} t = _) by (intros s' H_s'; eapply ({lemma} T {sides} s'); "
+            f"[exact open'T | exact H_s' | {equal} | exact (rate'{name} s' H_s') | rates])."
+        )
+
+    def _by_definitions(self) -> str:
+        rules = [
+            f"?(def'{name} x' H_x')"
+            for node, name in self.defined.items()
+            if node in self.said.rules and self.said.moves(node) and not self.said.runs(node)
+        ]
+        rewritten = f"rewrite {', '.join(rules * 2)}; " if rules else ""
+        return f"intros x' H_x'; {rewritten}reflexivity"
+
+    def _opened(self, node: w.Node) -> w.Node:
+        """An expression in symbols that have a rate here, or none."""
+        node = bare_of(node)
+        if isinstance(node, w.Rate | w.Integral):
+            return node
+        if isinstance(node, w.Symbol):
+            if w.Rate(node) in self.said.names.rates or node not in self.said.rules:
+                return node
+            return self._opened(self.said.rules[node])
+        return w.rebuilt(node, tuple(map(self._opened, w.children(node)))) if w.children(node) else node
+
+    def _function(self, node: w.Node) -> str:
+        text = self.said.spelling.side(node)
+        return f"(fun t => {text})" if node.shape == (1, 1) else f"(fun t => ({text})%M)"
+
+    def _rate_of(self, source: Source) -> Iterator[str]:
+        """The rate of what is assumed."""
+        lemma = "equal_scalar_rates" if source.left.shape == (1, 1) else "equal_rates"
+        if source.order == 1:
+            sides = f"{self._function(source.left)} {self._function(source.right)}"
+            premise = self._premise(source.about)
+            if not premise.moves:
+                raise Unsaid(f"the rate of {source.left}, which does not move")
+            known = self._said(source, f"({premise.name} x' H_x')")
+            known = f"(fun x' H_x' => {known})"
+        else:
+            sides, known = "_ _", f"{source.stem}_{source.order - 1}"
+        yield (
+            f"eassert ({source.name} : forall t, T t -> _ = _) by (intros s' H_s'; eapply ({lemma} T {sides} s'); "
+            f"[exact open'T | exact H_s' | exact {known} | rates | rates])."
+        )
+
+
+def _chains(sources: list[Source]) -> Iterator[Source]:
+    """The rates of equations that are asked for, each once and after those of which it is the rate."""
+    found: dict[str, Source] = {}
+    for source in sources:
+        for order in range(1, source.order + 1):
+            each = replace(source, order=order)
+            found.setdefault(each.name, each)
+    yield from found.values()

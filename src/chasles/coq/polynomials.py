@@ -1,0 +1,99 @@
+"""Polynomials of a certificate in Coq: their variables are entries of symbols, cosines, norms and moments."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from chasles import vocabulary as w
+from chasles.checker.sparse import Polynomial, exponents
+from chasles.coq.expressions import Unsaid
+from chasles.coq.sources import ProofReading
+from chasles.coq.statement import Said
+
+__all__ = ["Polynomials", "taken_apart"]
+
+
+class Polynomials:
+    """How polynomials are spelled in a proof, once every matrix is taken apart into its entries."""
+
+    def __init__(self, said: Said, reading: ProofReading) -> None:
+        self.said, self.reading = said, reading
+        self.norms: dict[w.Node, str] = {}
+        self.spins: dict[w.Symbol, tuple[str, str]] = {}
+
+    def __call__(self, polynomial: Polynomial) -> str:
+        """A polynomial, in brackets."""
+        text = ""
+        for monomial, coefficient in polynomial.terms.items():
+            factors = [self.variable(k) + (f"^{e}" if e > 1 else "") for k, e in exponents(monomial)]
+            if abs(coefficient) != 1 or not factors:
+                factors.insert(0, str(abs(coefficient)))
+            sign = "- " if coefficient < 0 else "+ " if text else ""
+            text += f" {sign}{'*'.join(factors)}"
+        text = text.strip() or "0"
+        return f"({text})" if polynomial.below == 1 else f"(({text}) / {polynomial.below})"
+
+    def product(self, powers: int) -> str:
+        """A product of nonzero factors, which are packed as in a monomial; empty for none."""
+        nonzero = self.reading.nonzero
+        return " * ".join(f"{self(nonzero[k])}" + (f"^{e}" if e > 1 else "") for k, e in exponents(powers))
+
+    def variable(self, place: int) -> str:
+        """A variable of the checker's polynomials."""
+        match self.reading.variables[place]:
+            case ("entry", w.Symbol() as symbol, 0, 0, 0) if symbol == w.PI:
+                return "PI"
+            case ("entry", w.Symbol() as symbol, int() as order, int() as i, int() as j):
+                return self._entry(symbol, order, i, j)
+            case ("cos" | "sin" as function, w.Symbol() as angle, Fraction() as unit):
+                return f"{function} {self.angle(angle, unit)}".join("()")
+            case ("norm", w.Node() as of):
+                return self.norms[of]
+            case ("moment", int() as inside, *_):
+                return f"(integral (fun b => {self(Polynomial({inside: 1}))}))"
+            case ("inverse", int() as k):
+                return f"(/ {self(self.reading.nonzero[k])})"
+        raise Unsaid(f"the variable {self.reading.variables[place]}")
+
+    def angle(self, angle: w.Symbol, unit: Fraction) -> str:
+        """A multiple of an angle."""
+        name = self._entry(angle, 0, 0, 0)
+        if unit == 1:
+            return name
+        return (
+            f"({unit.numerator} * {name} / {unit.denominator})"
+            if unit.numerator > 1
+            else f"({name} / {unit.denominator})"
+        )
+
+    def _entry(self, symbol: w.Symbol, order: int, i: int, j: int) -> str:
+        node: w.Node = symbol
+        for _ in range(order):
+            node = w.Rate(node)
+        if symbol in self.spins:
+            name = self.spins[symbol][order]
+        elif isinstance(node, w.Rate):
+            if node not in self.said.names.rates:
+                raise Unsaid(f"the proof needs the rate of {node.of}, and the statement has none")
+            name = self.said.names.rates[node]
+        else:
+            name = self.said.names.symbol(symbol)
+        if self.said.runs(symbol):
+            return f"({name} b)" if symbol.shape == (1, 1) else f"({name}_ b {i}%nat {j}%nat)"
+        return name if symbol.shape == (1, 1) else entry_name(name, symbol.shape, i, j)
+
+
+def entry_name(name: str, shape: tuple[int, int], i: int, j: int) -> str:
+    """The name of an entry: e'1, Q'12."""
+    return f"{name}'{i + 1}" if shape[1] == 1 else f"{name}'{i + 1}{j + 1}"
+
+
+def taken_apart(name: str, shape: tuple[int, int]) -> str:
+    """The step by which a matrix is replaced by its entries."""
+    pattern = "[]"
+    for i in reversed(range(shape[0])):
+        line = "[]"
+        for j in reversed(range(shape[1])):
+            line = f"[{entry_name(name, shape, i, j)} {line}]"
+        pattern = f"[{line} {pattern}]"
+    return f"destruct {name} as {pattern}."

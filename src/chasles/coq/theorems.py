@@ -1,0 +1,109 @@
+"""What is said in Coq of each decision: a statement with its proof, or why there is none."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from chasles.coq.expressions import Unsaid
+from chasles.coq.proof import proof_of
+from chasles.coq.statement import Said
+from chasles.decisions.decision import HOW, Decision, Sentence, key_of
+from chasles.statements import Inverse, Problem, Theorem, problem_of
+from chasles.statements.inversion import problems_of_inverse
+from chasles.verdict import Contradictory, Fails, IllFormed, Verdict
+
+__all__ = ["Claimed", "claims_of"]
+
+ENDINGS = {"printed": "", "reading": "_as_read", "repair": "_repaired", "corrected": "_corrected"}
+
+
+@dataclass(frozen=True, slots=True)
+class Claimed:
+    """One statement in Coq and its proof: `said` is empty where it cannot be said, `proof` where there is none yet.
+
+    `number` and `form` tell what it is of; `whole` says whether the statement is all that the verdict claims.
+    """
+
+    number: str
+    form: str
+    name: str
+    says: str
+    said: str = ""
+    proof: str = ""
+    why_not: str = ""
+    whole: bool = True
+
+    @property
+    def theorem(self) -> str:
+        """The name of the theorem."""
+        return f"{self.name}_holds"
+
+
+def claims_of(decisions: Iterable[Decision]) -> Iterator[Claimed]:
+    """What is claimed by the decisions, in their order; names are unique."""
+    taken: set[str] = set()
+    for decision in decisions:
+        for form, verdict, sentence in _forms(decision):
+            yield from _claims(decision, form, verdict, sentence, taken)
+
+
+def _forms(decision: Decision) -> Iterator[tuple[str, Verdict, Sentence]]:
+    """The sentence as printed, and each other form that was decided."""
+    sentence = decision.statement
+    yield "printed", decision.verdict, sentence
+    if decision.correction is not None and not isinstance(sentence, Theorem | Inverse):
+        for each in (decision.correction, *decision.correction.others):
+            yield each.form, each.verdict, sentence.saying(*each.sides)
+
+
+def _claims(decision: Decision, form: str, verdict: Verdict, sentence: Sentence, taken: set[str]) -> Iterator[Claimed]:
+    certificate: Mapping[str, Any] | None = getattr(verdict, "certificate", None)
+    key = key_of(decision.statement)
+    stem = _named(key) + ENDINGS[form]
+    if isinstance(verdict, Fails | IllFormed | Contradictory):
+        yield Claimed(
+            key, HOW[form], _fresh(stem, taken), sentence.says, why_not=f"no theorem says yet that it {_fault(verdict)}"
+        )
+    elif certificate is None:
+        return
+    elif isinstance(sentence, Inverse):
+        for count, (says, problem) in enumerate(problems_of_inverse(sentence, decision.accepted)):
+            name = _fresh(f"{stem}_case_{count + 1}", taken)
+            yield _claimed(key, form, name, says, problem, certificate["branches"][says], False)
+    else:
+        problem = problem_of(sentence, "printed", decision.accepted)
+        whole = not isinstance(sentence, Theorem)
+        yield _claimed(key, form, _fresh(stem, taken), sentence.says, problem, certificate, whole)
+
+
+def _fault(verdict: Verdict) -> str:
+    return {"fails": "fails", "ill-formed": "does not fit together"}.get(verdict.name, "is contradictory")
+
+
+def _claimed(
+    key: str, form: str, name: str, says: str, problem: Problem, certificate: Mapping[str, Any], whole: bool
+) -> Claimed:
+    statement, proof, why_not = "", "", ""
+    try:
+        said = Said(problem)
+        statement = said.text(name)
+        proof = proof_of(name, said, certificate)
+    except Unsaid as reason:
+        why_not = str(reason)
+    return Claimed(key, HOW[form], name, says, statement, proof, why_not, whole)
+
+
+def _named(key: str) -> str:
+    """A number and part as a name for Coq: eq_3_97a_1."""
+    plain = re.sub(r"\W+", "_", key, flags=re.ASCII).strip("_")
+    return f"eq_{plain}" if plain[:1].isdigit() else plain
+
+
+def _fresh(name: str, taken: set[str]) -> str:
+    while name in taken:
+        name += "_"
+    taken.add(name)
+    return name

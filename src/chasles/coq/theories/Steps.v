@@ -1,0 +1,137 @@
+(* SPDX-License-Identifier: BSD-3-Clause *)
+(* Steps of proofs. No statement mentions anything of this file, and nothing here has to be believed. *)
+From Coq Require Export Lra FunctionalExtensionality.
+From Chasles Require Export Hypotheses.
+
+(* Words are opened into sums of products of entries. *)
+Ltac words := cbv beta iota zeta delta
+  [M row listed at_place sum matrix entry plus minus opposite scale over times transpose one zero power below beside
+   number the dot vector CPM cross vect trace signed past determinant det cofactor integrated unit_vector
+   perpendicular symmetric fst snd Nat.eqb Nat.ltb Nat.leb Nat.add Nat.sub Nat.even INR Nat.pred].
+Ltac words_in H := cbv beta iota zeta delta
+  [M row listed at_place sum matrix entry plus minus opposite scale over times transpose one zero power below beside
+   number the dot vector CPM cross vect trace signed past determinant det cofactor integrated unit_vector
+   perpendicular symmetric fst snd Nat.eqb Nat.ltb Nat.leb Nat.add Nat.sub Nat.even INR Nat.pred] in H.
+Lemma same_pair {S T} (a c : S) (b d : T) : a = c -> b = d -> (a, b) = (c, d).
+Proof. congruence. Qed.
+Ltac entries := repeat match goal with |- (_, _) = (_, _) => apply same_pair | |- tt = tt => reflexivity end.
+
+(* What follows from polynomials that vanish: the difference, times what is not zero, is a combination of them. *)
+Lemma by_parts (a b x : R) : x = 0 -> a - b = x -> a = b.
+Proof. intros; lra. Qed.
+Lemma by_multiple (d a b x : R) : d <> 0 -> x = 0 -> d * (a - b) = x -> a = b.
+Proof. intros Hd Hx H. rewrite Hx in H. destruct (Rmult_integral _ _ H); [contradiction | lra]. Qed.
+Lemma zero_product q g : g = 0 -> q * g = 0.
+Proof. intros ->; ring. Qed.
+Lemma zero_sum a b : a = 0 -> b = 0 -> a + b = 0.
+Proof. intros -> ->; ring. Qed.
+Ltac vanish := repeat apply zero_sum; try (apply zero_product; assumption); try reflexivity.
+Lemma equal_entries {m n} (d : R) (A B : M m n) i j (g : R) : A = B -> g = d * (entry A i j - entry B i j) -> g = 0.
+Proof. intros -> ->; ring. Qed.
+Lemma equal_numbers (d a b g : R) : a = b -> g = d * (a - b) -> g = 0.
+Proof. intros -> ->; ring. Qed.
+
+(* What is not zero. *)
+Lemma not_zero_as (a b : R) : a <> 0 -> b = a -> b <> 0.
+Proof. intros H ->; exact H. Qed.
+Lemma not_zero_product (a b : R) : a <> 0 -> b <> 0 -> a * b <> 0.
+Proof. intros. apply Rmult_integral_contrapositive_currified; assumption. Qed.
+Lemma not_zero_factor (a b k : R) : a <> 0 -> a = k * b -> b <> 0.
+Proof. intros H E Z. apply H. rewrite E, Z. ring. Qed.
+Ltac not_zero_alone := first
+  [ assumption | lra
+  | apply pow_nonzero; not_zero_alone
+  | apply not_zero_product; not_zero_alone
+  | match goal with K : ?a <> 0 |- ?b <> 0 => first
+      [ apply (not_zero_factor a b 1 K); ring | apply (not_zero_factor a b (-1) K); ring
+      | apply (not_zero_factor a b 2 K); ring | apply (not_zero_factor a b (-2) K); ring
+      | apply (not_zero_factor a b (1/2) K); field | apply (not_zero_factor a b (-1/2) K); field
+      | apply (not_zero_factor a b 4 K); ring ] end ].
+Ltac not_zero := repeat split; not_zero_alone.
+Ltac identity := first [ring | field; not_zero].
+Ltac fraction := first [field; not_zero | ring].
+
+(* Angles and lengths. *)
+Lemma circle x : cos x ^ 2 + sin x ^ 2 - 1 = 0.
+Proof. generalize (sin2_cos2 x). unfold Rsqr. intro H. rewrite <- H. ring. Qed.
+Lemma cos_half x : cos x = cos (x / 2) * cos (x / 2) - sin (x / 2) * sin (x / 2).
+Proof. replace x with (x / 2 + x / 2) at 1 by field. apply cos_plus. Qed.
+Lemma sin_half x : sin x = 2 * (sin (x / 2) * cos (x / 2)).
+Proof. replace x with (x / 2 + x / 2) at 1 by field. rewrite sin_plus. ring. Qed.
+Ltac turned := first
+  [ ring
+  | match goal with |- cos ?x = _ => rewrite (cos_half x); ring | |- sin ?x = _ => rewrite (sin_half x); ring end
+  | repeat first
+      [ rewrite cos_plus | rewrite sin_plus | rewrite cos_minus | rewrite sin_minus | rewrite cos_neg | rewrite sin_neg
+      | rewrite cos_PI2 | rewrite sin_PI2 | rewrite cos_PI | rewrite sin_PI | rewrite cos_2a | rewrite sin_2a ]; ring ].
+Lemma dot_not_negative {m} (v : M m 1) : 0 <= dot v v.
+Proof.
+  unfold dot. set (f := fun i => entry v i 0 * entry v i 0).
+  assert (K : forall n (g : nat -> R), (forall i, 0 <= g i) -> 0 <= sum n g).
+  { induction n as [|n IH]; intros g G; [apply Rle_refl|]. destruct n as [|n]; [apply G|].
+    change (0 <= g O + sum (S n) (fun i => g (S i))).
+    apply Rplus_le_le_0_compat; [apply G | apply IH; intro; apply G]. }
+  apply K. intro i. apply Rle_0_sqr.
+Qed.
+Lemma norm_squared {m} (v : M m 1) : norm v ^ 2 - dot v v = 0.
+Proof. unfold norm. rewrite pow2_sqrt; [ring | apply dot_not_negative]. Qed.
+Lemma norm_not_negative {m} (v : M m 1) : 0 <= norm v.
+Proof. apply sqrt_pos. Qed.
+Lemma same_norm {m n} (u : M m 1) (v : M n 1) : dot u u = dot v v -> norm u = norm v.
+Proof. unfold norm. intros ->. reflexivity. Qed.
+
+(* A rotation equals its cofactor matrix, and its transpose is its inverse on both sides. *)
+Ltac in_entries A := destruct A as [[? [? [? []]]] [[? [? [? []]]] [[? [? [? []]]] []]]].
+Lemma times_times (A B C : M 3 3) : (A * (B * C) = A * B * C)%M.
+Proof. in_entries A. in_entries B. in_entries C. words. entries; ring. Qed.
+Lemma one_times (A : M 3 3) : (one 3 * A)%M = A.
+Proof. in_entries A. words. entries; ring. Qed.
+Lemma times_one (A : M 3 3) : (A * one 3)%M = A.
+Proof. in_entries A. words. entries; ring. Qed.
+Lemma cofactor_times_transpose (A : M 3 3) : (cofactor A * A^T)%M = (det A *: one 3)%M.
+Proof. in_entries A. words. entries; ring. Qed.
+Lemma one_fold (A : M 3 3) : (1 *: A)%M = A.
+Proof. in_entries A. words. entries; ring. Qed.
+Lemma rotation_is_its_cofactor Q : rotation Q -> Q = cofactor Q.
+Proof.
+  intros [E D]. rewrite <- (times_one (cofactor Q)), <- E, times_times, cofactor_times_transpose, D, one_fold.
+  symmetry. apply one_times.
+Qed.
+Lemma rotation_times_transpose Q : rotation Q -> (Q * Q^T)%M = one 3.
+Proof.
+  intro H. rewrite (rotation_is_its_cofactor Q H) at 1. rewrite cofactor_times_transpose. destruct H as [_ ->].
+  apply one_fold.
+Qed.
+Lemma rotation_quadrics Q : rotation Q -> (Q^T * Q)%M = one 3 /\ (Q * Q^T)%M = one 3 /\ Q = cofactor Q.
+Proof.
+  intro H. split; [apply H|]. split; [apply rotation_times_transpose | apply rotation_is_its_cofactor]; exact H.
+Qed.
+
+(* A positive-definite matrix has a determinant that is not zero. *)
+Lemma not_zero_vector (x y z : R) : z <> 0 \/ y <> 0 \/ x <> 0 -> vector x y z <> zero 3 1.
+Proof. intros H Z. words_in Z. injection Z as -> -> ->. destruct H as [H|[H|H]]; exact (H eq_refl). Qed.
+Lemma positive_factor (x y : R) : 0 < x -> 0 < x * y -> 0 < y.
+Proof. intros; nra. Qed.
+Lemma definite_determinant (A : M 3 3) : definite A -> 0 < det A.
+Proof.
+  destruct A as [[a [b [c []]]] [[b' [d [e []]]] [[c' [e' [f []]]] []]]].
+  intros [S P]. words_in S. injection S as S1 S2 S3 S4 S5 S6.
+  replace b' with b in * by congruence. replace c' with c in * by congruence. replace e' with e in * by congruence.
+  pose proof (fun H => P (vector 1 0 0) (not_zero_vector _ _ _ H)) as P1.
+  pose proof (fun H => P (vector (- b) a 0) (not_zero_vector _ _ _ H)) as P2.
+  pose proof (fun H => P (vector (b * e - c * d) (c * b - a * e) (a * d - b * b)) (not_zero_vector _ _ _ H)) as P3.
+  clear P. words_in P1. words_in P2. words_in P3. words.
+  assert (A0 : 0 < a) by (eapply Rlt_le_trans; [apply P1; lra | apply Req_le; ring]).
+  assert (D0 : 0 < a * d - b * b).
+  { apply (positive_factor a); [exact A0|]. eapply Rlt_le_trans; [apply P2; lra | apply Req_le; ring]. }
+  apply (positive_factor (a * d - b * b)); [exact D0|].
+  eapply Rlt_le_trans; [apply P3; lra | apply Req_le; ring].
+Qed.
+
+(* Lengths. *)
+Lemma norm_square {m} (v : M m 1) : norm v ^ 2 = dot v v.
+Proof. apply Rminus_diag_uniq, norm_squared. Qed.
+Lemma norm_fourth {m} (v : M m 1) : norm v ^ 4 = dot v v ^ 2.
+Proof. rewrite <- norm_square. ring. Qed.
+Lemma same_root (a b p q : R) : 0 <= a -> 0 <= b -> a ^ 2 - p = 0 -> b ^ 2 - q = 0 -> p = q -> a = b.
+Proof. intros Ha Hb Ea Eb E. apply Rsqr_inj; [exact Ha | exact Hb | unfold Rsqr; lra]. Qed.

@@ -1,0 +1,181 @@
+"""Verdicts as theorems: what the statements say, that Coq accepts them, and that it accepts nothing else."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from chasles.coq.checking import FORBIDDEN, MISSING, Checked, coq_version, verdicts_of_coq
+from chasles.coq.expressions import Unsaid
+from chasles.coq.folder import chunks, files_of
+from chasles.coq.names import THEORIES, identifier, theory
+from chasles.coq.proof import proof_of
+from chasles.coq.statement import Said
+from chasles.coq.theorems import Claimed, claims_of
+from chasles.statements import Problem, Theorem, problem_of
+from chasles.statements.problem import Goal
+from chasles.vocabulary import Negative, paren
+
+from ..decided import chapter_session
+
+needs_coq = pytest.mark.skipif(coq_version() is None, reason=MISSING)
+QUICK = ["3.13", "3.42", "3.46", "3.109", "3.148"]
+"""A definition put in, moving matrices, a moving rotation, norms and quotients, a repair."""
+
+
+@cache
+def claims(*numbers: str) -> tuple[Claimed, ...]:
+    session = chapter_session()
+    entries = session._chapter.select(numbers) if numbers else tuple(session._chapter)  # type: ignore[union-attr]
+    return tuple(claims_of([session.decide(entry.statement) for entry in entries]))
+
+
+def problems(*numbers: str) -> list[tuple[Problem, dict[str, object]]]:
+    session = chapter_session()
+    decided = [session.decide(entry.statement) for entry in session._chapter.select(numbers)]  # type: ignore[union-attr]
+    return [
+        (problem_of(each.statement, "printed", each.accepted), dict(each.verdict.certificate))  # type: ignore[arg-type, attr-defined]
+        for each in decided
+        if hasattr(each.verdict, "certificate") and not isinstance(each.statement, Theorem)
+    ]
+
+
+def test_a_statement_reads_like_the_page() -> None:
+    [claim] = claims("3.13")
+    assert claim.said == (
+        "Definition eq_3_13_1 : Prop :=\n"
+        "  forall (A : M 4 3) (phi : R) (e : M 3 1) (Q E : M 3 3),\n"
+        "  (A = below (Q - one 3) (e^T))%M ->\n"
+        "  (Q = e * e^T + cos phi *: (one 3 - e * e^T) + sin phi *: E)%M ->\n"
+        "  (E = CPM e)%M ->\n"
+        "  unit_vector e ->\n"
+        "  (A^T * A = (2 * (1 - cos phi)) *: one 3 - (1 - 2 * cos phi) *: e * e^T)%M.\n"
+    )
+
+
+def test_what_moves_is_a_function_of_time() -> None:
+    said = claims("3.46")[0].said
+    assert "(T : R -> Prop)" in said
+    assert "open_set T ->" in said
+    assert "rate T Q Q_dot ->" in said
+    assert "during T (fun t => rotation (Q t)) ->" in said
+
+
+@pytest.mark.parametrize(
+    ("name", "told"), [("t", "t_"), ("B", "B_"), ("one", "one_"), ("I_C", "I_C"), ("e~", "e_tilde"), ("fun", "fun_")]
+)
+def test_names_that_mean_something_else_are_changed(name: str, told: str) -> None:
+    assert identifier(name) == told
+
+
+def test_every_true_statement_of_the_chapter_is_said() -> None:
+    found = claims()
+    assert [claim.number for claim in found if not claim.said and "no theorem says" not in claim.why_not] == []
+    assert len({claim.name for claim in found}) == len(found)
+    assert sum(bool(claim.proof) for claim in found) >= 300
+
+
+def test_nothing_is_left_to_belief() -> None:
+    assert not [name for name in THEORIES if FORBIDDEN.search(theory(name))]
+    assert not [claim.name for claim in claims() if FORBIDDEN.search(claim.proof)]
+
+
+def mutants(problem: Problem) -> list[Problem]:
+    """The same problem, with something else claimed of one side of its last equation."""
+    *others, goal = problem.goals
+    changed = [Negative(paren(goal.left)), goal.left + goal.left]
+    return [replace(problem, goals=(*others, Goal(goal.label, left, goal.right))) for left in changed]
+
+
+def mutated() -> Iterator[Claimed]:
+    """Other statements, with the proofs of those from which they were made."""
+    for which, (problem, certificate) in enumerate(problems(*QUICK)):
+        for count, mutant in enumerate(mutants(problem)):
+            name = f"mutant_{which}_{count}"
+            proof = proof_of(name, Said(problem), certificate)
+            yield Claimed("", "", name, "", Said(mutant).text(name), proof)
+
+
+def believed() -> Iterator[Claimed]:
+    """Something false, admitted and assumed."""
+    for name, proof in (
+        ("admitted", "Theorem admitted_holds : admitted.\nProof.\nAdmitted.\n"),
+        ("assumed", "Axiom no_proof : assumed. Theorem assumed_holds : assumed.\nProof. exact no_proof. Qed.\n"),
+        ("sly", "Theorem a : True. Proof. exact Logic.I. Qed. Axiom no : sly. Definition sly_holds : sly := no.\n"),
+    ):
+        yield Claimed("", "", name, "", f"Definition {name} : Prop := 1 = 2.\n", proof)
+
+
+@pytest.fixture(scope="module")
+def verdicts() -> dict[str, Checked]:
+    """What Coq says of true statements, mutants and axioms."""
+    found = [*claims(*QUICK), *mutated(), *believed()]
+    return {each.claim.name: each for each in verdicts_of_coq(chunks(found))}
+
+
+@needs_coq
+def test_coq_accepts(verdicts: dict[str, Checked]) -> None:
+    proved = [claim.name for claim in claims(*QUICK) if claim.proof]
+    assert len(proved) >= len(QUICK)
+    assert [name for name in proved if not verdicts[name].accepted] == []
+
+
+@needs_coq
+def test_coq_refuses_other_statements_with_the_same_proof(verdicts: dict[str, Checked]) -> None:
+    found = [name for name in verdicts if name.startswith("mutant")]
+    assert len(found) >= 8
+    assert [name for name in found if verdicts[name].accepted] == []
+
+
+@needs_coq
+@pytest.mark.parametrize("name", ["admitted", "assumed", "sly"])
+def test_what_is_only_believed_is_not_accepted(verdicts: dict[str, Checked], name: str) -> None:
+    assert not verdicts[name].accepted
+    assert verdicts[name].why_not
+
+
+def test_a_certificate_of_another_statement_makes_no_proof() -> None:
+    for problem, certificate in problems("3.13", "3.46"):
+        for mutant in mutants(problem):
+            with pytest.raises(Unsaid):
+                proof_of("mutant", Said(mutant), certificate)
+
+
+def test_files_name_each_other() -> None:
+    parts = chunks(claims(*QUICK))
+    texts = files_of(parts, {"eq_3_13_1"})
+    assert texts["_CoqProject"].splitlines() == ["-R . Chasles", *(name for name in texts if name.endswith(".v"))]
+    assert re.findall(r"^Theorem (\w+)", texts[f"{parts[0].proofs}.v"], re.MULTILINE) == ["eq_3_13_1_holds"]
+
+
+@needs_coq
+def test_the_command_says_what_coq_accepts(run, tmp_path: Path) -> None:  # type: ignore[no-untyped-def]
+    done = run("decide", "3.13", "--json", "--coq", str(tmp_path / "out"))
+    assert done.exit_code == 0
+    record = json.loads(done.stdout)["coq"]
+    assert record["version"] == coq_version()
+    assert [(each["name"], each["accepted"]) for each in record["theorems"]] == [("eq_3_13_1", True)]
+    assert (tmp_path / "out" / "Statements_1.v").is_file()
+
+
+def test_without_coq_the_command_writes_and_says_what_is_missing(
+    run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:  # type: ignore[no-untyped-def]
+    monkeypatch.setattr("chasles.cli.theorems.coq_version", lambda: None)
+    done = run("decide", "3.13", "--brief", "--coq", str(tmp_path / "out"))
+    assert done.exit_code == 0
+    assert MISSING in done.stdout
+    assert "Theorem eq_3_13_1_holds" in (tmp_path / "out" / "Proofs_1.v").read_text("utf-8")
+
+
+def test_a_folder_that_cannot_be_written_is_one_line(run, tmp_path: Path) -> None:  # type: ignore[no-untyped-def]
+    (tmp_path / "file").write_text("", "utf-8")
+    done = run("decide", "3.13", "--coq", str(tmp_path / "file"))
+    assert done.exit_code == 2
+    assert "is a file" in done.stderr
