@@ -11,12 +11,12 @@ from pathlib import Path
 
 import pytest
 
-from chasles.coq.checking import FORBIDDEN, MISSING, Checked, coq_version, verdicts_of_coq
+from chasles.coq.checking import FORBIDDEN, MISSING, CoqVerdict, coq_version, verdicts_of_coq
 from chasles.coq.expressions import Unsaid
 from chasles.coq.folder import chunks, files_of
 from chasles.coq.names import THEORIES, identifier, theory
 from chasles.coq.proof import proof_of
-from chasles.coq.statement import Said
+from chasles.coq.statement import CoqStatement
 from chasles.coq.theorems import Claimed, claims_of
 from chasles.statements import Problem, Theorem, problem_of
 from chasles.statements.problem import Goal
@@ -98,8 +98,8 @@ def mutated() -> Iterator[Claimed]:
     for which, (problem, certificate) in enumerate(problems(*QUICK)):
         for count, mutant in enumerate(mutants(problem)):
             name = f"mutant_{which}_{count}"
-            proof = proof_of(name, Said(problem), certificate)
-            yield Claimed("", "", name, "", Said(mutant).text(name), proof)
+            proof = proof_of(name, CoqStatement(problem), certificate)
+            yield Claimed("", "", name, "", CoqStatement(mutant).text(name), proof)
 
 
 def believed() -> Iterator[Claimed]:
@@ -113,21 +113,21 @@ def believed() -> Iterator[Claimed]:
 
 
 @pytest.fixture(scope="module")
-def verdicts() -> dict[str, Checked]:
+def verdicts() -> dict[str, CoqVerdict]:
     """What Coq says of true statements, mutants and axioms."""
     found = [*claims(*QUICK), *mutated(), *believed()]
     return {each.claim.name: each for each in verdicts_of_coq(chunks(found))}
 
 
 @needs_coq
-def test_coq_accepts(verdicts: dict[str, Checked]) -> None:
+def test_coq_accepts(verdicts: dict[str, CoqVerdict]) -> None:
     proved = [claim.name for claim in claims(*QUICK) if claim.proof]
     assert len(proved) >= len(QUICK)
     assert [name for name in proved if not verdicts[name].accepted] == []
 
 
 @needs_coq
-def test_coq_refuses_other_statements_with_the_same_proof(verdicts: dict[str, Checked]) -> None:
+def test_coq_refuses_other_statements_with_the_same_proof(verdicts: dict[str, CoqVerdict]) -> None:
     found = [name for name in verdicts if name.startswith("mutant")]
     assert len(found) >= 8
     assert [name for name in found if verdicts[name].accepted] == []
@@ -135,7 +135,7 @@ def test_coq_refuses_other_statements_with_the_same_proof(verdicts: dict[str, Ch
 
 @needs_coq
 @pytest.mark.parametrize("name", ["admitted", "assumed", "sly"])
-def test_what_is_only_believed_is_not_accepted(verdicts: dict[str, Checked], name: str) -> None:
+def test_what_is_only_believed_is_not_accepted(verdicts: dict[str, CoqVerdict], name: str) -> None:
     assert not verdicts[name].accepted
     assert verdicts[name].why_not
 
@@ -144,7 +144,7 @@ def test_a_certificate_of_another_statement_makes_no_proof() -> None:
     for problem, certificate in problems("3.13", "3.46"):
         for mutant in mutants(problem):
             with pytest.raises(Unsaid):
-                proof_of("mutant", Said(mutant), certificate)
+                proof_of("mutant", CoqStatement(mutant), certificate)
 
 
 def test_files_name_each_other() -> None:

@@ -10,7 +10,7 @@ from typing import Any
 
 from chasles.cli.failures import FAILED, Failure
 from chasles.cli.writing import write_whole
-from chasles.coq.checking import MISSING, Checked, coq_version, verdicts_of_coq
+from chasles.coq.checking import MISSING, CoqVerdict, coq_version, verdicts_of_coq
 from chasles.coq.folder import Chunk, chunks, files_of
 from chasles.coq.theorems import Claimed, claims_of
 from chasles.decisions.session import Decision
@@ -28,7 +28,7 @@ class Theorems:
     claims: tuple[Claimed, ...]
     parts: tuple[Chunk, ...]
     version: str | None
-    checked: tuple[Checked, ...]
+    checked: tuple[CoqVerdict, ...]
 
     @property
     def in_words(self) -> Iterator[str]:
@@ -85,7 +85,7 @@ def written(folder: Path, decisions: Sequence[Decision]) -> Theorems:
     version = coq_version()
     proved = [claim for claim in claims if claim.proof]
     chosen = {claim.name for claim in proved}
-    checked: tuple[Checked, ...] = ()
+    checked: tuple[CoqVerdict, ...] = ()
     if version is not None:
         try:
             checked = tuple(progress(verdicts_of_coq(parts), len(proved), "Coq"))

@@ -15,7 +15,7 @@ from chasles.coq.folder import Chunk
 from chasles.coq.names import THEORIES, theory
 from chasles.coq.theorems import Claimed
 
-__all__ = ["AXIOMS", "MISSING", "Checked", "coq_version", "verdicts_of_coq"]
+__all__ = ["AXIOMS", "MISSING", "CoqVerdict", "coq_version", "verdicts_of_coq"]
 
 MISSING = "coqc was not found: install the Debian package coq, and Coq checks what is written"
 AXIOMS = frozenset({
@@ -32,7 +32,7 @@ FORBIDDEN = re.compile(
 
 
 @dataclass(frozen=True, slots=True)
-class Checked:
+class CoqVerdict:
     """Whether Coq accepted a theorem, and if not, why."""
 
     claim: Claimed
@@ -52,7 +52,7 @@ def coq_version() -> str | None:
     return said[0] if said else None
 
 
-def verdicts_of_coq(parts: Iterable[Chunk]) -> Iterator[Checked]:
+def verdicts_of_coq(parts: Iterable[Chunk]) -> Iterator[CoqVerdict]:
     """What Coq says of each theorem that has a proof. Raises `ChildProcessError` if it refuses a statement."""
     with TemporaryDirectory(prefix="chasles-coq-") as name:
         folder = Path(name)
@@ -80,12 +80,12 @@ def _bounded() -> None:
     resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
 
 
-def _proved(folder: Path, part: Chunk) -> Iterator[Checked]:
+def _proved(folder: Path, part: Chunk) -> Iterator[CoqVerdict]:
     """Coq stops at the first theorem that it refuses; it goes on with the next one."""
     waiting = []
     for claim in part.claims:
         if claim.proof and (found := FORBIDDEN.search(claim.proof)):
-            yield Checked(claim, f"its proof says {found[0]}")
+            yield CoqVerdict(claim, f"its proof says {found[0]}")
         elif claim.proof:
             waiting.append(claim)
     while waiting:
@@ -94,10 +94,10 @@ def _proved(folder: Path, part: Chunk) -> Iterator[Checked]:
         accepted = waiting if not done.returncode else waiting[: len(rests)]
         for claim, axioms in zip(accepted, rests, strict=True):
             foreign = sorted(axioms - AXIOMS)
-            yield Checked(claim, f"it rests on {', '.join(foreign)}" if foreign else "")
+            yield CoqVerdict(claim, f"it rests on {', '.join(foreign)}" if foreign else "")
         waiting = waiting[len(accepted) :]
         if waiting:
-            yield Checked(waiting.pop(0), _reason(done))
+            yield CoqVerdict(waiting.pop(0), _reason(done))
 
 
 def _assumptions(printed: str) -> list[set[str]]:

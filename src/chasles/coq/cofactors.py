@@ -24,7 +24,7 @@ from chasles.checker.sparse import (
 from chasles.coq.sources import ProofReading
 from chasles.vocabulary import Node
 
-__all__ = ["Combination", "Reckoning", "Solved"]
+__all__ = ["Combination", "Reckoning", "SolvedVariable"]
 
 MOST_REPLACED = 10**5
 """So many terms are replaced at most; Coq would not get through more in reasonable time."""
@@ -39,7 +39,7 @@ class Combination:
 
 
 @dataclass(frozen=True, slots=True)
-class Solved:
+class SolvedVariable:
     """The variable at a place is a numerator over a product of nonzero factors; and why."""
 
     place: int
@@ -69,12 +69,12 @@ class Reckoning:
             squares = self.reading.squares(written[i, j] - difference)
             yield self._combined(written[i, j], said or {}, said is None, squares)
 
-    def _solved(self, name: str, said: Mapping[str, Any]) -> Solved:
+    def _solved(self, name: str, said: Mapping[str, Any]) -> SolvedVariable:
         places = self.reading.places
         below = sum(int(power) << 8 * places[squeezed(label)] for label, power in said.get("denominator", {}).items())
         place, numerator = places[squeezed(name)], parsed(said["numerator"], places)
         claim = variable(place) - numerator * _inverse(below)
-        return Solved(place, numerator, below, self._combined(claim, said, True))
+        return SolvedVariable(place, numerator, below, self._combined(claim, said, True))
 
     def _combined(
         self, claim: Polynomial, said: Mapping[str, Any], divides: bool, squares: Mapping[str, Polynomial] | None = None

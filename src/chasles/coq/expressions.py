@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from chasles import vocabulary as w
-from chasles.coq.names import Names, bare_of
+from chasles.coq.names import CoqNames, bare_of
 
 __all__ = ["Spelling", "Unsaid"]
 
@@ -21,7 +21,7 @@ class Unsaid(Exception):
 class Spelling:
     """How expressions are spelled: numbers as reals, the rest as matrices, what moves at the instant t."""
 
-    def __init__(self, names: Names, applied: Callable[[w.Node, str], str]) -> None:
+    def __init__(self, names: CoqNames, applied: Callable[[w.Node, str], str]) -> None:
         self.names = names
         self._applied = applied
 

@@ -11,16 +11,18 @@ from chasles.checker.sparse import cleared
 from chasles.coq.expressions import ATOM, Unsaid
 from chasles.coq.motion import Instant
 from chasles.coq.polynomials import Polynomials
-from chasles.coq.sources import Source
-from chasles.coq.statement import Said
+from chasles.coq.sources import StatedEntry
+from chasles.coq.statement import CoqStatement
 
-__all__ = ["Facts"]
+__all__ = ["KnownFacts"]
 
 
-class Facts:
+class KnownFacts:
     """Assertions, each with its proof, in the order in which they are needed."""
 
-    def __init__(self, said: Said, spell: Polynomials, instant: Instant, sources: Mapping[str, Source]) -> None:
+    def __init__(
+        self, said: CoqStatement, spell: Polynomials, instant: Instant, sources: Mapping[str, StatedEntry]
+    ) -> None:
         self.said, self.spell, self.instant, self.sources = said, spell, instant, sources
         self.reading = spell.reading
         self.squares: list[str] = []

@@ -10,8 +10,8 @@ from chasles import vocabulary as w
 from chasles.coq.expressions import Spelling, Unsaid
 from chasles.coq.names import bare_of
 from chasles.coq.polynomials import Polynomials
-from chasles.coq.sources import Source
-from chasles.coq.statement import Premise, Said, bare_rate
+from chasles.coq.sources import StatedEntry
+from chasles.coq.statement import CoqStatement, Premise, bare_rate
 from chasles.statements import Hypothesis, Problem
 
 __all__ = ["Instant"]
@@ -26,7 +26,7 @@ class Instant:
     the premises, in order.
     """
 
-    def __init__(self, said: Said, problem: Problem, spell: Polynomials, sources: list[Source]) -> None:
+    def __init__(self, said: CoqStatement, problem: Problem, spell: Polynomials, sources: list[StatedEntry]) -> None:
         self.said, self.problem = said, problem
         self.spelling = Spelling(said.names, lambda node, name: name + " b" * said.runs(node))
         self._sources = list(_chains(sources))
@@ -95,11 +95,11 @@ class Instant:
     def _premise(self, about: object) -> Premise:
         return next(each for each in self.said.premises if type(each.about) is type(about) and each.about == about)
 
-    def equation(self, source: Source) -> str:
+    def equation(self, source: StatedEntry) -> str:
         """The term that says an equation."""
         return source.name if source.order else self._said(source, self._premise(source.about).name)
 
-    def _said(self, source: Source, premise: str) -> str:
+    def _said(self, source: StatedEntry, premise: str) -> str:
         """The part of a premise that is the equation."""
         kind = source.about.kind if isinstance(source.about, Hypothesis) else ""
         match kind:
@@ -192,7 +192,7 @@ class Instant:
         text = self.said.spelling.side(node)
         return f"(fun t => {text})" if node.shape == (1, 1) else f"(fun t => ({text})%M)"
 
-    def _rate_of(self, source: Source) -> Iterator[str]:
+    def _rate_of(self, source: StatedEntry) -> Iterator[str]:
         """The rate of what is assumed."""
         lemma = "equal_scalar_rates" if source.left.shape == (1, 1) else "equal_rates"
         if source.order == 1:
@@ -210,9 +210,9 @@ class Instant:
         )
 
 
-def _chains(sources: list[Source]) -> Iterator[Source]:
+def _chains(sources: list[StatedEntry]) -> Iterator[StatedEntry]:
     """The rates of equations that are asked for, each once and after those of which it is the rate."""
-    found: dict[str, Source] = {}
+    found: dict[str, StatedEntry] = {}
     for source in sources:
         for order in range(1, source.order + 1):
             each = replace(source, order=order)

@@ -8,7 +8,7 @@ from importlib.resources import files
 
 from chasles import vocabulary as w
 
-__all__ = ["THEORIES", "Names", "identifier", "theory"]
+__all__ = ["THEORIES", "CoqNames", "identifier", "theory"]
 
 THEORIES = ("Words", "Hypotheses", "Steps", "Motion", "Bodies")
 """The files that come with every folder, each requiring those before it."""
@@ -80,7 +80,7 @@ def identifier(name: str) -> str:
     return f"{plain}_" if plain in _taken() or not plain[0].isalpha() else plain
 
 
-class Names:
+class CoqNames:
     """What each symbol, and the rate of each expression, is called in one statement."""
 
     def __init__(self) -> None:

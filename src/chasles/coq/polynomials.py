@@ -8,7 +8,7 @@ from chasles import vocabulary as w
 from chasles.checker.sparse import Polynomial, exponents
 from chasles.coq.expressions import Unsaid
 from chasles.coq.sources import ProofReading
-from chasles.coq.statement import Said
+from chasles.coq.statement import CoqStatement
 
 __all__ = ["Polynomials", "taken_apart"]
 
@@ -16,7 +16,7 @@ __all__ = ["Polynomials", "taken_apart"]
 class Polynomials:
     """How polynomials are spelled in a proof, once every matrix is taken apart into its entries."""
 
-    def __init__(self, said: Said, reading: ProofReading) -> None:
+    def __init__(self, said: CoqStatement, reading: ProofReading) -> None:
         self.said, self.reading = said, reading
         self.norms: dict[w.Node, str] = {}
         self.spins: dict[w.Symbol, tuple[str, str]] = {}

@@ -13,18 +13,18 @@ from chasles import vocabulary as w
 from chasles.checker.sparse import Rejected
 from chasles.coq.cofactors import Combination, Reckoning
 from chasles.coq.expressions import Unsaid
-from chasles.coq.facts import Facts
+from chasles.coq.facts import KnownFacts
 from chasles.coq.motion import Instant
 from chasles.coq.polynomials import Polynomials, taken_apart
 from chasles.coq.sources import ProofReading
-from chasles.coq.statement import Said
+from chasles.coq.statement import CoqStatement
 from chasles.statements import Problem
 from chasles.statements.spins import with_spins
 
 __all__ = ["proof_of"]
 
 
-def proof_of(name: str, said: Said, certificate: Mapping[str, Any]) -> str:
+def proof_of(name: str, said: CoqStatement, certificate: Mapping[str, Any]) -> str:
     """The theorem that a statement, written under its name, holds. Raises `Unsaid` where no proof is known."""
     if other := {"scalars", "words", "squares"} & certificate.keys():
         raise Unsaid(f"a certificate of {', '.join(sorted(other))}")
@@ -37,7 +37,7 @@ def proof_of(name: str, said: Said, certificate: Mapping[str, Any]) -> str:
 
 
 class _Proof:
-    def __init__(self, name: str, said: Said, problem: Problem, certificate: Mapping[str, Any]) -> None:
+    def __init__(self, name: str, said: CoqStatement, problem: Problem, certificate: Mapping[str, Any]) -> None:
         self.name, self.said = name, said
         self.reading = ProofReading(problem, certificate["witness"], said.nodes)
         self.spell = Polynomials(said, self.reading)
@@ -48,7 +48,7 @@ class _Proof:
         ]
         used = [sources[label] for label in self._labels() if label in sources]
         self.instant = Instant(said, problem, self.spell, used)
-        self.facts = Facts(said, self.spell, self.instant, sources)
+        self.facts = KnownFacts(said, self.spell, self.instant, sources)
 
     def _labels(self) -> list[str]:
         """All that is used of what vanishes."""

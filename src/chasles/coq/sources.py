@@ -15,7 +15,7 @@ from chasles.coq.expressions import Unsaid
 from chasles.statements import Hypothesis, Problem
 from chasles.statements.problem import Goal
 
-__all__ = ["ProofReading", "Source"]
+__all__ = ["ProofReading", "StatedEntry"]
 
 PLACED = re.compile(
     r"(?P<text>.*?)(?: \((?P<dots>d*)ot\))? \[(?:(?P<equation>\d+): )?(?P<i>\d+), (?P<j>\d+)\]", re.DOTALL
@@ -23,7 +23,7 @@ PLACED = re.compile(
 
 
 @dataclass(frozen=True, slots=True)
-class Source:
+class StatedEntry:
     """An entry of an equation that a hypothesis or a condition states, differentiated `order` times.
 
     Its polynomial is multiplied by `below`, nonzero factors packed as in a monomial.
@@ -106,11 +106,11 @@ class ProofReading(Reading):
             raise Unsaid("norms whose squares are not told apart")
         return found
 
-    def sources(self, labels: Iterable[str]) -> dict[str, Source]:
+    def sources(self, labels: Iterable[str]) -> dict[str, StatedEntry]:
         """From where these are known that are equations; to be asked before anything is settled."""
         return {label: source for label in labels for source in self._source(label)}
 
-    def _source(self, label: str) -> Iterator[Source]:
+    def _source(self, label: str) -> Iterator[StatedEntry]:
         found = PLACED.fullmatch(label)
         if label.startswith(("circle ", "norm ")) or found is None:
             return
@@ -129,7 +129,7 @@ class ProofReading(Reading):
         for _ in range(order):
             entry = self.rate(entry)
         below = cleared(entry, self.nonzero)[1]
-        yield Source(about, stem, equation, left, right, order, i, j, below)
+        yield StatedEntry(about, stem, equation, left, right, order, i, j, below)
 
 
 def _is_square(node: w.Node) -> bool:

@@ -14,10 +14,10 @@ from itertools import chain, groupby
 
 from chasles import vocabulary as w
 from chasles.coq.expressions import ATOM, Spelling, Unsaid
-from chasles.coq.names import Names, bare_of
+from chasles.coq.names import CoqNames, bare_of
 from chasles.statements import Hypothesis, Problem
 
-__all__ = ["Premise", "Said", "opened"]
+__all__ = ["CoqStatement", "Premise", "opened"]
 
 KINDS = {"unit": "unit_vector", "symmetric": "symmetric", "definite": "definite", "rotation": "rotation",
          "perpendicular": "perpendicular", "orthonormal": "orthonormal", "half_turn": "half_turn"}  # fmt: skip
@@ -35,12 +35,12 @@ class Premise:
     about: object = None
 
 
-class Said:
+class CoqStatement:
     """The statement of a problem. Raises `Unsaid` where the theories have no words for it."""
 
     def __init__(self, problem: Problem) -> None:
         self.problem = problem
-        self.names = Names()
+        self.names = CoqNames()
         self.spelling = Spelling(self.names, self.applied)
         self.rules = {bare_rate(left): right for left, right in problem.rules}
         self.nodes = list(self._nodes())

@@ -9,7 +9,7 @@ from typing import Any
 
 from chasles.coq.expressions import Unsaid
 from chasles.coq.proof import proof_of
-from chasles.coq.statement import Said
+from chasles.coq.statement import CoqStatement
 from chasles.decisions.decision import HOW, Decision, Sentence, key_of
 from chasles.statements import Inverse, Problem, Theorem, problem_of
 from chasles.statements.inversion import problems_of_inverse
@@ -88,7 +88,7 @@ def _claimed(
 ) -> Claimed:
     statement, proof, why_not = "", "", ""
     try:
-        said = Said(problem)
+        said = CoqStatement(problem)
         statement = said.text(name)
         proof = proof_of(name, said, certificate)
     except Unsaid as reason:
