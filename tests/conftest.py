@@ -11,12 +11,13 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
-from hypothesis import settings
+from hypothesis import HealthCheck, settings
 
 from .sampling import WHOLE, kept_and_left_out
 
-# How long an example takes says nothing on a machine that does other things too.
-settings.register_profile("untimed", deadline=None)
+# How long an example takes says nothing on a machine that does other things too; a sample is always the same one.
+UNTIMED = {"deadline": None, "suppress_health_check": [HealthCheck.too_slow]}
+settings.register_profile("untimed", **UNTIMED, derandomize=not WHOLE)
 settings.load_profile("untimed")
 
 # Some hundred processes are started here: what they import is compiled once for all of them.

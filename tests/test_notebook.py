@@ -285,7 +285,7 @@ def cells() -> dict[str, list[Any]]:
     book = nbformat.v4.new_notebook(cells=[new(OPENING), *map(new, CELLS.values()), printing])
     with catch_warnings():
         simplefilter("ignore")  # what Jupyter warns of is its own matter
-        nbclient.NotebookClient(book, timeout=300, kernel_name="python3").execute()
+        nbclient.NotebookClient(book, timeout=None, kernel_name="python3").execute()
     assert book.cells[0].outputs == []
     return dict(zip([*CELLS, "printing"], (cell.outputs for cell in book.cells[1:]), strict=True))
 

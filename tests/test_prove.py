@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
-from time import perf_counter
+from time import perf_counter, process_time
 from typing import Any
 
 import pytest
@@ -351,19 +351,22 @@ def test_names_may_be_anything() -> None:
     ],
     ids=name,
 )
-def test_a_budget_is_kept(lhs: Any, rhs: Any) -> None:
-    start = perf_counter()
+def test_a_budget_is_kept(lhs: Any, rhs: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    # This process's own time, whatever else the machine does.
+    monkeypatch.setattr("chasles.algebra.work_limit.monotonic", process_time)
+    start = process_time()
     verdict = prove(lhs, rhs, budget=1)
-    assert perf_counter() - start < 4
+    assert process_time() - start < 4
     assert isinstance(verdict, Fails | Undecided)
 
 
-def test_a_hard_system_is_given_up() -> None:
+def test_a_hard_system_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
     hard = [Eq(x**5 + y**4 + z**3, 1), Eq(x**3 + y**3 + z**2, 1), Eq(x * y * z + x**2, 3)]
     assert prove(x, 1, given=hard) == Undecided("10 million products of terms were not enough")
-    start = perf_counter()
+    monkeypatch.setattr("chasles.algebra.work_limit.monotonic", process_time)
+    start = process_time()
     assert prove(x, 1, given=hard, budget=0.1) == Undecided("0.1 seconds were not enough")
-    assert perf_counter() - start < 4
+    assert process_time() - start < 4
 
 
 def test_the_clock_decides_nothing_unless_it_is_asked(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -13,6 +13,8 @@ from hypothesis import strategies as st
 from chasles.reading.pages import Kind, displayed, kind_of
 from chasles.reading.printed import BadPage, PrintedEquation
 
+from .counted import at_most
+
 
 def texts(found: tuple[PrintedEquation, ...]) -> list[str]:
     return ["".join(token.text for token in each.tokens) for each in found]
@@ -258,11 +260,10 @@ def test_a_broken_display_is_said_and_the_others_are_read(page: str, fault: str,
 def test_bombs_are_bounded() -> None:
     letters = "abcdefghijklmnopqrstuvwxyz"
     bomb = "".join(rf"\def\{b}{{\{a}\{a}}}" for a, b in pairwise(letters))
-    start = time.process_time()
-    found = displayed(rf"\def\a{{x}}{bomb}" + "$$\\z = 1$$\n" * 20, "tex")
+    with at_most(calls=10_000_000):
+        found = displayed(rf"\def\a{{x}}{bomb}" + "$$\\z = 1$$\n" * 20, "tex")
     assert len(found) == 20
     assert all("expands without end" in each.fault for each in found)
-    assert time.process_time() - start < 10
 
 
 @pytest.mark.parametrize(
@@ -272,6 +273,7 @@ def test_bombs_are_bounded() -> None:
 @pytest.mark.parametrize("kind", ["tex", "md", "rst"])
 def test_large_pages_take_no_long_time(piece: str, kind: Kind) -> None:
     page = piece * (20_000 // len(piece))
+    # What a regular expression does is no call: this is processor time, a tenth of it at most.
     start = time.process_time()
     with suppress(BadPage):
         displayed(page, kind)
