@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cache
 from itertools import product
 from typing import Any
 
 import numpy as np
-from sympy import QQ, ring
 
 from chasles.bounds.intervals import Array, Interval, exactly
 from chasles.bounds.outline import Outline
@@ -21,8 +21,15 @@ from chasles.lowering.program import Op
 
 __all__ = ["QuaternionFraction", "enclosed_forms", "forms"]
 
-RING, *PARTS = ring("w,x,y,z", QQ)
-SQUARE: Any = sum((part**2 for part in PARTS), RING.zero)
+
+@cache
+def _ring() -> tuple[Any, Any]:
+    """The polynomials in a quaternion's components, and its square."""
+    # SymPy takes longer to start than what needs no rotations takes in all.
+    from sympy import QQ, ring
+
+    polynomials = ring("w,x,y,z", QQ)[0]
+    return polynomials, sum((part**2 for part in polynomials.gens), polynomials.zero)
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,9 +42,9 @@ class QuaternionFraction:
     @property
     def reduced(self) -> QuaternionFraction:
         """The same with what the polynomial and the power have in common left out."""
-        above, power = self.above, self.power
+        (above, power), (_, square) = (self.above, self.power), _ring()
         while power:
-            quotient, rest = divmod(above, SQUARE)
+            quotient, rest = divmod(above, square)
             if rest:
                 break
             above, power = quotient, power - 1
@@ -46,7 +53,7 @@ class QuaternionFraction:
 
 def forms(outline: Outline, argument: int) -> dict[int, QuaternionFraction]:
     """The steps that are polynomials in a rotation's entries, by their numbers."""
-    entries = _entries()
+    entries, (ring, _) = _entries(), _ring()
     found: dict[int, QuaternionFraction] = {}
     for number in outline.needed:
         step = outline.program.steps[number]
@@ -54,7 +61,7 @@ def forms(outline: Outline, argument: int) -> dict[int, QuaternionFraction]:
         if step.op is Op.INPUT and step.argument == argument:
             found[number] = QuaternionFraction(entries[step.entry], 1)
         elif step.op is Op.CONSTANT:
-            found[number] = QuaternionFraction(RING(QQ(step.value.numerator, step.value.denominator)), 0)
+            found[number] = QuaternionFraction(ring(ring.domain(step.value.numerator, step.value.denominator)), 0)
         elif of and all(form is not None for form in of):
             made = _made(step.op, [form for form in of if form is not None])
             if made is not None:
@@ -70,7 +77,7 @@ def _made(op: Op, of: list[QuaternionFraction]) -> QuaternionFraction | None:
             return QuaternionFraction(of[0].above * of[1].above, of[0].power + of[1].power)
         case Op.ADD | Op.SUBTRACT:
             power = max(form.power for form in of)
-            a, b = (form.above * SQUARE ** (power - form.power) for form in of)
+            a, b = (form.above * _ring()[1] ** (power - form.power) for form in of)
             return QuaternionFraction(a + b if op is Op.ADD else a - b, power)
         case _:
             return None
@@ -78,12 +85,13 @@ def _made(op: Op, of: list[QuaternionFraction]) -> QuaternionFraction | None:
 
 def _entries() -> list[Any]:
     """The entries of the rotation by a quaternion, times its square."""
-    w, *vector = PARTS
+    ring, _ = _ring()
+    w, *vector = ring.gens
     found = []
     for i, j in product(range(3), repeat=2):
         if i == j:
             others = [vector[k] ** 2 for k in range(3) if k != i]
-            found.append(w**2 + vector[i] ** 2 - sum(others, RING.zero))
+            found.append(w**2 + vector[i] ** 2 - sum(others, ring.zero))
         else:
             turned = 2 * w * vector[3 - i - j]
             found.append(2 * vector[i] * vector[j] + (turned if (j - i) % 3 == 2 else -turned))
