@@ -335,18 +335,27 @@ def compile_levels(compile_c):
 
 
 @pytest.fixture(scope="session")
-def extension(generated, compile_c, compile_levels, levels, tmp_path_factory):
+def objects(made_once, generated, compile_levels, levels):
+    """The C library, compiled for all levels that this machine can run."""
+    return sorted(made_once("emitted-objects", lambda folder: compile_levels(generated, folder, levels)).iterdir())
+
+
+@pytest.fixture(scope="session")
+def extension(made_once, generated, compile_c, objects, levels):
     """The file of the compiled extension module, with all levels that this machine can run."""
     headers = Path(sysconfig.get_paths()["include"])
     if not (headers / "Python.h").is_file():
         pytest.skip("no Python.h")
-    folder = tmp_path_factory.mktemp("extension")
-    objects = compile_levels(generated, folder / "objects", levels)
     folders = [f"-I{generated}/c/include", f"-I{generated}/c/src", f"-I{np.get_include()}", f"-I{headers}"]
     sources = sorted((generated / "gufunc").glob("*.c"))
     warnings = ["-std=c11", "-O2", "-Wall", "-Wextra", "-Werror", f"-DCHASLES_LEVELS={len(levels)}"]
-    out = folder / "_kernels.abi3.so"
-    compile_c(*warnings, "-shared", "-fPIC", *folders, *sources, *objects, "-lm", "-o", out)
+
+    def link(folder):
+        folder.mkdir()
+        out = folder / "_kernels.abi3.so"
+        compile_c(*warnings, "-shared", "-fPIC", *folders, *sources, *objects, "-lm", "-o", out)
+
+    (out,) = made_once("emitted-extension", link).iterdir()
     return out
 
 

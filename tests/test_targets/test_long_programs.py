@@ -131,7 +131,8 @@ def cut_blocks(program: Program) -> str:
 
 @needs_c
 @pytest.mark.parametrize(("size", "outputs"), [(1000, 4), (3, 2500), (4000, 4000)])
-def test_thousands_of_entries(size, outputs):
+def test_thousands_of_entries(size, outputs, hasty_compiler, monkeypatch):
+    monkeypatch.setenv("CC", hasty_compiler)
     build = Builder()
     places = [build.input(0, k) for k in range(size)]
     total = places[0]
