@@ -10,6 +10,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from chasles.reading.equations import read_equations
+from chasles.reading.notation_file import load_notation
 from chasles.reading.pages import Kind, displayed, kind_of
 from chasles.reading.printed import BadPage, PrintedEquation
 
@@ -376,3 +378,22 @@ def test_broken_pages_are_read_as_far_as_they_go(page: str, kind: Kind) -> None:
         assert "\n" not in each.fault
         if not each.fault:
             assert each.tokens
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        ("a = " + "(" * 400 + "a" + ")" * 400, "brackets nested more than"),
+        ("a = " + "a(" * 400 + "a" + ")" * 400, "brackets nested more than"),
+        ("a = " + r"\left[" * 400 + "a" + r"\right]" * 400, "brackets nested more than"),
+        ("a = " + "{" * 400 + "a" + "}" * 400, "nested more than"),
+        ("a = " + r"\sum_{i=1}^{9}" * 8 + "a", r"no word for \sum"),
+        ("a = " + " + ".join(["a"] * 4000), "a sum of more than"),
+        ("a = " + " ".join(["a"] * 2000), "too many ways"),
+        ("a" + "_{a" * 400 + "}" * 400 + " = a", "nested more than"),
+    ],
+)
+def test_hostile_formulas_are_told_in_a_line(text: str, why: str) -> None:
+    (found,) = read_equations(displayed(f"$$ {text} $$", "tex"), load_notation("[symbols]\na = 'scalar'"))
+    assert found.status == "unread"
+    assert why in found.why

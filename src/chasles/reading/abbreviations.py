@@ -10,6 +10,7 @@ from chasles.reading.tokens import Token
 __all__ = ["written_out"]
 
 MOST_TERMS = 12
+MOST_TOKENS = 5_000
 KINDS = (r"\in", r"\subset")
 SIGNS = {r"\pm": "+-", r"\mp": "-+"}
 JOINED = {r"\sum": "+", r"\prod": ""}
@@ -44,6 +45,8 @@ def _terms_in_full(line: Tokens) -> Tokens:
                 sign = JOINED[line[start].text] if terms else ""
                 terms += [line[start]._replace(text=sign)] if sign else []
                 terms += _with(line[begin:end], index, str(value))
+            if len(line) + len(terms) > MOST_TOKENS:
+                return line
             around = [line[start]._replace(text=text) for text in "()"]
             line = (*line[:start], around[0], *terms, around[1], *line[end:])
     return line

@@ -61,7 +61,7 @@ def applied(makes: Sequence[Make], fits: list[Fit], ctx: FittingContext, rest: G
     found = []
     for make, fit in product(makes, fits):
         if fit.node is None and mark.startswith("^"):
-            found += _applied_to_sized(make, fit, mark)
+            found.append(_applied_to_sized(make, fit, mark, ctx))
         elif fit.node is None:
             sizes = filter(None, map(fit.at, ctx.sizes_of([fit])))
             found += [new for size in sizes for new in applied((make,), [size], ctx, rest, mark)][:1]
@@ -75,16 +75,13 @@ def applied(makes: Sequence[Make], fits: list[Fit], ctx: FittingContext, rest: G
     return found
 
 
-def _applied_to_sized(make: Make, fit: Fit, mark: str) -> list[Fit]:
-    sized = fit.sized
-    assert sized is not None
-
+def _applied_to_sized(make: Make, fit: Fit, mark: str, ctx: FittingContext) -> Fit:
     def of_shape(shape: Shape) -> Node | None:
-        inner = sized((shape[1], shape[0]))
-        node = None if inner is None else made(make, inner)
+        inner = fit.at((shape[1], shape[0]))
+        node = None if inner is None else made(make, ctx.inside(inner, Precedence.ATOM)[0])
         return node if node is not None and node.shape == shape else None
 
-    return [Fit(None, (*fit.said, *tokens_of(mark)), fit.cost, sized=of_shape)]
+    return Fit(None, (*fit.printed, *tokens_of(mark)), fit.cost, sized=of_shape, usual=fit.usual[::-1])
 
 
 def _component(fit: Fit, rest: Glyph, ctx: FittingContext) -> list[Fit]:

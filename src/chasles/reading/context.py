@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from chasles.reading.fits import Fit, Said, Shape
+from chasles.reading.fits import Fit, Said, Shape, made
 from chasles.reading.grammar import Atom, Terms
 from chasles.reading.grouping import Unread
 from chasles.reading.page_notation import PageNotation
@@ -61,6 +61,20 @@ class FittingContext:
             node = Group(node, KINDS[fit.brackets])
         half = len(fit.brackets) // 2
         return node, (fit.brackets[:half], *fit.said, fit.brackets[half:])
+
+    def of_open_size(self, make: Callable[..., Node], least: Precedence, left: Fit, right: Fit, sign: str = "") -> Fit:
+        """What is made of two, of which at least one has an open size."""
+        pair = left, right
+        says = [self.inside(fit, least)[1] if fit.node is not None else fit.printed for fit in pair]
+
+        def sized(shape: Shape) -> Node | None:
+            at = [fit if fit.node is not None else fit.at(shape) for fit in pair]
+            parts = [self.inside(fit, least)[0] for fit in at if fit is not None]
+            return made(make, *parts) if len(parts) == 2 else None
+
+        said = (*says[0], *((sign,) * bool(sign)), *says[1])
+        usual = left.usual if left.node is None else right.usual
+        return Fit(None, said, left.cost + right.cost, sized=sized, usual=usual)
 
     def is_as_printed(self, fit: Fit) -> bool:
         """Whether the word prints the tokens that it was read from."""

@@ -70,7 +70,9 @@ def expressions(latex: str, notation: PageNotation) -> list[Node]:
     chain = formula(tokens(latex))
     if chain.relations or chain.sides[0] is None:
         raise Unread("expected one expression without a relation")
-    found = [fit.node for fit in ctx.terms(chain.sides[0]) if fit.node is not None]
+    fits = ctx.terms(chain.sides[0])
+    sized = [fit if fit.node is not None else fit.at(fit.usual) for fit in fits]
+    found = [fit.node for fit in sized if fit is not None and fit.node is not None]
     if not found:
         raise ctx.problems[0] if ctx.problems else Unread("its parts do not fit together")
     return found

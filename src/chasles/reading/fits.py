@@ -41,6 +41,12 @@ class Fit:
         return self.node.measure.shape if self.node is not None and self.node.measure is not None else None
 
     @property
+    def printed(self) -> Said:
+        """Its tokens with the brackets around them."""
+        half = len(self.brackets) // 2
+        return (self.brackets[:half], *self.said, self.brackets[half:]) if half else self.said
+
+    @property
     def sample(self) -> Node | None:
         """The word itself, or one of those that it may be."""
         shapes = () if self.sized is None else (self.usual, (3, 3), (3, 1), (1, 1))

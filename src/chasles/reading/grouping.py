@@ -26,6 +26,7 @@ RELATIONS = {
 INFIXES = (OPERATORS | {"*", ":", r"\ominus", r"\boxminus", r"\vee"}) - {"+", "-", r"\pm", r"\mp"}
 OPENING = ("(", "[", r"\{", r"\langle", r"\lfloor", r"\lceil", r"\llbracket")
 CLOSING = (")", "]", r"\}", r"\rangle", r"\rfloor", r"\rceil", r"\rrbracket")
+DEEPEST = 40
 BARS = ("|", r"\|")
 BEGIN, END = r"\begin{", r"\end{"
 
@@ -149,6 +150,8 @@ def _single(token: Token, before: list[Terminal], open_bars: list[str]) -> Termi
         kind = "LETTER"
     if kind == "OPEN":
         open_bars.append(text)
+        if len(open_bars) > DEEPEST:
+            raise Unread(f"brackets nested more than {DEEPEST} deep", token)
     elif kind == "CLOSE" and len(open_bars) > 1:
         open_bars.pop()
     return _terminal(kind, token)

@@ -29,6 +29,7 @@ from chasles.vocabulary.families import Entry, Kronecker
 
 __all__ = ["atom_fits", "letter_fits"]
 
+GROUPS = {"()": "()", "[]": "[]", r"\{\}": "{}"}
 SIZE = re.compile(r"(\d+)(?: \\times (\d+))?")
 WITHOUT_WORD = {
     **{sign: f"no word for {sign}" for sign in (r"\sum", r"\prod", r"\int", r"\oint", r"\lim", r"\infty", r"\nabla")},
@@ -228,12 +229,11 @@ def _grid_of(terms: Terms) -> Atom | None:
 
 
 def _in_brackets(fit: Fit, brackets: str) -> Fit:
-    if fit.node is None:
-        half = len(brackets) // 2
-        return Fit(None, (brackets[:half], *fit.said, brackets[half:]), fit.cost, sized=fit.sized)
-    said = fit.said
-    node = fit.node
-    if fit.brackets:
-        half, kind = len(fit.brackets) // 2, {"()": "()", "[]": "[]", r"\{\}": "{}"}[fit.brackets]
-        node, said = Group(node, kind), (fit.brackets[:half], *said, fit.brackets[half:])
-    return Fit(node, said, fit.cost, brackets)
+    """The same with brackets around it; those inside stand for a group."""
+    if not fit.brackets:
+        return replace(fit, brackets=brackets)
+    kind, sized, said = GROUPS[fit.brackets], fit.sized, fit.printed
+    if sized is None:
+        return Fit(None if fit.node is None else Group(fit.node, kind), said, fit.cost, brackets)
+    grouped = lambda shape: None if (node := sized(shape)) is None else Group(node, kind)  # noqa: E731
+    return replace(fit, said=said, brackets=brackets, sized=grouped)

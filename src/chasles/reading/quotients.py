@@ -27,7 +27,7 @@ from chasles.vocabulary.partial import PartialDerivative
 from chasles.vocabulary.spelling import Precedence
 
 __all__ = ["exponential_fits", "fraction_fits", "of_tokens", "order_of_rate", "partial_by", "rate_in_frame",
-           "seen_from", "upright"]  # fmt: skip
+           "seen_from", "sized_quotient", "upright"]  # fmt: skip
 
 
 def of_tokens(tokens: Tokens, ctx: FittingContext) -> list[Fit]:
@@ -104,8 +104,13 @@ def fraction_fits(atom: Atom, ctx: FittingContext) -> list[Fit]:
         return applied(makes, of_tokens(above[1:], ctx), ctx, replace(letter_of(atom), base="", accents=()), atom.text)
     found = []
     for top, bottom in product(of_tokens(above, ctx), of_tokens(below, ctx)):
-        one, divisor = (top if top.node is not None else top.at((1, 1))), bottom.at((1, 1))
-        if one is None or divisor is None:
+        divisor = bottom.at((1, 1))
+        if divisor is None:
+            continue
+        if top.node is None:
+            found.append(sized_quotient(top, divisor, ctx))
+        one = top if top.node is not None else top.at((1, 1))
+        if one is None:
             continue
         (a, a_said), (b, b_said) = ctx.inside(one, Precedence.SUM), ctx.inside(divisor, Precedence.SUM)
         node = made(Quotient, a, b, tolerant=ctx.tolerant)
@@ -118,3 +123,13 @@ def exponential_fits(exponent: Tokens, ctx: FittingContext) -> list[Fit]:
     """The exponential of a scalar, or of a multiple of a cross-product matrix."""
     made_of = [(fit, made(exponential, fit.node)) for fit in of_tokens(exponent, ctx) if ctx.is_as_printed(fit)]
     return [Fit(node, ctx.said(node), fit.cost) for fit, node in made_of if node is not None]
+
+
+def sized_quotient(top: Fit, divisor: Fit, ctx: FittingContext, stroke: str = "") -> Fit:
+    """An identity or a zero over a number is of open size as well."""
+
+    def divided(one: Node, other: Node) -> Node:
+        return Quotient(one, other, bool(stroke))
+
+    fit = ctx.of_open_size(divided, Precedence.PRODUCT if stroke else Precedence.SUM, top, divisor, stroke)
+    return fit if stroke else replace(fit, said=(r"\frac", *fit.said))

@@ -7,9 +7,10 @@ from dataclasses import replace
 
 from chasles.reading.context import FittingContext
 from chasles.reading.factors import factors
-from chasles.reading.fits import UNUSUAL, Fit, Shape, kept, made
+from chasles.reading.fits import UNUSUAL, Fit, kept, made
 from chasles.reading.glyphs import joined, letter_of
 from chasles.reading.grammar import Atom, FlatRow
+from chasles.reading.quotients import sized_quotient
 from chasles.reading.spellings import Make
 from chasles.reading.tokens import Token
 from chasles.vocabulary import Block, Contract, Misfit, Node, Quotient, Scale, Sum
@@ -86,7 +87,11 @@ def _stroke(left: Pieces, right: Pieces, usual: int, ctx: FittingContext) -> Ite
             for bottom in divisors:
                 one = top if top.node is not None else top.at((1, 1))
                 divisor = bottom if bottom.node is not None else bottom.at((1, 1))
-                if one is None or divisor is None or divisor.shape != (1, 1):
+                if divisor is None or divisor.shape != (1, 1):
+                    continue
+                if top.node is None and end == len(right):
+                    yield sized_quotient(top, divisor, ctx, "/")
+                if one is None:
                     continue
                 (a, a_said), (b, b_said) = ctx.inside(one, Precedence.PRODUCT), ctx.inside(divisor, Precedence.POWER)
                 node = made(Quotient, a, b, True, tolerant=ctx.tolerant)
@@ -182,36 +187,14 @@ def multiplied(a: Node, b: Node) -> Node:
 
 
 def _times_sized(left: Fit, right: Fit, ctx: FittingContext) -> Iterator[Fit]:
-    known = left if left.node is not None else right
-    cost = left.cost + right.cost
-    if known.node is None:
-
-        def squares(shape: Shape) -> Node | None:
-            one, other = left.at(shape), right.at(shape)
-            pair = (one, other) if one and other and shape[0] == shape[1] else ()
-            return made(multiplied, *(fit.node for fit in pair)) if pair else None
-
-        yield Fit(None, (*left.said, *right.said), cost, sized=squares, usual=left.usual)
-        return
-    if known.shape is None:
-        return
-    node, said = ctx.inside(known, Precedence.PRODUCT)
-    if known.shape == (1, 1):
-        open_one = right if known is left else left
-        sized, trailing = open_one.sized, known is right
-        assert sized is not None
-        both = (*said, *open_one.said) if known is left else (*open_one.said, *said)
-
-        def scaled(shape: Shape) -> Node | None:
-            inner = sized(shape)
-            return None if inner is None else made(Scale, node, inner, trailing)
-
-        yield Fit(None, both, cost, sized=scaled, usual=open_one.usual)
-        return
-    side = known.shape[1] if known is left else known.shape[0]
-    square = (right if known is left else left).at((side, side))
-    if square is not None:
-        yield from _times(known, square, ctx) if known is left else _times(square, known, ctx)
+    known, open_one = (left, right) if left.node is not None else (right, left)
+    if known.node is None or known.shape == (1, 1):
+        yield ctx.of_open_size(multiplied, Precedence.PRODUCT, left, right)
+    elif known.shape is not None:
+        side = known.shape[1] if known is left else known.shape[0]
+        square = open_one.at((side, side))
+        if square is not None:
+            yield from _times(known, square, ctx) if known is left else _times(square, known, ctx)
 
 
 def _stacks_vectors(column: Block) -> bool:

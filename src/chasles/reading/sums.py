@@ -5,15 +5,20 @@ from __future__ import annotations
 from chasles.reading.context import FittingContext
 from chasles.reading.fits import MOST, Fit, Shape, kept, made
 from chasles.reading.grammar import Terms
+from chasles.reading.grouping import Unread
 from chasles.reading.rows import row_fits
 from chasles.vocabulary import Negative, Node, Sum
 from chasles.vocabulary.spelling import Precedence
 
 __all__ = ["sum_fits"]
 
+MOST_TERMS = 500
+
 
 def sum_fits(terms: Terms, ctx: FittingContext) -> list[Fit]:
     """The readings of a sum, the usual ones first."""
+    if len(terms.rows) > MOST_TERMS:
+        raise Unread(f"a sum of more than {MOST_TERMS} terms: write it as several")
     problems = len(ctx.problems)
     rows = [row_fits(row, ctx) for row in terms.rows]
     if not all(rows):
@@ -25,8 +30,9 @@ def sum_fits(terms: Terms, ctx: FittingContext) -> list[Fit]:
     found: list[Fit] = []
     for shape in shapes:
         found += _of_shape(terms.signs, rows, shape, ctx)
-    if not shapes:
-        found = [_sized(terms.signs, rows, ctx)]
+    of_open_size = [[fit for fit in fits if fit.node is None] for fits in rows]
+    if all(of_open_size):
+        found.append(_sized(terms.signs, of_open_size, ctx))
     if not found and ctx.tolerant:
         found = _ill_formed(terms.signs, rows, ctx)
     return kept(found)
@@ -76,14 +82,14 @@ def _plus(one: Fit, sign: str, other: Fit, ctx: FittingContext, is_first: bool, 
 def _sized(signs: tuple[str, ...], rows: list[list[Fit]], ctx: FittingContext) -> Fit:
     """A sum of zeros and identities alone."""
     said = tuple(
-        token for sign, fits in zip(signs, rows, strict=True) for token in (*(sign,) * bool(sign), *fits[0].said)
+        token for sign, fits in zip(signs, rows, strict=True) for token in (*(sign,) * bool(sign), *fits[0].printed)
     )
 
     def at(shape: Shape) -> Node | None:
         found = _of_shape(signs, rows, shape, ctx)
         return found[0].node if found else None
 
-    return Fit(None, said, sized=at, usual=rows[0][0].usual)
+    return Fit(None, said, sum(fits[0].cost for fits in rows), sized=at, usual=rows[0][0].usual)
 
 
 def _ill_formed(signs: tuple[str, ...], rows: list[list[Fit]], ctx: FittingContext) -> list[Fit]:
