@@ -280,8 +280,11 @@ class Deduction:
             if isinstance(verdict, Holds | HoldsUnder):
                 yield Repair(left, right, (said,), 1, verdict)
         shallow = chosen_rules(claim.printed, {**self.premises.defined(), **self.premises.proved}, deep=False)
-        attempts = [self._with(claim, each, ()) for each in (rules, shallow)]
-        for attempt in attempts[: 1 + (shallow != rules)]:
+        posed = self.premises.restricting(free_quantities(claim.printed, rules), rules)[-MOST_POSED:]
+        attempts = [self._with(claim, each, ()) for each in (rules, shallow)][: 1 + (shallow != rules)]
+        if posed:
+            attempts = [*attempts, self._with(claim, chosen_rules(_sides(claim, posed), self.premises.defined()), posed)]
+        for attempt in attempts:
             for found in repair(attempt, self.session.accepted, EFFORT):
                 if found.edits == 1 and found.left != found.right and self._is_slip(claim, found):
                     yield found

@@ -15,6 +15,7 @@ from chasles.algebra.rings import Polynomial
 from chasles.algebra.values import divided
 from chasles.points.adjustment import adjusted
 from chasles.points.evaluation import Point, evaluate, ratio_at, satisfies
+from chasles.points.quadrics import on_quadrics
 from chasles.points.rational import CIRCLE, Numbers, circle, free
 from chasles.points.rational_norms import give_norm
 from chasles.points.satisfying import bind, in_order
@@ -79,6 +80,7 @@ def _try(
             point[variable.name] = values[variable.symbol, variable.order][variable.row][variable.column]
     _angles(context, point, draw, rich)
     _moments(context, point, draw, rich)
+    bound |= on_quadrics(context, point, bound, draw, rich)
     return _finish(context, solved, point, bound, draw, rich)
 
 
