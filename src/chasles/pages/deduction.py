@@ -27,12 +27,12 @@ from chasles.decisions.session import Session
 from chasles.pages.bounded_proofs import proof_of, verdict_on
 from chasles.pages.edited_marks import one_mark_away
 from chasles.pages.facts import divisors
+from chasles.pages.named_hypotheses import as_hypothesis
 from chasles.pages.premises import (
     PosedEquation,
     Premises,
     Quantity,
     Rules,
-    as_hypothesis,
     chosen_rules,
     free_quantities,
     quantities,
@@ -43,7 +43,7 @@ from chasles.reading.reading import Part, Reading
 from chasles.repairs.repair import Repair, repair
 from chasles.statements import Claim, Definition, Statement, problem_of
 from chasles.verdict import Defined, Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
-from chasles.vocabulary import At, Misfit, Node, Number, Sum, Symbol, Zero, walk
+from chasles.vocabulary import At, Misfit, Node, Number, Sum, Symbol, Zero, plain, walk
 from chasles.vocabulary.families import indices_of
 
 __all__ = ["DEFINING", "Deduction", "PageFinding"]
@@ -94,7 +94,7 @@ class Deduction:
         before = len(self.premises.posed)
         for part in given:
             if part.sign == "=" and not part.fault:
-                said = as_hypothesis(f"{number}, for", part.left, part.right)
+                said = as_hypothesis(f"({number}, for)", part.left, part.right, self.session)
                 self.premises.posed.append(PosedEquation(said, part.left, part.right, False))
         added = len(self.premises.posed) - before
         yield
@@ -105,6 +105,16 @@ class Deduction:
         spoken = {symbol for symbol, _ in self.premises.spoken}
         sides = (side for part in reading.parts for side in (part.left, part.right))
         return len({symbol for side in sides for symbol, _ in quantities(side)} - spoken)
+
+    def assume(self, left: Node, right: Node) -> None:
+        """What holds on the whole page: of a symbol alone on a side a rule, of anything else a hypothesis."""
+        claim = Claim(f"{plain(left)} = {plain(right)}", left, right, sic=True)
+        meant = self._meant(claim)
+        if meant:
+            self._defined(claim, *meant)
+        else:
+            said = as_hypothesis(claim.number, left, right, self.session)
+            self.premises.posed.append(PosedEquation(said, left, right, False))
 
     def say(
         self, number: str, part: int, left: Node, sign: str, right: Node, role: str = "", ahead: Iterable[Claim] = ()
@@ -181,13 +191,13 @@ class Deduction:
     def _posed(self, claim: Claim, is_open: bool, verdict: Verdict) -> PageFinding:
         name = claim.number if claim.part == 1 else f"{claim.number}/{claim.part}"
         if not any(map(indices_of, claim.printed)):
-            said = as_hypothesis(name, *claim.printed)
+            said = as_hypothesis(f"({name})", *claim.printed, self.session)
             self.premises.posed.append(PosedEquation(said, claim.left, claim.right, is_open))
         return PageFinding("condition", verdict, claim, open=is_open)
 
     def _satisfied(self, claim: Claim) -> Verdict:
         """The verdict on a condition: posed if a point satisfies it with all that the page has said of its symbols."""
-        said = as_hypothesis(claim.number, *claim.printed)
+        said = as_hypothesis(f"({claim.number})", *claim.printed, self.session)
         known = self._with_everything(claim, 0)
         try:
             return pose(

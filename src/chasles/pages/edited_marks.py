@@ -1,7 +1,7 @@
 """The equations that differ from a printed one in one mark: a sign, a transpose, a factor of two, an order, a function.
 
-None exchanges a letter, and none transposes a matrix of which nothing is known: that would make an identity of the
-condition that it is symmetric.
+A letter is exchanged only where it stands alone on a side, for one of the other side. No matrix of which nothing is
+known is transposed: that would make an identity of the condition that it is symmetric.
 """
 
 from __future__ import annotations
@@ -26,6 +26,7 @@ from chasles.vocabulary import (
     Transpose,
     children,
     rebuilt,
+    symbols_of,
 )
 
 __all__ = ["one_mark_away"]
@@ -39,12 +40,18 @@ def one_mark_away(left: Node, right: Node, is_known: IsKnown) -> Iterator[tuple[
     """Both sides with one mark changed, and what was changed; sides that say nothing, or do not fit, are left out."""
     seen = {(left, right)}
     of_right = ((left, changed, said) for changed, said in chain(_scaled(right), _edits(right, is_known)))
-    of_left = ((changed, right, said) for changed, said in _edits(left, is_known))
+    of_left = ((changed, right, said) for changed, said in chain(_other_letters(left, right), _edits(left, is_known)))
     for found in filter(None, chain.from_iterable(zip_longest(of_right, of_left))):
         one, other, said = found
         if one.shape == other.shape == left.shape and one != other and (one, other) not in seen:
             seen.add((one, other))
             yield one, other, said
+
+
+def _other_letters(left: Node, right: Node) -> Iterator[tuple[Node, str]]:
+    """The letters of the right side that can stand for one that is alone on the left."""
+    if isinstance(left, Symbol) and left not in (found := symbols_of(right)):
+        yield from ((other, f"{other} in place of {left}") for other in found if other.shape == left.shape != (1, 1))
 
 
 def _scaled(node: Node) -> Iterator[tuple[Node, str]]:

@@ -146,9 +146,9 @@ def read_page(printed: tuple[PrintedEquation, ...], notation: PageNotation, file
     """The page of these equations, decided in their order."""
     deduction = Deduction(Premises(lambda symbol: facts_of(symbol, kind_in_meaning(symbol))))
     assumed = tuple(PrintedEquation(latex) for latex in notation.assuming)
-    for number, each in enumerate(read_equations(assumed, notation), 1):
+    for each in read_equations(assumed, notation):
         for part in each.readings[0].parts if each.readings else ():
-            deduction.say(f"assuming {number}", 1, part.left, part.sign, part.right, "law")
+            deduction.assume(part.left, part.right)
     equations = read_equations(printed, notation)
     names = [each.printed.number or each.printed.label or f"line {each.printed.line}" for each in equations]
     places: Counter[str] = Counter()

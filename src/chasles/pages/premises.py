@@ -7,11 +7,11 @@ from dataclasses import dataclass, field
 
 from chasles.statements import Hypothesis, Statement
 from chasles.statements.statement import bare
-from chasles.vocabulary import Negative, Node, Rate, Sum, Symbol, undotted
+from chasles.vocabulary import Node, Rate, Symbol, undotted
 from chasles.vocabulary.families import Member
 
-__all__ = ["PosedEquation", "Premises", "Quantity", "Rules", "as_hypothesis", "chosen_rules", "free_quantities",
-           "quantities", "quantity"]  # fmt: skip
+__all__ = ["PosedEquation", "Premises", "Quantity", "Rules", "chosen_rules", "free_quantities", "quantities",
+           "quantity"]  # fmt: skip
 
 Quantity = tuple[Symbol, int]
 """A symbol and how often it is dotted."""
@@ -154,9 +154,3 @@ def free_quantities(sides: Iterable[Node], chosen: Rules) -> dict[Quantity, None
     """The quantities in the sides and in the rules chosen, the rules' own among them."""
     everything = (*sides, *(rule.right for rule in chosen.values()))
     return dict.fromkeys(q for side in everything for q in quantities(side))
-
-
-def as_hypothesis(number: str, left: Node, right: Node) -> Hypothesis:
-    """A posed equation as a hypothesis, named by its number."""
-    said = f"({number})"
-    return Hypothesis("posed", (Sum((left, Negative(right))),), ((left, right),), (), said, said, free=True)
