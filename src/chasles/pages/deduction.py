@@ -15,17 +15,13 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from dataclasses import replace as with_fields
-from fractions import Fraction
-from itertools import islice
 
 from chasles.decisions.session import Session
 from chasles.pages.bounded_proofs import proof_of, verdict_on
-from chasles.pages.edited_marks import one_mark_away
 from chasles.pages.facts import divisors
 from chasles.pages.named_hypotheses import as_hypothesis
 from chasles.pages.premises import (
@@ -38,24 +34,21 @@ from chasles.pages.premises import (
     quantities,
     quantity,
 )
+from chasles.pages.slips import true_but_for_a_slip
 from chasles.prover.decide import pose
 from chasles.reading.reading import Part, Reading
-from chasles.repairs.repair import Repair, repair
+from chasles.repairs.repair import Repair
 from chasles.statements import Claim, Definition, Statement, problem_of
-from chasles.verdict import Defined, Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
-from chasles.vocabulary import At, Misfit, Node, Number, Sum, Symbol, Zero, plain, walk
+from chasles.verdict import Defined, Fails, IllFormed, Undecided, Verdict
+from chasles.vocabulary import At, Misfit, Node, plain
 from chasles.vocabulary.families import indices_of
 
 __all__ = ["DEFINING", "Deduction", "PageFinding"]
 
 DEFINING = (r"\equiv", ":=", r"\triangleq", r"\coloneqq", r"\doteq", "≡")
 """The signs by which something is defined."""
-EFFORT = 3e5
-"""The work that the search for what was meant may take, in products of terms."""
 WORK = 3e5
 """The work that one attempt at a proof may take, in products of terms."""
-MOST_EDITS = 60
-"""So many changes of one mark are tried for what was meant."""
 MOST_POSED = 4
 """So many posed equations, the last ones, are tried together for a proof."""
 
@@ -140,8 +133,11 @@ class Deduction:
         meant = self._meant(claim) if role != "claim" else None
         if meant and (role == "definition" or self._is_new(claim, meant[0])):
             return self._defined(claim, *meant)
-        self._foretell(claim, ahead)
-        finding = self._claimed(claim, told=role == "claim")
+        finding = self._proof(claim)
+        if finding is None and self._foretell(claim, ahead):
+            finding = self._proof(claim)
+        if finding is None:
+            finding = self._refuted(claim, told=role == "claim")
         if not finding.open:
             return finding
         return self._defined(claim, *meant) if meant else self._posed(claim, True, finding.verdict)
@@ -169,14 +165,16 @@ class Deduction:
         posed = {s for each in self.premises.posed for side in (each.left, each.right) for s, _ in quantities(side)}
         return not order and symbol not in said | posed
 
-    def _foretell(self, claim: Claim, ahead: tuple[Claim, ...]) -> None:
-        """Take in advance the definitions of symbols that are new in a claim."""
+    def _foretell(self, claim: Claim, ahead: tuple[Claim, ...]) -> bool:
+        """Take in advance the definitions of symbols that are new in a claim, if there are any."""
+        before = len(self._foretold)
         spoken = {symbol for symbol, _ in self.premises.spoken}
         new = {symbol for side in claim.printed for symbol, _ in quantities(side)} - spoken
         for other in ahead:
             meant = None if other.fault else self._meant(other)
             if meant and meant[0][0] in new and meant[0] not in self.premises.definitions:
                 self._foretold[other.number, other.part] = self._defined(other, *meant)
+        return len(self._foretold) > before
 
     def _defined(self, claim: Claim, key: Quantity, turned: bool) -> PageFinding:
         left, right = (claim.right, claim.left) if turned else claim.printed
@@ -206,12 +204,13 @@ class Deduction:
         except (Misfit, TypeError) as error:
             return Undecided(str(error))
 
-    def _claimed(self, claim: Claim, told: bool = False) -> PageFinding:
+    def _proof(self, claim: Claim) -> PageFinding | None:
+        """The finding on a claim that follows from what the page has said; None for any other."""
         for attempt in self._attempts(claim):
             verdict = proof_of(attempt, self.session)
             if verdict is not None:
                 return self._proved(attempt, verdict)
-        return self._refuted(claim, told)
+        return None
 
     def _proved(self, claim: Claim, verdict: Verdict) -> PageFinding:
         unused = getattr(verdict, "unused", ())
@@ -251,7 +250,7 @@ class Deduction:
         """The claim with rules, posed equations, and what is known of the symbols in them."""
         said = _sides(claim, posed)
         found = free_quantities(said, rules)
-        facts = self.premises.assumed(found, () if everything else rules)
+        facts = self.premises.assumed(found, rules, everything)
         assuming = dict.fromkeys((*facts, *divisors(said), *(each.hypothesis for each in posed)))
         return with_fields(claim, given=tuple(rules.values()), assuming=tuple(assuming), sic=False)
 
@@ -260,7 +259,7 @@ class Deduction:
         rules = chosen_rules(claim.printed, self.premises.defined())
         verdict = verdict_on(self._with(claim, rules, ()), self.session)
         is_asked = isinstance(verdict, Fails) and not _is_defining(claim)
-        instead = next(self._instead(claim, rules), None) if is_asked else None
+        instead = self._instead(claim) if is_asked else None
         if not isinstance(verdict, Fails) or (instead is None and not told):
             return PageFinding("claim", verdict, claim, open=True)
         refuted = [self._with_everything(claim, generation) for generation in range(self.premises.generations)]
@@ -278,46 +277,15 @@ class Deduction:
         rules = chosen_rules(_sides(claim, posed), self.premises.defined(generation))
         return self._with(claim, rules, posed, everything=True)
 
-    def _instead(self, claim: Claim, rules: Rules) -> Iterator[Repair]:
-        """True equations one change away, which say something."""
-        if _is_one_term_said_to_vanish(claim):
-            return
-        known = {symbol for symbol, _ in self.premises.definitions}
-        edits = one_mark_away(*claim.printed, lambda symbol: symbol in known or bool(self.premises.facts(symbol)))
-        for left, right, said in islice(edits, MOST_EDITS):
-            meant = self._with(with_fields(claim, left=left, right=right), rules, ())
-            verdict = proof_of(meant, self.session)
-            if isinstance(verdict, Holds | HoldsUnder):
-                yield Repair(left, right, (said,), 1, verdict)
-        shallow = chosen_rules(claim.printed, {**self.premises.defined(), **self.premises.proved}, deep=False)
-        posed = self.premises.restricting(free_quantities(claim.printed, rules), rules)[-MOST_POSED:]
-        attempts = [self._with(claim, each, ()) for each in (rules, shallow)][: 1 + (shallow != rules)]
-        if posed:
-            attempts = [*attempts, self._with(claim, chosen_rules(_sides(claim, posed), self.premises.defined()), posed)]
-        for attempt in attempts:
-            for found in repair(attempt, self.session.accepted, EFFORT):
-                if found.edits == 1 and found.left != found.right and self._is_slip(claim, found):
-                    yield found
-
-    def _is_slip(self, claim: Claim, found: Repair) -> bool:
-        """Whether what is changed is a mark; or one letter, in what is said of a quantity that is known.
-
-        Another letter, or another term, may make any condition true.
-        """
-        before, after = _symbols(claim.printed), _symbols((found.left, found.right))
-        if before == after:
-            return True
-        known = {**self.premises.defined(), **self.premises.proved}
-        is_one_letter = (before - after).total() == (after - before).total() == 1
-        said = {symbol for symbol, _ in known}
-        is_about_known = any(quantity(side) in known for side in claim.printed) or all(
-            symbol in said or self.premises.facts(symbol) for side in claim.printed for symbol, _ in quantities(side)
-        )
-        return is_one_letter and is_about_known
-
-
-def _symbols(sides: Iterable[Node]) -> Counter[Node]:
-    return Counter(part for side in sides for part in walk(side) if isinstance(part, Symbol))
+    def _instead(self, claim: Claim) -> Repair | None:
+        """A true equation but for one slip, under what the page says of the claim's symbols."""
+        rules = self.premises.defined()
+        deep = chosen_rules(claim.printed, rules)
+        shallow = chosen_rules(claim.printed, {**rules, **self.premises.proved}, deep=False)
+        posed = self.premises.restricting(free_quantities(claim.printed, deep), deep)[-MOST_POSED:]
+        sets = [(shallow, ()), (deep, ()), (chosen_rules(_sides(claim, posed), rules), posed)]
+        attempts = [self._with(claim, *each) for each in sets[shallow == deep : 3 if posed else 2]]
+        return next(true_but_for_a_slip(claim, attempts, self.premises, self.session), None)
 
 
 def _sides(claim: Claim, posed: Iterable[PosedEquation]) -> tuple[Node, ...]:
@@ -327,13 +295,3 @@ def _sides(claim: Claim, posed: Iterable[PosedEquation]) -> tuple[Node, ...]:
 def _is_defining(claim: Claim) -> bool:
     """Whether it is printed as definitions are: by its sign, or of a symbol with its argument."""
     return claim.sign in DEFINING or isinstance(claim.left, At)
-
-
-def _is_one_term_said_to_vanish(claim: Claim) -> bool:
-    """Whether a slip of the pen would have left it as true or as false."""
-    one, other = claim.printed
-    zero = (Number(Fraction(0)),)
-    return any(
-        (right in zero or isinstance(right, Zero)) and not isinstance(left, Sum)
-        for left, right in ((one, other), (other, one))
-    )

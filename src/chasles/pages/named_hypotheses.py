@@ -16,7 +16,7 @@ from chasles.vocabulary import Dot, Misfit, Negative, Node, Norm, Number, Sum, S
 __all__ = ["as_hypothesis"]
 
 NAMED: tuple[tuple[int, Callable[..., Hypothesis]], ...] = (
-    (1, unit), (1, symmetric), (1, orthogonal), (1, skew_symmetric), (1, idempotent), (2, perpendicular), (2, commuting),
+    (1, unit), (1, symmetric), (1, orthogonal), (1, skew_symmetric), (1, idempotent), (2, perpendicular), (2, commuting)
 )  # fmt: skip
 """The named hypotheses on so many symbols each."""
 

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from dataclasses import replace as with_fields
 
 from chasles.statements import Hypothesis, Statement
 from chasles.statements.statement import bare
-from chasles.vocabulary import Node, Rate, Symbol, undotted
+from chasles.vocabulary import Negative, Node, Rate, Sum, Symbol, undotted
 from chasles.vocabulary.families import Member
 
 __all__ = ["PosedEquation", "Premises", "Quantity", "Rules", "chosen_rules", "free_quantities", "quantities",
@@ -57,11 +58,13 @@ class Premises:
         """How many definitions a symbol has at most."""
         return max(map(len, self.definitions.values()), default=1)
 
-    def assumed(self, found: Iterable[Quantity], but: Iterable[Quantity] = ()) -> tuple[Hypothesis, ...]:
-        """The facts of the symbols, except of those that a rule replaces."""
-        ruled = {symbol for symbol, order in but if order == 0}
-        symbols = dict.fromkeys(symbol for symbol, _ in found if symbol not in ruled)
-        return tuple(fact for symbol in symbols for fact in self.facts(symbol))
+    def assumed(self, found: Iterable[Quantity], rules: Rules, everything: bool) -> tuple[Hypothesis, ...]:
+        """The facts of the symbols; of those that a rule replaces, if `everything`, as equations on what it says."""
+        ruled = {symbol for symbol, order in rules if order == 0}
+        symbols = dict.fromkeys(symbol for symbol, _ in found)
+        facts = [fact for symbol in symbols if symbol not in ruled for fact in self.facts(symbol)]
+        said = [_restated(fact) for symbol in symbols if everything and symbol in ruled for fact in self.facts(symbol)]
+        return (*facts, *said)
 
     def restricting(self, found: Iterable[Quantity], rules: Rules) -> tuple[PosedEquation, ...]:
         """The posed equations on symbols found; of those that the notation knows only where it knows all."""
@@ -86,6 +89,12 @@ class Premises:
                 return tuple(each for each in self.posed if each in chosen)
             chosen += more
             reached |= {symbol for each in more for symbol in _free(each, rules)}
+
+
+def _restated(fact: Hypothesis) -> Hypothesis:
+    """A hypothesis on a symbol, as its equations between expressions."""
+    differences = tuple(Sum((left, Negative(right))) for left, right in fact.equations)
+    return with_fields(fact, kind="posed", subjects=differences, free=True) if differences else fact
 
 
 def _free(posed: PosedEquation, rules: Rules) -> set[Symbol]:

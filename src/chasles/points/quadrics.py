@@ -43,7 +43,9 @@ def on_quadrics(context: Context, point: Point, bound: set[Symbol], draw: Random
 
 
 def _places(context: Context, generator: Generator) -> set[int]:
-    return {k for powers, _ in context.field.ring.terms(generator.polynomial) for k, power in enumerate(powers) if power}
+    return {
+        k for powers, _ in context.field.ring.terms(generator.polynomial) for k, power in enumerate(powers) if power
+    }
 
 
 def _may_move(context: Context, place: int, bound: set[Symbol]) -> bool:

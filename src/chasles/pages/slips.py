@@ -1,0 +1,97 @@
+"""What a refuted equation of a page was meant to say: a true equation one slip of the pen away, which says something.
+
+Only that shows it to be a slip. Where no such equation is near, it may as well be a condition.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace as with_fields
+from fractions import Fraction
+from itertools import islice
+
+from chasles.decisions.session import Session
+from chasles.pages.bounded_proofs import proof_of
+from chasles.pages.edited_marks import one_mark_away
+from chasles.pages.premises import Premises, quantities, quantity
+from chasles.repairs.modular_testing import REFUSED, modular_test
+from chasles.repairs.repair import Repair, repair
+from chasles.statements import Claim
+from chasles.verdict import Holds, HoldsUnder
+from chasles.vocabulary import Node, Number, Sum, Symbol, Zero, walk
+
+__all__ = ["true_but_for_a_slip"]
+
+EFFORT = 3e5
+"""The work that the search for what was meant may take, in products of terms."""
+MOST_EDITS = 60
+"""So many changes of one mark are proved or refuted; what does not vanish at random points is no proof's matter."""
+MOST_TESTS = 600
+"""So many are tried at random points."""
+
+
+def true_but_for_a_slip(
+    claim: Claim, attempts: Sequence[Claim], premises: Premises, session: Session
+) -> Iterator[Repair]:
+    """The true equations one slip away from a claim; `attempts` are the claim with premises, the most with the last."""
+    if _is_one_term_said_to_vanish(claim):
+        return
+    known = {symbol for symbol, _ in premises.definitions}
+    edits = one_mark_away(*claim.printed, lambda symbol: symbol in known or bool(premises.facts(symbol)))
+    candidates = _likely(attempts[-1], islice(edits, MOST_TESTS), session)
+    for left, right, said in islice(candidates, MOST_EDITS):
+        verdict = proof_of(with_fields(attempts[-1], left=left, right=right), session)
+        if isinstance(verdict, Holds | HoldsUnder):
+            yield Repair(left, right, (said,), 1, verdict)
+    for attempt in attempts:
+        for found in repair(attempt, session.accepted, EFFORT):
+            if found.edits == 1 and found.left != found.right and _is_slip(claim, found, premises):
+                yield found
+
+
+def _likely(
+    claim: Claim, edits: Iterable[tuple[Node, Node, str]], session: Session
+) -> Iterator[tuple[Node, Node, str]]:
+    """The edits that agree at random points where the premises hold; all of them where there are no such points."""
+    try:
+        test = modular_test(claim, *claim.printed, session.accepted)
+    except REFUSED:
+        test = None
+    for left, right, said in edits:
+        try:
+            if test is None or not any(test.residual_of(test.varied, left, right)):
+                yield left, right, said
+        except REFUSED:
+            yield left, right, said
+
+
+def _is_slip(claim: Claim, found: Repair, premises: Premises) -> bool:
+    """Whether what is changed is a mark; or one letter, in what is said of a quantity that is known.
+
+    Another letter, or another term, may make any condition true.
+    """
+    before, after = _symbols(claim.printed), _symbols((found.left, found.right))
+    if before == after:
+        return True
+    known = {**premises.defined(), **premises.proved}
+    is_one_letter = (before - after).total() == (after - before).total() == 1
+    said = {symbol for symbol, _ in known}
+    is_about_known = any(quantity(side) in known for side in claim.printed) or all(
+        symbol in said or premises.facts(symbol) for side in claim.printed for symbol, _ in quantities(side)
+    )
+    return is_one_letter and is_about_known
+
+
+def _symbols(sides: Iterable[Node]) -> Counter[Node]:
+    return Counter(part for side in sides for part in walk(side) if isinstance(part, Symbol))
+
+
+def _is_one_term_said_to_vanish(claim: Claim) -> bool:
+    """Whether a slip of the pen would have left it as true or as false."""
+    one, other = claim.printed
+    zero = (Number(Fraction(0)),)
+    return any(
+        (right in zero or isinstance(right, Zero)) and not isinstance(left, Sum)
+        for left, right in ((one, other), (other, one))
+    )
