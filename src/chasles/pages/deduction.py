@@ -278,11 +278,12 @@ class Deduction:
         return self._with(claim, rules, posed, everything=True)
 
     def _instead(self, claim: Claim) -> Repair | None:
-        """A true equation but for one slip, under what the page says of the claim's symbols."""
+        """A true equation but for one slip, under what the page says of the claim's symbols and does not leave open."""
         rules = self.premises.defined()
         deep = chosen_rules(claim.printed, rules)
         shallow = chosen_rules(claim.printed, {**rules, **self.premises.proved}, deep=False)
-        posed = self.premises.restricting(free_quantities(claim.printed, deep), deep)[-MOST_POSED:]
+        known = self.premises.restricting(free_quantities(claim.printed, deep), deep)
+        posed = tuple(each for each in known if not each.open)[-MOST_POSED:]
         sets = [(shallow, ()), (deep, ()), (chosen_rules(_sides(claim, posed), rules), posed)]
         attempts = [self._with(claim, *each) for each in sets[shallow == deep : 3 if posed else 2]]
         return next(true_but_for_a_slip(claim, attempts, self.premises, self.session), None)

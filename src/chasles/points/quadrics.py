@@ -1,11 +1,12 @@
 """Rational points on what equations between expressions describe: each equation is solved for symbols still free.
 
-An equation linear in a symbol gives its value. One of second degree is a quadric: from one rational point of it, a line
-in any direction meets it in another (stereographic projection).
+An equation of second degree is a quadric: from one rational point of it, a line in any direction meets it in another
+(stereographic projection). What gives a symbol in terms of others is left to adjustment.
 """
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from math import prod
@@ -34,12 +35,21 @@ def on_quadrics(context: Context, point: Point, bound: set[Symbol], draw: Random
         places = _places(context, generator)
         if any(context.variables[k].name not in point for k in places):
             continue
-        own = {k for k in places if _may_move(context, k, bound | tied)}
+        movable = {k for k in places if _may_move(context, k, bound)}
+        if _gives_a_symbol(_terms(context, generator, movable, point)):
+            continue
+        own = {k for k in movable if context.variables[k].symbol not in tied}
         if own and not is_zero(evaluate(context, generator.polynomial, point)):
             found = _solved(_terms(context, generator, own, point), sorted(own), draw, rich)
             point.update({context.variables[k].name: value for k, value in found.items()})
         tied |= {symbol for k in places if (symbol := context.variables[k].symbol) is not None}
     return tied
+
+
+def _gives_a_symbol(terms: Terms) -> bool:
+    """Whether an unknown occurs in one term alone, by itself."""
+    occurring = Counter(k for _, powers in terms for k in powers)
+    return any(powers == {k: 1} and occurring[k] == 1 for _, powers in terms for k in powers)
 
 
 def _places(context: Context, generator: Generator) -> set[int]:

@@ -1,0 +1,49 @@
+"""A slip planted on a page is told: what was right becomes wrong, with what it should say."""
+
+from __future__ import annotations
+
+import re
+
+from chasles import read
+
+NOTATION = r"""
+[operators]
+skew = ['[#]_\times']
+
+[symbols]
+'q_{0}' = 'scalar'
+'\mathbf{q}' = 'vector'
+'q_{1|2|3}' = { is = "component", of = '\mathbf{q}' }
+'\mathbf{C}' = 'rotation'
+
+[page]
+assuming = ['q_0^2 + \|\mathbf{q}\|^2 = 1']
+"""
+PAGE = r"""
+$$\mathbf C = \mathbf 1 + 2 q_0 [\mathbf q]_\times + 2 [\mathbf q]_\times^2$$
+$$\mathbf C = \begin{bmatrix}
+ q_0^2 + q_1^2 - q_2^2 - q_3^2 & 2q_1q_2 - 2q_0q_3 & 2q_0q_2 + 2q_1q_3 \\
+ 2q_0q_3 + 2q_1q_2 & q_0^2 - q_1^2 + q_2^2 - q_3^2 & 2q_2q_3 - 2q_0q_1 \\
+ 2q_1q_3 - 2q_0q_2 & 2q_0q_1 + 2q_2q_3 & q_0^2 - q_1^2 - q_2^2 + q_3^2 \end{bmatrix}$$
+$$\mathbf C^T = \mathbf 1 - 2 q_0 [\mathbf q]_\times + 2 [\mathbf q]_\times^2$$
+"""
+SLIPS = ((r" \+ ", " - "), (r" - ", " + "), (r"\^T", ""), (r"q_1", "q_2"), (r"2q_0", "q_0"))
+
+
+def slips() -> list[str]:
+    """The page with one slip, for every fifth place at which one can be."""
+    places = [(found.span(), instead) for pattern, instead in SLIPS for found in re.finditer(pattern, PAGE)]
+    return [PAGE[:begin] + instead + PAGE[end:] for (begin, end), instead in places[::4]]
+
+
+def test_the_page_is_right() -> None:
+    assert [each.verdict for each in read(PAGE, NOTATION).equations] == ["defined", "holds-under", "holds"]
+
+
+def test_each_slip_is_told_with_what_is_right() -> None:
+    pages = [read(slip, NOTATION) for slip in slips()]
+    assert len(pages) > 8
+    for page in pages:
+        wrong = [each for each in page.equations if each.verdict == "fails"]
+        assert wrong, repr(page)
+        assert all(each.finding is not None and each.finding.instead for each in wrong)
