@@ -72,20 +72,12 @@ def _row(raw: list[Token]) -> DisplayRow:
     while at < len(raw):
         text, at = raw[at].text, at + 1
         if text in (r"\tag", r"\label", r"\nonumber", r"\notag"):
-            end = _end_of_argument(raw, at) if text in (r"\tag", r"\label") else at
+            start = next((k for k in range(at, len(raw)) if raw[k].text == "{"), len(raw))
+            end = closing(raw, start) + 1 if text in (r"\tag", r"\label") and start < len(raw) else at
             said[text], at = re.sub(r"^\*?\s*\{|\}$", "", spelled(raw[at:end])).strip("()$ "), end
         else:
             kept.append(raw[at - 1])
     return DisplayRow(kept, said.get(r"\tag"), said.get(r"\label"), r"\nonumber" in said or r"\notag" in said)
-
-
-def _end_of_argument(raw: list[Token], at: int) -> int:
-    depth = 0
-    for end in range(at, len(raw)):
-        depth += (raw[end].text == "{") - (raw[end].text == "}")
-        if depth <= 0 and raw[end].text == "}":
-            return end + 1
-    return len(raw)
 
 
 def equations_of(
@@ -175,7 +167,7 @@ def _lines(tokens: list[Token], environment: str) -> Iterator[tuple[list[Token],
     inside = tokens
     start = int(len(bare) > 1 and bare[0].text == r"\{")
     begin = BEGIN.match(bare[start].text) if bare else None
-    if begin and closing(tuple(bare), start) == len(bare) - 1:
+    if begin and closing(bare, start) == len(bare) - 1:
         name = begin[1]
         rows = [row for row in cut(bare[start + 1 : -1], ROW_END) if {token.text for token in row} - {"&", r"\quad"}]
         is_system = (start > 0 or "cases" in name) and name in SYSTEMS and all(map(_relations, rows))

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from lark import Token as Terminal
 
+from chasles.reading import commands
 from chasles.reading.commands import MARKS, OPERATORS, STYLES, TWO_ARGUMENTS
+from chasles.reading.lexemes import cut
 from chasles.reading.tokens import Token
 
 __all__ = ["RELATIONS", "TYPEFACES", "Grid", "Tokens", "Unread", "closing", "grouped", "lines_of"]
@@ -15,13 +17,7 @@ __all__ = ["RELATIONS", "TYPEFACES", "Grid", "Tokens", "Unread", "closing", "gro
 Tokens = tuple[Token, ...]
 TYPEFACES = frozenset(STYLES)
 ARGUMENTS = dict.fromkeys((*TYPEFACES, *MARKS, r"\sqrt"), 1) | dict.fromkeys(TWO_ARGUMENTS, 2)
-RELATIONS = {
-    "=": "=", r"\equiv": r"\equiv", ":=": r"\equiv", r"\triangleq": r"\equiv", r"\coloneqq": r"\equiv",
-    r"\coloneq": r"\equiv", r"\doteq": r"\equiv", r"\eqdef": r"\equiv", "<": "<", ">": ">", r"\lt": "<", r"\gt": ">",
-    r"\leq": r"\leq", r"\le": r"\leq", r"\geq": r"\geq", r"\ge": r"\geq", r"\neq": r"\neq", r"\ne": r"\neq",
-    **{sign: sign for sign in (r"\approx", r"\simeq", r"\cong", r"\sim", r"\to", r"\rightarrow", r"\in", r"\propto",
-       r"\Rightarrow", r"\implies", r"\iff", r"\Leftrightarrow", r"\mapsto", r"\ll", r"\gg", r"\subset")},
-}  # fmt: skip
+RELATIONS = {sign: sign for sign in commands.RELATIONS} | dict.fromkeys((":=", r"\triangleq", r"\doteq"), r"\equiv")
 """Relations, and the sign that each is in words; of those that have none, the sign itself."""
 INFIXES = (OPERATORS | {"*", ":", r"\ominus", r"\boxminus", r"\vee"}) - {"+", "-", r"\pm", r"\mp"}
 OPENING = ("(", "[", r"\{", r"\langle", r"\lfloor", r"\lceil", r"\llbracket")
@@ -48,7 +44,7 @@ class Grid:
     place: Token
 
 
-def closing(tokens: Tokens, start: int) -> int:
+def closing(tokens: Sequence[Token], start: int) -> int:
     """Where the brace, or the environment, that opens at `start` closes."""
     depth = 0
     for place in range(start, len(tokens)):
@@ -61,17 +57,7 @@ def closing(tokens: Tokens, start: int) -> int:
 
 def lines_of(tokens: Iterable[Token], marks: tuple[str, ...]) -> list[list[Token]]:
     """The tokens cut at these marks, outside of all braces, brackets and environments."""
-    lines: list[list[Token]] = [[]]
-    depth = 0
-    for token in tokens:
-        text = token.text
-        if depth == 0 and text in marks:
-            lines.append([])
-            continue
-        depth += text in ("{", *OPENING) or text.startswith(BEGIN)
-        depth -= depth > 0 and (text in ("}", *CLOSING) or text.startswith(END))
-        lines[-1].append(token)
-    return lines
+    return cut(tokens, marks, OPENING, CLOSING)
 
 
 def grouped(tokens: Tokens) -> list[Terminal]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import NamedTuple
 
 __all__ = ["LEXEME", "MOST_LEXEMES", "BadPage", "Token", "blank", "cut", "lexemes", "spelled"]
@@ -58,12 +58,15 @@ def spelled(raw: Iterable[Token]) -> str:
     return text.strip()
 
 
-def cut(tokens: Sequence[Token], signs: tuple[str, ...]) -> list[list[Token]]:
-    """The tokens parted at these signs, where they are in no group and no environment."""
+def cut(
+    tokens: Iterable[Token], signs: tuple[str, ...], opening: tuple[str, ...] = (), closing: tuple[str, ...] = ()
+) -> list[list[Token]]:
+    """The tokens parted at these signs, where they are in no group, no environment and no such brackets."""
     parts: list[list[Token]] = [[]]
     depth = 0
     for token in tokens:
-        depth += bool(GROUP_OPENING.match(token.text)) - bool(GROUP_CLOSING.match(token.text))
+        depth += bool(GROUP_OPENING.match(token.text)) or token.text in opening
+        depth -= depth > 0 and (bool(GROUP_CLOSING.match(token.text)) or token.text in closing)
         if depth == 0 and token.text in signs:
             parts.append([])
         else:
