@@ -230,7 +230,6 @@ def test_in_an_integral_a_letter_means_what_runs_over_the_body():
             [3, 4, 6],
         ),
         ("\\mathbf{p} = \\mathbf{a}, \\quad\n\\mathbf{p}\n= \\mathbf{b}", [2, 3]),
-        ("\\begin{aligned}\\mathbf{p} = \\mathbf{a} \\\\\n\\mathbf{b} \\\\ = \\mathbf{b}\\end{aligned}", [2, 3]),
     ],
 )
 def test_each_part_has_its_line(text: str, lines: list[int]):

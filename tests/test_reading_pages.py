@@ -397,3 +397,10 @@ def test_hostile_formulas_are_told_in_a_line(text: str, why: str) -> None:
     (found,) = read_equations(displayed(f"$$ {text} $$", "tex"), load_notation("[symbols]\na = 'scalar'"))
     assert found.status == "unread"
     assert why in found.why
+
+
+@pytest.mark.parametrize("page", [r"$$ a = b \tag{3 $$ $$ c = d $$", r"$$ a = b \tag $$ $$ c = d $$"])
+def test_a_number_without_an_end_is_told(page: str) -> None:
+    first, *_, last = displayed(page, "tex")
+    assert first.line == 1
+    assert last.fault or last.latex in ("c = d", "a = b")

@@ -9,10 +9,10 @@ from typing import NamedTuple
 from chasles.reading import commands
 from chasles.reading.atoms import respelled
 from chasles.reading.grouping import closing
-from chasles.reading.lexemes import Token, cut, spelled
+from chasles.reading.lexemes import BadPage, Token, cut, lexemes, spelled
 from chasles.reading.tokens import without_layout
 
-__all__ = ["DisplayRow", "DisplayedEquation", "equations_of", "rows_of", "states_relation"]
+__all__ = ["DisplayRow", "DisplayedEquation", "equations_of", "rows_of", "states_relation", "tokens_of_equation"]
 
 ROW_END = ("\\\\", r"\cr")
 WRAPPERS = re.compile(
@@ -72,12 +72,20 @@ def _row(raw: list[Token]) -> DisplayRow:
     while at < len(raw):
         text, at = raw[at].text, at + 1
         if text in (r"\tag", r"\label", r"\nonumber", r"\notag"):
-            start = next((k for k in range(at, len(raw)) if raw[k].text == "{"), len(raw))
-            end = closing(raw, start) + 1 if text in (r"\tag", r"\label") and start < len(raw) else at
+            end = _end_of_argument(raw, at) if text in (r"\tag", r"\label") else at
             said[text], at = re.sub(r"^\*?\s*\{|\}$", "", spelled(raw[at:end])).strip("()$ "), end
         else:
             kept.append(raw[at - 1])
     return DisplayRow(kept, said.get(r"\tag"), said.get(r"\label"), r"\nonumber" in said or r"\notag" in said)
+
+
+def _end_of_argument(raw: list[Token], at: int) -> int:
+    depth = 0
+    for end in range(at, len(raw)):
+        depth += (raw[end].text == "{") - (raw[end].text == "}")
+        if depth <= 0 and raw[end].text == "}":
+            return end + 1
+    return len(raw)
 
 
 def equations_of(
@@ -100,6 +108,14 @@ def equations_of(
     if len(rows) > 1 or len({equation.number for equation in found}) > 1:
         return found
     return [_joined(found)] if found else []
+
+
+def tokens_of_equation(latex: str, line: int = 1, column: int = 1) -> tuple[Token, ...]:
+    """The tokens of one equation, its parts set off by a row's end; raises `BadPage` for one that is not clear."""
+    (found,) = equations_of("", rows_of(lexemes(latex, line, column), False)[:1], [None]) or [DisplayedEquation([], [])]
+    if found.fault:
+        raise BadPage(found.fault, line, column)
+    return tuple(found.tokens)
 
 
 def _added(found: list[DisplayedEquation], new: DisplayedEquation, line: list[Token]) -> list[DisplayedEquation]:

@@ -8,10 +8,11 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from chasles.reading.abbreviations import written_out
+from chasles.reading.alignment import tokens_of_equation
 from chasles.reading.context import FittingContext
 from chasles.reading.fits import MOST, UNUSUAL, Fit, letters_agree
 from chasles.reading.grammar import Chain, formula
-from chasles.reading.grouping import RELATIONS, Tokens, Unread, closing, lines_of
+from chasles.reading.grouping import RELATIONS, Tokens, Unread, lines_of
 from chasles.reading.page_functions import functions_in
 from chasles.reading.page_notation import PageNotation
 from chasles.reading.printed import PrintedEquation
@@ -25,8 +26,6 @@ from chasles.vocabulary.measure import added
 
 __all__ = ["expressions", "read_equations", "segments"]
 
-ALIGNED = ("aligned", "align", "split", "gathered", "alignedat", "gather", "equation", "eqnarray", "multline",
-           "multlined", "flalign")  # fmt: skip
 CONDITIONS = ("for", "if", "when", "where", "provided", "with", "as", "i.e.")
 KNOWN = ("=", r"\equiv", "<", ">", r"\leq", r"\geq", r"\neq", r"\approx", r"\simeq")
 MOST_READINGS = 6
@@ -88,7 +87,7 @@ def _as_noted(equation: PrintedEquation, notation: PageNotation) -> Tokens:
     """The tokens of the equation, or of what the notation says that the print should be."""
     for name in (equation.number, equation.label):
         if name is not None and "reading" in notation.notes.get(name, {}):
-            return tokens(notation.notes[name]["reading"])
+            return tokens_of_equation(notation.notes[name]["reading"])
     return equation.tokens
 
 
@@ -123,25 +122,10 @@ def _read(
     return ReadEquation(equation, tuple(readings)), last[cut + 1 :]
 
 
-def _opened(marks: Tokens) -> Tokens:
-    """The tokens without the environments that align lines."""
-    while marks and marks[0].text.startswith(r"\begin{") and marks[0].text[7:-1].rstrip("*") in ALIGNED:
-        end = closing(marks, 0)
-        marks = marks[1:end] + marks[end + 1 :]
-    return marks
-
-
 def segments(marks: Tokens) -> list[tuple[Tokens, bool]]:
-    """What stands side by side or line by line, and whether it is a condition; a line that begins with = goes on."""
-    whole: list[list[Token]] = []
-    for aligned in lines_of(_opened(marks), (r"\\",)):
-        line = [mark for part in lines_of(aligned, ("&",)) for mark in part]
-        if not line:
-            continue
-        goes_on = bool(whole) and (line[0].text in RELATIONS or not any(mark.text in RELATIONS for mark in line))
-        whole = [*whole[:-1], whole[-1] + line] if goes_on else [*whole, line]
+    """What stands side by side or line by line, and whether it is a condition."""
     found: list[tuple[Tokens, bool]] = []
-    for line in whole:
+    for line in filter(None, lines_of(marks, (r"\\",))):
         condition = False
         for part, word in _side_by_side(line):
             condition = condition or word.lower().startswith(CONDITIONS)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from chasles.reading.tokens import BadPage, Token, tokens
+from chasles.reading.alignment import tokens_of_equation
+from chasles.reading.tokens import BadPage, Token
 
 __all__ = ["BadPage", "PrintedEquation"]
 
@@ -32,4 +33,4 @@ class PrintedEquation:
         """The equation's tokens with their places in the page; raises `BadPage` for a display that has a fault."""
         if self.fault:
             raise BadPage(self.fault, self.line, self.column)
-        return self.found or tokens(self.latex, self.line, self.column)
+        return self.found or tokens_of_equation(self.latex, self.line, self.column)
