@@ -6,6 +6,7 @@ import tomllib
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import fields
+from functools import cache
 from importlib import import_module
 from pathlib import Path
 from types import ModuleType
@@ -44,10 +45,13 @@ from chasles.vocabulary import (
 PRINTED: dict[str, str] = tomllib.loads((Path(__file__).parent / "printed.toml").read_text(encoding="utf-8"))
 CHAPTER = load()
 NOTATION = in_module(import_module("chasles.derivations.notation"))
-READ = {
-    each.printed.number: each
-    for each in read_equations([PrintedEquation(text, number=number) for number, text in PRINTED.items()], NOTATION)
-}
+
+
+@cache
+def of_the_book() -> dict[str, ReadEquation]:
+    """What is read of each printed equation, by its number."""
+    printed = [PrintedEquation(text, number=number) for number, text in PRINTED.items()]
+    return {each.printed.number: each for each in read_equations(printed, NOTATION)}
 
 
 def ungrouped(node: Node) -> Any:
@@ -80,7 +84,7 @@ def read(text: str) -> ReadEquation:
 
 
 def test_the_chapter_is_read():
-    unread = {number: each.why for number, each in READ.items() if each.status == "unread"}
+    unread = {number: each.why for number, each in of_the_book().items() if each.status == "unread"}
     assert len(unread) <= 0.03 * len(PRINTED), unread
 
 
@@ -90,7 +94,7 @@ def test_what_is_read_is_what_is_declared():
         if isinstance(entry.statement, Statement) and entry.number in PRINTED:
             declared.setdefault(entry.number, []).append(entry.statement)
     found = Counter(
-        any(sides_of(reading.parts) == sides_of(parts) for reading in READ[number].readings)
+        any(sides_of(reading.parts) == sides_of(parts) for reading in of_the_book()[number].readings)
         for number, parts in declared.items()
     )
     assert found[True] >= 0.88 * len(declared)
@@ -98,11 +102,11 @@ def test_what_is_read_is_what_is_declared():
 
 @pytest.mark.parametrize("number", ["3.2", "3.13", "3.50", "3.76d", "3.130", "3.143"])
 def test_it_prints_the_tokens_of_the_page(number: str):
-    (*parts,) = READ[number].readings[0].parts
+    (*parts,) = of_the_book()[number].readings[0].parts
     said = tokens_of(latex(parts[0].left)) + tokens_of(parts[0].sign)
     for part in parts:
         said += tokens_of(latex(part.right)) + (tokens_of(part.sign) if part is not parts[-1] else ())
-    page = tuple(token.text for token in READ[number].printed.tokens)
+    page = tuple(token.text for token in of_the_book()[number].printed.tokens)
     assert len(said) > 6
     assert said == tokens_of(" ".join(page))
 
@@ -217,7 +221,7 @@ def test_each_meaning_of_a_letter_is_kept_where_a_size_is_open():
 
 
 def test_in_an_integral_a_letter_means_what_runs_over_the_body():
-    (reading,) = READ["3.130"].readings
+    (reading,) = of_the_book()["3.130"].readings
     meanings = {symbol.letter: symbol.meaning for symbol in symbols_of(reading.parts[0].right)}
     assert meanings[r"\mathbf{r}"] == "position of P from the center of mass"
 
