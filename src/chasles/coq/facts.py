@@ -7,10 +7,10 @@ from functools import cached_property
 
 from chasles import vocabulary as w
 from chasles.checker.quantities import squeezed
-from chasles.checker.sparse import cleared
+from chasles.checker.sparse import ZERO, Polynomial, cleared, exponents
 from chasles.coq.expressions import ATOM, Unsaid
 from chasles.coq.motion import Instant
-from chasles.coq.polynomials import Polynomials
+from chasles.coq.polynomials import Polynomials, literal
 from chasles.coq.sources import StatedEntry
 from chasles.coq.statement import CoqStatement
 
@@ -28,7 +28,7 @@ class KnownFacts:
         self.squares: list[str] = []
         self._norms: dict[w.Node, str] = {}
         self._angles: list[tuple[str, w.Call]] = []
-        self._integrals: list[tuple[str, w.Integral]] = []
+        self._integrals: list[tuple[str, w.Integral, str]] = []
 
     @cached_property
     def identity(self) -> str:
@@ -46,6 +46,8 @@ class KnownFacts:
         name = f"norm'{len(self._norms)}"
         self._norms[node.of] = name
         vector = self.instant.spelling.matrix(node.of, ATOM)
+        if not self.reading.keeps_squares:
+            yield f"rewrite ?(norm_square {vector}), ?(norm_fourth {vector})."
         yield f"generalize (norm_squared {vector}) (norm_not_negative {vector}); generalize (norm {vector});"
         yield f"  intros {name} square'{name} positive'{name}."
 
@@ -94,22 +96,66 @@ class KnownFacts:
             yield f"assert (value'{name} : {name} = {value}) by (rewrite of'{name}; words; turned)."
             yield f"clear of'{name}. subst {name}."
 
-    @property
-    def names_of_angles(self) -> list[str]:
-        """What to call the premises that say of what angles these numbers are cosines and sines."""
-        return [f"of'{name}" for name, _ in reversed(self._angles)]
-
     # Integrals.
 
     def named_integrals(self) -> Iterator[str]:
         """Integrals as numbers and matrices of their own."""
-        if self.said.integrals:
-            raise Unsaid("integrals")
-        yield from ()
+        for node in dict.fromkeys(self.said.integrals):
+            name = f"integral'{len(self._integrals)}"
+            self._integrals.append((name, node, f"of'{name}"))
+            side = self.instant.spelling.number if node.shape == (1, 1) else self.instant.spelling.matrix
+            yield f"remember {side(node, ATOM)} as {name} eqn:of'{name}; revert of'{name}."
 
-    def of_integrals(self) -> Iterator[str]:
-        """What they are, in moments."""
-        yield from ()
+    def of_integrals(self, divided: bool) -> Iterator[str]:
+        """What they are, and what their rates are, in moments: of those without divisors, or of the others."""
+        rates = [(name, node, f"def'{name}") for node, name in self.instant.integrals.items()]
+        if self.said.integrals and not divided:
+            yield "destruct linear' as [plus' scale']."
+        for name, node, known in (*self._integrals, *rates):
+            if divided != self._has_divisors(node):
+                continue
+            entries = [[self.spell(entry) for entry in row] for row in self.reading(node)]
+            value = entries[0][0] if node.shape == (1, 1) else literal(entries)
+            yield f"assert (value'{name} : {name} = {value})."
+            yield f"{{ rewrite {known}. words. entries."
+            for entry, running in self._integrands(node):
+                yield f"  - {self._integrated(entry, running)}"
+            yield "}"
+            yield f"clear {known}. subst {name}."
+
+    def _has_divisors(self, node: w.Node) -> bool:
+        divisors = set(range(len(self.reading.nonzero)))
+        return any(not divisors.isdisjoint(entry.places) for row in self.reading(node) for entry in row)
+
+    def _integrands(self, node: w.Node) -> Iterator[tuple[Polynomial, frozenset[w.Symbol]]]:
+        """What is integrated, entry by entry, and what differs from element to element there."""
+        integral = self.instant.told(node) if isinstance(node, w.Rate) else node
+        assert isinstance(integral, w.Integral)
+        for row in self.reading(integral.of):
+            for entry in row:
+                yield self.reading.rate(entry) if isinstance(node, w.Rate) else entry, integral.running
+
+    def _integrated(self, entry: Polynomial, running: frozenset[w.Symbol]) -> str:
+        """The steps by which an integral is a sum of multiples of moments."""
+        parts: dict[int, Polynomial] = {}
+        for monomial, coefficient in entry.terms.items():
+            kinds = [(k, e, self.reading.variables[k]) for k, e in exponents(monomial)]
+            inside = sum(e << 8 * k for k, e, what in kinds if what[0] == "entry" and what[1] in running)
+            parts[inside] = parts.get(inside, ZERO) + Polynomial({monomial - inside: coefficient}, entry.below)
+        products = [f"{self.spell(rest)} * {self.spell(Polynomial({inside: 1}))}" for inside, rest in parts.items()]
+        products = products or ["0 * 0"]
+        total = " + (".join(products) + ")" * (len(products) - 1)
+        split = "rewrite plus'; " * (len(products) - 1)
+        return (
+            f"transitivity (integral (fun b => {total})); [f_equal; extensionality b; rewrite ?norm_square; words; "
+            f"{self.identity} | {split}rewrite !scale'; spelled_out integral; identity]."
+        )
+
+    @property
+    def names_of_words(self) -> list[str]:
+        """What to call the premises that say what these numbers and matrices are."""
+        named = [*(name for name, *_ in self._integrals), *(name for name, _ in self._angles)]
+        return [f"of'{name}" for name in reversed(named)]
 
     # What is not zero, and what vanishes.
 
@@ -117,7 +163,9 @@ class KnownFacts:
         """The factors that are not zero."""
         problem = self.instant.problem
         divisors = [(h, node) for h in problem.hypotheses for node in h.nonvanishing]
-        for k, (hypothesis, _) in enumerate(divisors):
+        for k, (hypothesis, node) in enumerate(divisors):
+            if any(self.said.runs(part) for part in w.walk(node)) and not isinstance(node, w.Integral):
+                continue
             source = self.instant.source(hypothesis)
             if hypothesis.kind == "definite":
                 if hypothesis.subjects[0].shape != (3, 3):
@@ -149,7 +197,8 @@ class KnownFacts:
         source = self.sources[label]
         below = self.spell.product(source.below) or "1"
         equation = self.instant.equation(source)
-        squares = "".join(f" rewrite ?{each};" for each in self.squares)
+        squares = "".join(f"rewrite ?{each}; " for each in self.squares)
+        steps = f"first [fraction | {squares}fraction]" if squares else "fraction"
         if source.left.shape == (1, 1):
-            return f"apply (equal_numbers ({below}) _ _ _ {equation}); words;{squares} fraction"
-        return f"apply (equal_entries ({below}) _ _ {source.i} {source.j} _ {equation}); words;{squares} fraction"
+            return f"apply (equal_numbers ({below}) _ _ _ {equation}); words; {steps}"
+        return f"apply (equal_entries ({below}) _ _ {source.i} {source.j} _ {equation}); words; {steps}"

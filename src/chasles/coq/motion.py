@@ -45,6 +45,7 @@ class Instant:
             for node in self.defined
             if isinstance(node, w.Rate) and node not in said.rules and node not in self._turned
         ]
+        self.integrals = {node: self.defined[node] for node in self.derived if isinstance(self.told(node), w.Integral)}
         self._kept = [
             each
             for each in said.premises
@@ -64,6 +65,11 @@ class Instant:
             spell.spins[spin] = (name, f"{name}_dot")
             self._turned[left] = self.said.names.rates[left]
             yield spin, names
+
+    def told(self, node: w.Rate) -> w.Node:
+        """What a rate is the rate of, by its definition."""
+        of = bare_rate(node.of)
+        return bare_of(self.said.rules.get(of, of))
 
     def _is_free(self, node: w.Rate) -> bool:
         """Whether nothing says what a rate is."""
@@ -162,28 +168,36 @@ class Instant:
             sides, equal = "_ _", f"exact def'{self.said.names.rates[of]}"
         else:
             opened = self._opened(self.said.rules.get(of, of))
-            sides, equal = f"{self._function(of)} {self._function(opened)}", self._by_definitions()
+            sides, equal = (
+                f"{self._function(of)} {self._function(opened)}",
+                self._by_definitions(isinstance(opened, w.Integral)),
+            )
         yield (
-            f"eassert (def'{name} : forall t, T t -> {name} t = _) by (intros s' H_s'; eapply ({lemma} T {sides} s'); "
-            f"[exact open'T | exact H_s' | {equal} | exact (rate'{name} s' H_s') | rates])."
+            f"eassert (def'{name} : forall t, T t -> {name} t = _) by (intros s' now's; eapply ({lemma} T {sides} s'); "
+            f"[exact open'T | exact now's | {equal} | exact (rate'{name} s' now's) | rates])."
         )
 
-    def _by_definitions(self) -> str:
-        rules = [
-            f"?(def'{name} x' H_x')"
-            for node, name in self.defined.items()
-            if node in self.said.rules and self.said.moves(node) and not self.said.runs(node)
-        ]
-        rewritten = f"rewrite {', '.join(rules * 2)}; " if rules else ""
-        return f"intros x' H_x'; {rewritten}reflexivity"
+    def _by_definitions(self, integrated: bool) -> str:
+        """That two expressions are the same, by what is given."""
+        rules: dict[bool, list[str]] = {False: [], True: []}
+        for node, name in self.defined.items():
+            if node in self.said.rules:
+                runs = self.said.runs(node)
+                now = " x' now'x" * self.said.moves(node)
+                rules[runs].append(f"?(def'{name}{now}{' b' * runs})")
+        steps = [f"rewrite {', '.join(rules[False] * 2)}"] if rules[False] else []
+        if integrated:
+            steps += ["apply f_equal", "extensionality b"]
+            steps += [f"rewrite {', '.join((rules[True] + rules[False]) * 2)}"] if rules[True] else []
+        return "; ".join(["intros x' now'x", *steps, "reflexivity"])
 
     def _opened(self, node: w.Node) -> w.Node:
         """An expression in symbols that have a rate here, or none."""
         node = bare_of(node)
-        if isinstance(node, w.Rate | w.Integral):
+        if isinstance(node, w.Rate):
             return node
         if isinstance(node, w.Symbol):
-            if w.Rate(node) in self.said.names.rates or node not in self.said.rules:
+            if not self.said.moves(node) or w.Rate(node) in self.said.names.rates or node not in self.said.rules:
                 return node
             return self._opened(self.said.rules[node])
         return w.rebuilt(node, tuple(map(self._opened, w.children(node)))) if w.children(node) else node
@@ -200,13 +214,13 @@ class Instant:
             premise = self._premise(source.about)
             if not premise.moves:
                 raise Unsaid(f"the rate of {source.left}, which does not move")
-            known = self._said(source, f"({premise.name} x' H_x')")
-            known = f"(fun x' H_x' => {known})"
+            known = self._said(source, f"({premise.name} x' now'x)")
+            known = f"(fun x' now'x => {known})"
         else:
             sides, known = "_ _", f"{source.stem}_{source.order - 1}"
         yield (
-            f"eassert ({source.name} : forall t, T t -> _ = _) by (intros s' H_s'; eapply ({lemma} T {sides} s'); "
-            f"[exact open'T | exact H_s' | exact {known} | rates | rates])."
+            f"eassert ({source.name} : forall t, T t -> _ = _) by (intros s' now's; eapply ({lemma} T {sides} s'); "
+            f"[exact open'T | exact now's | exact {known} | rates | rates])."
         )
 
 

@@ -10,7 +10,7 @@ from chasles.coq.expressions import Unsaid
 from chasles.coq.sources import ProofReading
 from chasles.coq.statement import CoqStatement
 
-__all__ = ["Polynomials", "taken_apart"]
+__all__ = ["Polynomials", "literal", "taken_apart"]
 
 
 class Polynomials:
@@ -97,3 +97,9 @@ def taken_apart(name: str, shape: tuple[int, int]) -> str:
             line = f"[{entry_name(name, shape, i, j)} {line}]"
         pattern = f"[{line} {pattern}]"
     return f"destruct {name} as {pattern}."
+
+
+def literal(rows: list[list[str]]) -> str:
+    """A matrix with these entries, as it is once words are opened."""
+    lines = ["(" + ", (".join(row) + ", tt" + ")" * len(row) for row in rows]
+    return f"(({', ('.join(lines)}, tt{')' * len(lines)} : M {len(rows)} {len(rows[0])})"

@@ -61,14 +61,15 @@ class _Proof:
         yield f"unfold {self.name}{', during' if said.timed else ''}."
         yield from self.instant.steps()
         yield from self._named_words()
-        if premises := [*self.facts.names_of_angles, *self.instant.premises]:
+        if premises := [*self.facts.names_of_words, *self.instant.premises]:
             yield f"intros {' '.join(premises)}."
         yield from self._definitions_put_in()
         yield from self._apart()
         yield from self.facts.of_norms()
         yield from self.facts.of_angles()
-        yield from self.facts.of_integrals()
+        yield from self.facts.of_integrals(divided=False)
         yield from self.facts.nonzero()
+        yield from self.facts.of_integrals(divided=True)
         if self.reading.keeps_squares:
             yield from self.facts.of_squares()
         yield from self.facts.vanishing(self._labels())
@@ -82,16 +83,17 @@ class _Proof:
     def _named_words(self) -> Iterator[str]:
         """Norms, cosines and integrals as numbers of their own, before anything is put into them."""
         nodes = self.said.nodes
-        if any(isinstance(node, w.Norm) for node in nodes) and not self.reading.keeps_squares:
-            yield "rewrite ?norm_square, ?norm_fourth."
-        for node in dict.fromkeys(node for node in nodes if isinstance(node, w.Norm)):
+        yield from self.facts.named_integrals()
+        norms = dict.fromkeys(node for node in nodes if isinstance(node, w.Norm))
+        for node in sorted(norms, key=lambda norm: -sum(1 for _ in w.walk(norm))):  # a norm in a norm comes later
             if not any(self.said.runs(part) for part in w.walk(node)):
                 yield from self.facts.named_norm(node)
         yield from self.facts.named_angles()
-        yield from self.facts.named_integrals()
 
     def _definitions_put_in(self) -> Iterator[str]:
         for node, name in self.instant.defined.items():
+            if node in self.instant.integrals:
+                continue
             if self.said.runs(node):
                 yield f"apply functional_extensionality in def'{name}."
             yield f"subst {name}."

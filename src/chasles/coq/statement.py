@@ -125,7 +125,7 @@ class CoqStatement:
             yield Premise("open'T", "open_set T")
         if self.integrals:
             yield Premise("linear'", "linear integral")
-        if any(isinstance(part, w.Integral) for node in self.names.rates for part in opened(self._told(node.of))):
+        if any(self._has_integral(node.of) for node in self.names.rates):
             yield Premise("under'", "differentiable_under integral")
         for node, name in self.names.rates.items():
             word = "scalar_rate" if node.shape == (1, 1) else "rate"
@@ -136,8 +136,13 @@ class CoqStatement:
                 says = f"{word} T {self._function(node.of)} {name}"
             yield Premise(f"rate'{name}", says, about=node)
 
-    def _told(self, node: w.Node) -> w.Node:
-        return self.rules.get(bare_rate(node), node)
+    def _has_integral(self, node: w.Node) -> bool:
+        """Whether an integral is in an expression, definitions put in."""
+        for part in w.walk(node):
+            told = self.rules.get(bare_rate(part))
+            if isinstance(part, w.Integral) or (told is not None and self._has_integral(told)):
+                return True
+        return False
 
     def _function(self, node: w.Node) -> str:
         """An expression as a function of time."""

@@ -2,10 +2,6 @@
 (* Steps of proofs about integrals over a body. *)
 From Chasles Require Export Motion.
 
-Lemma D_integral {B : Type} (integral : (B -> R) -> R) (f g : B -> R -> R) t : differentiable_under integral ->
-  (forall b, derivable_pt_lim (f b) t (g b t)) ->
-  derivable_pt_lim (fun s => integral (fun b => f b s)) t (integral (fun b => g b t)).
-Proof. intros H D. exact (H f g t D). Qed.
 Lemma in_elements {B : Type} {m n} (f : B -> M m n) :
   exists g : B -> nat -> nat -> R, f = fun b => matrix m n (g b).
 Proof.
@@ -19,3 +15,6 @@ Proof.
     destruct (Nat.ltb j n); reflexivity. }
   apply K.
 Qed.
+(* An integral that is a sum of multiples of others, which differ from them in spelling only. *)
+Ltac spelled_out integral := cbv beta;
+  repeat match goal with |- context [integral ?f] => is_var f; change (integral f) with (integral (fun b => f b)) end.

@@ -86,6 +86,12 @@ Proof.
 Qed.
 Lemma D_trace {n} (f : R -> M n n) t d : rate_at f t d -> derivable_pt_lim (fun s => trace (f s)) t (trace d).
 Proof. intro H. apply (D_sum n (fun s i => entry (f s) i i)). intro i. apply H. Qed.
+Lemma D_square_of_norm {m} (v : R -> M m 1) t d :
+  rate_at v t d -> derivable_pt_lim (fun s => norm (v s) ^ 2) t (dot d (v t) + dot (v t) d).
+Proof.
+  intro V. replace (fun s => norm (v s) ^ 2) with (fun s => dot (v s) (v s)); [apply D_dot; exact V|].
+  extensionality s. symmetry. apply norm_square.
+Qed.
 Lemma D_norm {m} (v : R -> M m 1) t d : norm (v t) <> 0 -> rate_at v t d ->
   derivable_pt_lim (fun s => norm (v s)) t (dot (v t) d / norm (v t)).
 Proof.
@@ -169,6 +175,18 @@ Proof.
   intros [|[|i]] j; apply D_half, D_minus; apply F.
 Qed.
 
+(* Rates of integrals over a body, where these may be differentiated. *)
+Lemma D_integral {B : Type} (integral : (B -> R) -> R) (f : R -> B -> R) (d : B -> R) t : differentiable_under integral ->
+  (forall b, derivable_pt_lim (fun s => f s b) t (d b)) -> derivable_pt_lim (fun s => integral (f s)) t (integral d).
+Proof. intros H D. exact (H (fun b s => f s b) (fun b _ => d b) t D). Qed.
+Lemma rate_integrated {B : Type} (integral : (B -> R) -> R) {m n} (f : R -> B -> M m n) (d : B -> M m n) t :
+  differentiable_under integral -> (forall b, rate_at (fun s => f s b) t (d b)) ->
+  rate_at (fun s => integrated integral (f s)) t (integrated integral d).
+Proof.
+  intros H D. apply rate_matrix. intros i j. apply (D_integral integral (fun s b => entry (f s b) i j)); [exact H|].
+  intro b. apply D.
+Qed.
+
 (* What holds during an open set of instants may be differentiated there. *)
 Lemma D_near f g t a d : 0 < d -> (forall s, Rabs (s - t) < d -> f s = g s) ->
   derivable_pt_lim f t a -> derivable_pt_lim g t a.
@@ -224,13 +242,19 @@ Proof.
   - apply rate_transpose; exact (D t Ht).
 Qed.
 
+(* What is divided by is not zero because that is assumed, or because it is positive. *)
+Ltac divisor := first
+  [ solve [auto] | apply Rgt_not_eq; solve [auto]
+  | repeat match goal with H : forall s, ?T s -> ?f s = _, K : ?T ?t |- context [?f ?t] => rewrite (H t K) end;
+    match goal with H : forall s, ?T s -> _ <> 0, K : ?T _ |- _ => apply (not_zero_as _ _ (H _ K)); ring end
+  | not_zero_alone ].
 (* The rules, applied until none is left; the rates of functions of time are among what is known. *)
 Ltac rates := lazymatch goal with
   | |- rate_at (fun s => _ + _)%M _ _ => apply rate_plus; rates
   | |- rate_at (fun s => _ - _)%M _ _ => apply rate_minus; rates
   | |- rate_at (fun s => - _)%M _ _ => apply rate_opposite; rates
   | |- rate_at (fun s => _ *: _)%M _ _ => apply rate_scale; rates
-  | |- rate_at (fun s => _ / _)%M _ _ => apply rate_over; [cbv beta; auto | rates | rates]
+  | |- rate_at (fun s => _ / _)%M _ _ => apply rate_over; [cbv beta; divisor | rates | rates]
   | |- rate_at (fun s => _ * _)%M _ _ => apply rate_times; rates
   | |- rate_at (fun s => transpose _) _ _ => apply rate_transpose; rates
   | |- rate_at (fun s => @below ?m ?n ?p _ _) _ _ => refine (@rate_below m n p _ _ _ _ _ _ _); rates
@@ -241,21 +265,29 @@ Ltac rates := lazymatch goal with
   | |- rate_at (fun s => vect _) _ _ => apply rate_vect; rates
   | H : rate ?T ?f _, K : ?T ?t |- rate_at (fun s => ?f s) ?t _ => exact (H t K)
   | H : rate ?T ?f _, K : ?T ?t |- rate_at ?f ?t _ => exact (H t K)
+  | H : forall b, rate ?T (fun u => ?f u b) _, K : ?T ?t |- rate_at (fun s => ?f s ?b) ?t _ => exact (H b t K)
+  | H : differentiable_under ?I |- rate_at (fun s => integrated ?I _) _ _ =>
+      refine (rate_integrated I _ _ _ H _); intro; rates
   | |- rate_at (fun s => ?A) _ _ => apply rate_constant
   | H : scalar_rate ?T ?f _, K : ?T ?t |- derivable_pt_lim (fun s => ?f s) ?t _ => exact (H t K)
   | H : scalar_rate ?T ?f _, K : ?T ?t |- derivable_pt_lim ?f ?t _ => exact (H t K)
   | |- derivable_pt_lim (fun s => _ + _) _ _ => apply D_plus; rates
   | |- derivable_pt_lim (fun s => _ - _) _ _ => apply D_minus; rates
   | |- derivable_pt_lim (fun s => _ * _) _ _ => apply D_times; rates
-  | |- derivable_pt_lim (fun s => _ / _) _ _ => apply D_over; [cbv beta; auto | rates | rates]
+  | |- derivable_pt_lim (fun s => _ / _) _ _ => apply D_over; [cbv beta; divisor | rates | rates]
   | |- derivable_pt_lim (fun s => - _) _ _ => apply D_opposite; rates
+  | |- derivable_pt_lim (fun s => norm _ ^ 2) _ _ => apply D_square_of_norm; rates
   | |- derivable_pt_lim (fun s => _ ^ _) _ _ => apply D_power; rates
   | |- derivable_pt_lim (fun s => sin _) _ _ => apply D_sin; rates
   | |- derivable_pt_lim (fun s => cos _) _ _ => apply D_cos; rates
   | |- derivable_pt_lim (fun s => dot _ _) _ _ => apply D_dot; rates
   | |- derivable_pt_lim (fun s => trace _) _ _ => apply D_trace; rates
-  | |- derivable_pt_lim (fun s => norm _) _ _ => apply D_norm; [cbv beta; auto | rates]
+  | |- derivable_pt_lim (fun s => norm _) _ _ => apply D_norm; [cbv beta; divisor | rates]
   | |- derivable_pt_lim (fun s => the _) _ _ => apply D_the; rates
+  | H : forall b, scalar_rate ?T (fun u => ?f u b) _, K : ?T ?t |- derivable_pt_lim (fun s => ?f s ?b) ?t _ =>
+      exact (H b t K)
+  | H : differentiable_under ?I |- derivable_pt_lim (fun s => ?I _) _ _ =>
+      refine (D_integral I _ _ _ H _); intro; rates
   | |- derivable_pt_lim (fun s => ?c) _ _ => apply D_constant
   end.
 Lemma spin_of_rotation T (Q Q_dot : R -> M 3 3) : open_set T -> (forall t, T t -> rotation (Q t)) -> rate T Q Q_dot ->
