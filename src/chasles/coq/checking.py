@@ -23,7 +23,9 @@ AXIOMS = frozenset({
     "functional_extensionality_dep",
 })  # fmt: skip
 """What the real numbers of Coq's library rest on. A theorem that rests on anything else is not counted as accepted."""
-MEMORY = 3 * 2**30
+ANSWER = re.compile(r"^(?=Axioms:|Closed under the global context)", re.MULTILINE)
+REFUSED = "while it is expected to have type"
+MEMORY = 2 * 2**30
 SECONDS = 300
 """What one file may take: bytes of memory, seconds of processor time."""
 FORBIDDEN = re.compile(
@@ -86,24 +88,32 @@ def _proved(folder: Path, part: Chunk) -> Iterator[CoqVerdict]:
     for claim in part.claims:
         if claim.proof and (found := FORBIDDEN.search(claim.proof)):
             yield CoqVerdict(claim, f"its proof says {found[0]}")
+        elif claim.is_misfit and claim.proof:
+            yield _refused(folder, claim)
         elif claim.proof:
             waiting.append(claim)
     while waiting:
         done = _compiled(folder, part.proofs, part.proved({claim.name for claim in waiting}))
-        rests = _assumptions(done.stdout)
-        accepted = waiting if not done.returncode else waiting[: len(rests)]
-        for claim, axioms in zip(accepted, rests, strict=True):
-            foreign = sorted(axioms - AXIOMS)
-            yield CoqVerdict(claim, f"it rests on {', '.join(foreign)}" if foreign else "")
+        answers = ANSWER.split(done.stdout)[1:]
+        accepted = waiting if not done.returncode else waiting[: len(answers)]
+        for claim, answer in zip(accepted, answers, strict=True):
+            yield CoqVerdict(claim, _objection(answer))
         waiting = waiting[len(accepted) :]
         if waiting:
             yield CoqVerdict(waiting.pop(0), _reason(done))
 
 
-def _assumptions(printed: str) -> list[set[str]]:
-    """The axioms of each theorem in turn, as `Print Assumptions` prints them."""
-    blocks = re.split(r"^(?=Axioms:|Closed under the global context)", printed, flags=re.MULTILINE)[1:]
-    return [set(re.findall(r"^([\w.']+)\s*:", block.removeprefix("Axioms:"), re.MULTILINE)) for block in blocks]
+def _objection(answer: str) -> str:
+    """What is wrong with a theorem that Coq has accepted, by what it says that it rests on; empty if nothing is."""
+    axioms = set(re.findall(r"^([\w.']+)\s*:", answer.removeprefix("Axioms:"), re.MULTILINE))
+    return f"it rests on {', '.join(foreign)}" if (foreign := sorted(axioms - AXIOMS)) else ""
+
+
+def _refused(folder: Path, claim: Claimed) -> CoqVerdict:
+    """Whether Coq refuses an equation because of its sizes, when `Fail` is left away."""
+    done = _compiled(folder, "Misfit", f"From Chasles Require Import Hypotheses.\n{claim.proof.removeprefix('Fail ')}")
+    is_refused = done.returncode and REFUSED in re.sub(r"\s+", " ", done.stderr)
+    return CoqVerdict(claim, "" if is_refused else "Coq finds no fault with its sizes")
 
 
 def _reason(done: subprocess.CompletedProcess[str]) -> str:

@@ -27,15 +27,13 @@ class Spelling:
 
     def side(self, node: w.Node) -> str:
         """One side of an equation."""
-        return self.number(node) if node.shape == (1, 1) else self.matrix(node)
+        return self.number(node) if node.is_scalar else self.matrix(node)
 
     def equation(self, left: w.Node, right: w.Node) -> str:
-        """Two sides that are equal, of the same size."""
-        if left.shape != right.shape:
-            raise Unsaid(f"{left} and {right} differ in size")
-        if left.shape == (1, 1):
+        """Two sides that are said to be equal."""
+        if left.is_scalar and right.is_scalar:
             return f"{self.number(left)} = {self.number(right)}"
-        return f"({self.matrix(left)} = {self.matrix(right)})%M"
+        return f"({self.side(left)} = {self.side(right)})%M"
 
     def number(self, node: w.Node, most: int = LOOSE) -> str:
         """A scalar, in brackets if it is looser than `most`."""
@@ -47,7 +45,7 @@ class Spelling:
 
     def _number(self, node: w.Node) -> Spelled:
         node = bare_of(node)
-        if node.shape != (1, 1):
+        if not node.is_scalar:
             raise Unsaid(f"{node} is no number")
         match node:
             case w.Number(value):
@@ -84,7 +82,7 @@ class Spelling:
 
     def _matrix(self, node: w.Node) -> Spelled:
         node = bare_of(node)
-        if node.shape == (1, 1) and not isinstance(node, w.Contract | w.Block):
+        if node.is_scalar and not isinstance(node, w.Contract | w.Block):
             return f"number {self.number(node, ATOM)}", APPLIED
         match node:
             case w.Zero(int() as rows, int() as columns):

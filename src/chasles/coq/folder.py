@@ -39,7 +39,11 @@ class Chunk:
 
     def proved(self, chosen: Container[str]) -> str:
         """The proofs of those whose names are chosen, and what each of them rests on."""
-        parts = [f"{claim.proof}Print Assumptions {claim.theorem}.\n" for claim in self.claims if claim.name in chosen]
+        parts = [
+            claim.proof if claim.is_misfit else f"{claim.proof}Print Assumptions {claim.theorem}.\n"
+            for claim in self.claims
+            if claim.name in chosen
+        ]
         return f"{HEAD}From Chasles Require Import Bodies {self.statements}.\n\n" + "\n".join(parts)
 
 

@@ -185,11 +185,14 @@ class Instant:
                 runs = self.said.runs(node)
                 now = " x' now'x" * self.said.moves(node)
                 rules[runs].append(f"?(def'{name}{now}{' b' * runs})")
-        steps = [f"rewrite {', '.join(rules[False] * 2)}"] if rules[False] else []
+        steps = [_rewritten(rules[False])] if rules[False] else []
         if integrated:
-            steps += ["apply f_equal", "extensionality b"]
-            steps += [f"rewrite {', '.join((rules[True] + rules[False]) * 2)}"] if rules[True] else []
-        return "; ".join(["intros x' now'x", *steps, "reflexivity"])
+            steps += [
+                "apply f_equal",
+                "extensionality b",
+                *([_rewritten(rules[True] + rules[False])] if rules[True] else []),
+            ]
+        return "; ".join(["intros x' now'x; cbv beta", *steps, "reflexivity"])
 
     def _opened(self, node: w.Node) -> w.Node:
         """An expression in symbols that have a rate here, or none."""
@@ -222,6 +225,10 @@ class Instant:
             f"eassert ({source.name} : forall t, T t -> _ = _) by (intros s' now's; eapply ({lemma} T {sides} s'); "
             f"[exact open'T | exact now's | exact {known} | rates | rates])."
         )
+
+
+def _rewritten(rules: list[str]) -> str:
+    return f"repeat (progress (rewrite {', '.join(rules)}))"
 
 
 def _chains(sources: list[StatedEntry]) -> Iterator[StatedEntry]:

@@ -77,7 +77,7 @@ class CoqStatement:
                 told, more = told.of, more + 1
             if told in self.rules:
                 yield from self._differentiated(self.rules[told], more)
-            elif not base.constant:
+            if inner or (told not in self.rules and not base.constant):
                 for _ in range(order):
                     node = w.Rate(node)
                     yield node

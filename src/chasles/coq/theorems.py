@@ -8,10 +8,11 @@ from dataclasses import dataclass
 from typing import Any
 
 from chasles.coq.expressions import Unsaid
+from chasles.coq.misfits import misfit
 from chasles.coq.proof import proof_of
 from chasles.coq.statement import CoqStatement
 from chasles.decisions.decision import HOW, Decision, Sentence, key_of
-from chasles.statements import Inverse, Problem, Theorem, problem_of
+from chasles.statements import Inverse, Problem, Statement, Theorem, problem_of
 from chasles.statements.inversion import problems_of_inverse
 from chasles.verdict import Contradictory, Fails, IllFormed, Verdict
 
@@ -24,7 +25,8 @@ ENDINGS = {"printed": "", "reading": "_as_read", "repair": "_repaired", "correct
 class Claimed:
     """One statement in Coq and its proof: `said` is empty where it cannot be said, `proof` where there is none yet.
 
-    `number` and `form` tell what it is of; `whole` says whether the statement is all that the verdict claims.
+    `number` and `form` tell what it is of; `whole` says whether the statement is all that the verdict claims. Of a
+    misfit the proof is a command that succeeds because Coq refuses the equation.
     """
 
     number: str
@@ -35,6 +37,7 @@ class Claimed:
     proof: str = ""
     why_not: str = ""
     whole: bool = True
+    is_misfit: bool = False
 
     @property
     def theorem(self) -> str:
@@ -63,7 +66,9 @@ def _claims(decision: Decision, form: str, verdict: Verdict, sentence: Sentence,
     certificate: Mapping[str, Any] | None = getattr(verdict, "certificate", None)
     key = key_of(decision.statement)
     stem = _named(key) + ENDINGS[form]
-    if isinstance(verdict, Fails | IllFormed | Contradictory):
+    if isinstance(verdict, IllFormed) and isinstance(sentence, Statement):
+        yield _misfit(key, form, _fresh(stem, taken), sentence)
+    elif isinstance(verdict, Fails | IllFormed | Contradictory):
         yield Claimed(
             key, HOW[form], _fresh(stem, taken), sentence.says, why_not=f"no theorem says yet that it {_fault(verdict)}"
         )
@@ -94,6 +99,16 @@ def _claimed(
     except Unsaid as reason:
         why_not = str(reason)
     return Claimed(key, HOW[form], name, says, statement, proof, why_not, whole)
+
+
+def _misfit(key: str, form: str, name: str, statement: Statement) -> Claimed:
+    proof, why_not = "", ""
+    try:
+        proof = misfit(name, statement.left, statement.right)
+    except Unsaid as reason:
+        why_not = str(reason)
+    said = f"(* It is no statement: {name} is refused. *)\n"
+    return Claimed(key, HOW[form], name, statement.says, said, proof, why_not, is_misfit=True)
 
 
 def _named(key: str) -> str:
