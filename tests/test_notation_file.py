@@ -309,8 +309,6 @@ def test_what_a_formula_abbreviates(text, parts):
     ("text", "why"),
     [
         (r"a = \pm b", r"\pm says two equations"),
-        (r"a = \sum_{i=1}^{n} m_i", r"no word for \sum"),
-        (r"a = \sum_{i=1}^{99} m_i", r"no word for \sum"),
         (r"a + \dots + b = 0", r"\dots stands for what is left out"),
         (r"v \in \mathbb{R}^3", r"\in claims nothing"),
         (r"a = \lim_{b \to 0} b", r"no word for \lim"),
@@ -321,3 +319,22 @@ def test_what_has_no_word_is_told(text, why):
     (found,) = read_equations(displayed(text, "equation"), load_notation(ABBREVIATIONS))
     assert found.status == "unread"
     assert why in found.why
+
+
+@pytest.mark.parametrize(
+    ("text", "right"),
+    [
+        (r"a = \begin{cases} b, & \text{if } b > 0 \\ -b & b \leq 0. \end{cases}",
+         r"\begin{cases} b & b > 0 \\ -b & \text{otherwise} \end{cases}"),
+        (r"a = \begin{cases} 0 & a < b \\ 1 & a < 2 b \\ 2 & \text{otherwise} \end{cases}",
+         r"\begin{cases} 0 & a < b \\ 1 & a < 2 b \\ 2 & \text{otherwise} \end{cases}"),
+        (r"a = \begin{cases} b & b > 0 \\ -b & b < 0 \end{cases}", ""),
+        (r"a = \begin{cases} b & \text{in summer} \\ -b & \text{otherwise} \end{cases}", ""),
+        (r"v = b \sum_{i=1}^{n} m_i w", r"b \sum_{i = 1}^{n} m_{i} w"),
+        (r"a = v \cdot \sum_i m_i w", ""),
+    ],
+)  # fmt: skip
+def test_cases_and_sums_over_what_is_no_number(text, right):
+    (found,) = read_equations(displayed(text, "equation"), load_notation(ABBREVIATIONS))
+    said = [latex(reading.parts[0].right).replace(" ", "") for reading in found.readings]
+    assert said == ([right.replace(" ", "")] if right else [])

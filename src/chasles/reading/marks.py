@@ -8,6 +8,7 @@ from fractions import Fraction
 from itertools import product
 
 from chasles.reading.applying import applied, made_of, with_marks
+from chasles.reading.case_grids import ENVIRONMENTS, case_fits
 from chasles.reading.context import FittingContext
 from chasles.reading.fits import UNUSUAL, Fit, Shape, kept
 from chasles.reading.glyphs import Glyph, letter_of, spelled
@@ -137,6 +138,8 @@ def _nucleus(atom: Atom, letter: Glyph, ctx: FittingContext) -> list[Fit]:
             return list(made_of(makes, list(product(*map(ctx.terms, atom.inside))), None, ctx))
         case "BRACKET" if atom.inside and atom.text in ("()", "[]"):
             return _column(atom, rest, ctx)
+        case "GRID" if atom.grid is not None and atom.grid.name in ENVIRONMENTS:
+            fits = case_fits(atom.grid, ctx, of_tokens)
         case "GRID" if atom.grid is not None:
             fits = grid_fits(atom.grid, ctx, of_tokens)
         case "COMMAND_OF_TWO" if "frac" in atom.text:

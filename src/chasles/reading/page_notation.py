@@ -125,6 +125,13 @@ def _inverse_quaternion(of: Node) -> Node:
     return conjugate if is_unit else Quotient(conjugate, Power(Norm(of), 2))
 
 
+def _determinant(of: Node) -> Node:
+    """What bars around a matrix say; around a scalar they say something else."""
+    if of.is_scalar:
+        raise Misfit(f"{of} is no matrix")
+    return Determinant(of)
+
+
 def _number_times(left: Node, right: Node) -> Node:
     """A number multiplied by another with the sign that vectors have."""
     if not isinstance(left, Number):
@@ -151,7 +158,7 @@ def usual_spellings(notation: PageNotation) -> None:
     spellings.add(r"\det(#)", Determinant)
     spellings.add(r"\|#\|", Norm)
     spellings.add("|#|", Norm)
-    spellings.add("|#|", Determinant)
+    spellings.add("|#|", _determinant)
     for order in range(1, 4):
         spellings.add(rf"\{'d' * order}ot{{#}}", repeated_rate(order))
     for script, of in {"T": Transpose, r"\top": Transpose, "-1": Inverse, "-T": lambda of: Transpose(Inverse(of)),
