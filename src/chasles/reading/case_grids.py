@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from itertools import product
 
 from chasles.reading.context import FittingContext
@@ -15,37 +15,55 @@ __all__ = ["ENVIRONMENTS", "case_fits"]
 
 ENVIRONMENTS = ("cases", "dcases", "rcases")
 SIGNS = {"<": "<", ">": ">", r"\leq": "<=", r"\geq": ">="}
-OPPOSITE = {"<": ">=", ">": "<=", "<=": ">", ">=": "<"}
+OPPOSITE = {"<": r"\geq", ">": r"\leq", r"\leq": ">", r"\geq": "<"}
 ELSE = (r"\text{otherwise}", r"\operatorname{otherwise}", r"\text{else}", r"\operatorname{else}")
 
 
 def case_fits(grid: Grid, ctx: FittingContext, read: Callable[[Tokens, FittingContext], list[Fit]]) -> list[Fit]:
     """The readings of an environment of cases; of the last row nothing is asked where it has what else there is."""
-    values, left, right, signs = [], [], [], []
-    for row in grid.rows:
-        value, condition = (tuple(without_layout(list(cell))) for cell in (*row, ())[:2])
-        values.append(read(value, ctx))
-        condition = tuple(token for token in condition if not token.text.startswith(r"\text{") or token.text in ELSE)
-        sides = [side for side in lines_of(condition, tuple(SIGNS)) if side]
-        sign = next((SIGNS[token.text] for token in condition if token.text in SIGNS), "")
-        if len(sides) == 2 and not any(token.text in RELATIONS for side in sides for token in side):
-            left, right, signs = [*left, tuple(sides[0])], [*right, tuple(sides[1])], [*signs, sign]
-        elif row is not grid.rows[-1] or (condition and condition[0].text not in ELSE):
-            ctx.note("a case without a comparison that can be read", grid.place)
-            return []
-    texts = [[token.text for token in (*one, *other)] for one, other in zip(left, right, strict=True)]
-    if len(signs) == len(values) == 2 and texts[0] == texts[1] and signs[0] == OPPOSITE[signs[1]]:
-        left, right, signs = left[:1], right[:1], signs[:1]
-    if len(signs) != len(values) - 1 or not signs:
-        ctx.note("the cases do not say what holds otherwise", grid.place)
+    values = [read(_bare(row[0]), ctx) for row in grid.rows]
+    said = [_comparison(_bare(row[1]) if len(row) > 1 else ()) for row in grid.rows]
+    *asked, last = said
+    if len(asked) == 1 and _are_opposite(said):
+        last = ()
+    if last or not asked or not all(asked):
+        ctx.note("the cases are no comparisons, or do not say what holds otherwise", grid.place)
         return []
+    sides = [side for place in (0, 1) for side in (read(each[place], ctx) for each in asked if each)]
     found = []
-    for chosen in product(*values, *(read(side, ctx) for side in (*left, *right))):
+    for chosen in product(*values, *sides):
         at = [fit for each in chosen if (fit := each.at((1, 1))) is not None]
-        nodes = tuple(fit.node for fit in at)
+        nodes, count = tuple(fit.node for fit in at), len(asked)
         if len(at) == len(chosen):
-            count = len(signs)
-            parts = nodes[: count + 1], nodes[count + 1 : -count], nodes[-count:], tuple(signs)
-            node = made(Cases, *parts, tolerant=ctx.tolerant)
+            signs = tuple(SIGNS[each[2]] for each in asked if each)
+            node = made(
+                Cases, nodes[: count + 1], nodes[count + 1 : -count], nodes[-count:], signs, tolerant=ctx.tolerant
+            )
             found += [Fit(node, ctx.said(node), sum(fit.cost for fit in at))] if node is not None else []
     return found
+
+
+def _bare(cell: Tokens) -> Tokens:
+    return tuple(without_layout(list(cell)))
+
+
+def _comparison(condition: Tokens) -> tuple[Tokens, Tokens, str] | tuple[()] | None:
+    """The sides of a comparison and its sign; nothing where it says "otherwise", None for anything else."""
+    if not condition or condition[0].text in ELSE:
+        return ()
+    marks = tuple(token for token in condition if not token.text.startswith(r"\text{"))
+    relations = [token.text for token in marks if token.text in RELATIONS]
+    sides = lines_of(marks, tuple(SIGNS))
+    known = len(relations) == 1 and relations[0] in SIGNS and len(sides) == 2 and all(sides)
+    return (tuple(sides[0]), tuple(sides[1]), relations[0]) if known else None
+
+
+def _are_opposite(said: Sequence[tuple[Tokens, Tokens, str] | tuple[()] | None]) -> bool:
+    """Whether of two comparisons one holds exactly where the other does not."""
+    one, other = said
+    if not one or not other:
+        return False
+    same = [[token.text for token in side] for side in one[:2]] == [
+        [token.text for token in side] for side in other[:2]
+    ]
+    return same and one[2] == OPPOSITE[other[2]]
