@@ -330,6 +330,7 @@ def test_what_has_no_word_is_told(text, why):
          r"\begin{cases} 0 & a < b \\ 1 & a < 2 b \\ 2 & \text{otherwise} \end{cases}"),
         (r"a = \begin{cases} b & b > 0 \\ -b & b < 0 \end{cases}", ""),
         (r"a = \begin{cases} b & \text{in summer} \\ -b & \text{otherwise} \end{cases}", ""),
+        (r"a = \begin{cases} b & b > 0 \\ -b & \text{in summer, } b \end{cases}", ""),
         (r"v = b \sum_{i=1}^{n} m_i w", r"b \sum_{i = 1}^{n} m_{i} w"),
         (r"a = v \cdot \sum_i m_i w", ""),
     ],
