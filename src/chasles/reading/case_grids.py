@@ -25,8 +25,8 @@ def case_fits(grid: Grid, ctx: FittingContext, read: Callable[[Tokens, FittingCo
     values = [read(_bare(row[0]), ctx) for row in grid.rows]
     *asked, last = (_comparison(_bare(row[1]) if len(row) > 1 else ()) for row in grid.rows)
     if len(asked) == 1 and asked[0] and last and _are_opposite(asked[0], last):
-        last = Comparison()
-    if last != Comparison() or not asked or not all(asked):
+        last = CaseCondition()
+    if last != CaseCondition() or not asked or not all(asked):
         ctx.note("the cases are no comparisons, or do not say what holds otherwise", grid.place)
         return []
     conditions = [each for each in asked if each is not None]
@@ -42,7 +42,7 @@ def case_fits(grid: Grid, ctx: FittingContext, read: Callable[[Tokens, FittingCo
     return found
 
 
-class Comparison(NamedTuple):
+class CaseCondition(NamedTuple):
     """The sides of a condition and its sign; without a sign it is "otherwise"."""
 
     left: Tokens = ()
@@ -54,17 +54,17 @@ def _bare(cell: Tokens) -> Tokens:
     return tuple(without_layout(list(cell)))
 
 
-def _comparison(condition: Tokens) -> Comparison | None:
+def _comparison(condition: Tokens) -> CaseCondition | None:
     """What the cell says of the case; None where it cannot be read."""
     if not condition or condition[0].text in ELSE:
-        return Comparison()
+        return CaseCondition()
     marks = tuple(token for token in condition if not token.text.startswith(r"\text{"))
     relations = [token.text for token in marks if token.text in RELATIONS]
     sides = [tuple(side) for side in lines_of(marks, tuple(SIGNS)) if side]
-    return Comparison(sides[0], sides[1], relations[0]) if len(relations) == 1 and len(sides) == 2 else None
+    return CaseCondition(sides[0], sides[1], relations[0]) if len(relations) == 1 and len(sides) == 2 else None
 
 
-def _are_opposite(one: Comparison, other: Comparison) -> bool:
+def _are_opposite(one: CaseCondition, other: CaseCondition) -> bool:
     """Whether one holds exactly where the other does not."""
     pairs = (one.left, other.left), (one.right, other.right)
     same = all([token.text for token in a] == [token.text for token in b] for a, b in pairs)
