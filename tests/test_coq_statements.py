@@ -1,0 +1,281 @@
+"""The statements written for Coq, read back by a reader of their own, say what the declarations say, word by word.
+
+Nothing of how they are spelled is used here but what each symbol is called.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+
+import pytest
+
+from chasles import vocabulary as w
+from chasles.coq.expressions import Unsaid
+from chasles.coq.statement import CoqStatement
+from chasles.statements import Inverse, load, problem_of
+from chasles.statements.inversion import problems_of_inverse
+from chasles.statements.problem import Problem
+
+from .decided import chapter_session
+
+Tree = tuple[object, ...] | str
+TOKEN = re.compile(r"\s*(%M|\*:|:=|->|=>|<>|/\\|[A-Za-z_][\w']*|\d+|[-+*/^()=,<])")
+
+
+class Reader:
+    """Coq's precedences: application, powers, minus, products, sums; `^T` binds closest of all."""
+
+    def __init__(self, text: str) -> None:
+        self.tokens = TOKEN.findall(text)
+        assert "".join(self.tokens) == re.sub(r"\s", "", text)
+        self.place = 0
+
+    @property
+    def next(self) -> str:
+        return self.tokens[self.place] if self.place < len(self.tokens) else ""
+
+    def take(self, expected: str = "") -> str:
+        token = self.next
+        assert token == expected or not expected, (token, expected, self.tokens)
+        self.place += 1
+        return token
+
+    def sum(self) -> Tree:
+        tree = self.product()
+        while self.next in ("+", "-"):
+            tree = (self.take(), tree, self.product())
+        return tree
+
+    def product(self) -> Tree:
+        tree = self.minus()
+        while self.next in ("*", "/", "*:"):
+            tree = (self.take(), tree, self.minus())
+        return tree
+
+    def minus(self) -> Tree:
+        if self.next == "-":
+            self.take()
+            return ("neg", self.minus())
+        base = self.application()
+        if self.next == "^":
+            self.take()
+            return ("^", base, self.minus())
+        return base
+
+    def application(self) -> Tree:
+        parts = [self.atom()]
+        while re.match(r"[A-Za-z_(\d]", self.next) and self.next not in ("t", "b"):
+            parts.append(self.atom())
+        return parts[0] if len(parts) == 1 else tuple(parts)
+
+    def atom(self) -> Tree:
+        if self.next == "(":
+            self.take()
+            if self.next == "fun":
+                self.take()
+                binder = self.take()
+                self.take("=>")
+                tree: Tree = ("fun", binder, self.sum())
+            else:
+                tree = self.sum()
+            self.take(")")
+        else:
+            tree = self.take()
+            while self.next in ("t", "b"):  # what a function of time, or of an element, is there
+                self.take()
+        if self.next == "%M":
+            self.take()
+        while self.next == "^" and self.tokens[self.place + 1] == "T":
+            self.take()
+            self.take()
+            tree = ("^T", tree)
+        return tree
+
+
+def equation(text: str) -> Tree:
+    """An equation as a tree."""
+    inner = text.strip().removesuffix("%M")
+    inner = inner[1:-1] if inner != text.strip() else inner
+    reader = Reader(inner)
+    left = reader.sum()
+    reader.take("=")
+    right = reader.sum()
+    assert reader.place == len(reader.tokens), text
+    return ("=", left, right)
+
+
+class Expected:
+    """What a declaration says, as such a tree."""
+
+    def __init__(self, said: CoqStatement) -> None:
+        self.names = said.names
+
+    def side(self, node: w.Node) -> Tree:
+        return self.number(node) if node.shape == (1, 1) else self.matrix(node)
+
+    def number(self, node: w.Node) -> Tree:
+        match node:
+            case w.At(of) | w.Group(of) | w.Transpose(of):
+                return self.number(of)
+            case w.Number(value):
+                size = str(abs(value.numerator))
+                tree: Tree = size if value >= 0 else ("neg", size)
+                return tree if value.denominator == 1 else ("/", tree, str(value.denominator))
+            case w.Zero():
+                return "0"
+            case w.Identity():
+                return "1"
+            case w.Norm(of) | w.Trace(of) | w.Determinant(of):
+                return ({"Norm": "norm", "Trace": "trace", "Determinant": "det"}[type(node).__name__], self.matrix(of))
+            case w.Dot(one, other):
+                return ("dot", self.matrix(one), self.matrix(other))
+            case w.Call(function, argument):
+                return (function, self.number(argument))
+            case w.Scale(one, other):
+                return ("*", self.number(one), self.number(other))
+            case w.Contract() | w.Block():
+                return ("the", self.matrix(node))
+            case w.Integral(of):
+                return ("integral", ("fun", "b", self.number(of)))
+        return self.alike(node, self.number)
+
+    def matrix(self, node: w.Node) -> Tree:
+        match node:
+            case w.At(of) | w.Group(of):
+                return self.matrix(of)
+            case w.Contract((first, *others)):
+                tree = self.matrix(first)
+                for each in others:
+                    tree = ("*", tree, self.matrix(each))
+                return tree
+            case w.Block(rows):
+                return folded("below", [folded("beside", [self.matrix(each) for each in row]) for row in rows])
+            case _ if node.shape == (1, 1):
+                return ("number", self.number(node))
+            case w.Zero(rows, columns):
+                return ("zero", str(rows), str(columns))
+            case w.Identity(size):
+                return ("one", str(size))
+            case w.Scale(one, other):
+                return ("*:", self.number(one), self.matrix(other))
+            case w.Transpose(of):
+                return ("^T", self.matrix(of))
+            case w.Skew(of) | w.Vect(of) | w.Cofactor(of):
+                return ({"Skew": "CPM", "Vect": "vect", "Cofactor": "cofactor"}[type(node).__name__], self.matrix(of))
+            case w.Cross(one, other):
+                return ("cross", self.matrix(one), self.matrix(other))
+            case w.Integral(of):
+                return ("integrated", "integral", ("fun", "b", self.matrix(of)))
+        return self.alike(node, self.matrix)
+
+    def alike(self, node: w.Node, part) -> Tree:  # type: ignore[no-untyped-def]
+        match node:
+            case w.Symbol():
+                return "PI" if node == w.PI else self.names.symbols[node]
+            case w.Rate():
+                return self.names.rate(node)
+            case w.Negative(of):
+                return ("neg", part(of))
+            case w.Quotient(one, other):
+                return ("/", part(one), self.number(other))
+            case w.Power(of, exponent):
+                return ("^", part(of), str(exponent))
+            case w.Sum((first, *others)):
+                tree = part(first)
+                for each in others:
+                    minus = isinstance(each, w.Negative)
+                    tree = ("-" if minus else "+", tree, part(each.term if minus else each))
+                return tree
+        raise AssertionError(node)
+
+
+def folded(word: str, parts: list[Tree]) -> Tree:
+    return parts[0] if len(parts) == 1 else (word, parts[0], folded(word, parts[1:]))
+
+
+@cache
+def problems() -> list[tuple[str, Problem]]:
+    found = []
+    for entry in load():
+        decision = chapter_session().decide(entry.statement)
+        if not hasattr(decision.verdict, "certificate") or decision.verdict.name == "contradictory":
+            continue
+        if isinstance(entry.statement, Inverse):
+            found += [(entry.number, each) for _, each in problems_of_inverse(entry.statement, decision.accepted)]
+        else:
+            found.append((entry.number, problem_of(entry.statement, "printed", decision.accepted)))
+    return found
+
+
+HYPOTHESES = {"unit": "unit_vector", "symmetric": "symmetric", "definite": "definite", "rotation": "rotation",
+              "perpendicular": "perpendicular", "orthonormal": "orthonormal", "half_turn": "half_turn"}  # fmt: skip
+
+
+def equations_of(text: str) -> tuple[list[Tree], list[Tree], list[Tree]]:
+    """The equations that a statement assumes, those that it claims, and the words of which something is assumed."""
+    body = re.sub(r"^Definition .*?:=\n(?:  forall .*?,\n)?", "", text, flags=re.DOTALL).rstrip().removesuffix(".")
+    *premises, claim = body.split(" ->\n")
+    assumed: list[Tree] = []
+    words: list[Tree] = []
+    for premise in premises:
+        inner = premise.strip()
+        inner = re.sub(r"^during T \(fun t => (.*)\)$", r"\1", inner, flags=re.DOTALL)
+        inner = re.sub(r"^\((forall b, .*)\)$", r"\1", inner, flags=re.DOTALL).removeprefix("forall b, ")
+        if re.search(r"(?<![:=])=(?!>)", inner) and not inner.startswith(("rate", "scalar_rate")):
+            assumed.append(equation(inner))
+        elif "<" not in inner:
+            words.append(Reader(inner).sum())
+    claim = re.sub(r"^  during T \(fun t =>\s*(.*)\)$", r"\1", claim, flags=re.DOTALL)
+    return assumed, [equation(each) for each in claim.split(" /\\\n")], words
+
+
+def words_expected(said: CoqStatement, expected: Expected) -> list[Tree]:
+    """The hypotheses that have words, and what is assumed to be the rate of what."""
+    found: list[Tree] = []
+    for h in said.problem.hypotheses:
+        if h.kind in HYPOTHESES:
+            found.append((HYPOTHESES[h.kind], *map(expected.matrix, h.subjects)))
+    for node, name in said.names.rates.items():
+        of = expected.side(node.of)
+        of = of if isinstance(of, str) and not said.runs(node) and said.moves(node.of) else ("fun", "t", of)
+        value = ("fun", "t", name) if said.runs(node) else name
+        found.append(("scalar_rate" if node.shape == (1, 1) else "rate", "T", of, value))
+    return found
+
+
+def test_statements_read_back_say_what_is_declared() -> None:
+    assert len(problems()) >= 290
+    for number, problem in problems():
+        said = CoqStatement(problem)
+        text = said.text("statement")
+        assumed, claimed, words = equations_of(text)
+        expected = Expected(said)
+        goals = [("=", expected.side(goal.left), expected.side(goal.right)) for goal in problem.goals]
+        assert claimed == goals, number
+        pairs = [(goal.left, goal.right) for goal in problem.conditions]
+        pairs += [(left, right) for left, right in said.rules.items() if said.is_named(left)]
+        given = [("=", expected.side(left), expected.side(right)) for left, right in pairs]
+        assert all(each in assumed for each in given), number
+        assert {*words_expected(said, expected)} == {
+            each for each in words if each[0] not in ("open_set", "linear", "differentiable_under")
+        }, number
+        others = len(assumed) - len(given)
+        assert others == sum(
+            len(h.equations) for h in problem.hypotheses if h.kind in ("unit column", "direction", "untaken")
+        )
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [("a - (b - c) = d", "a - b - c = d"), ("(- a) * b = d", "- (a * b) = d"), ("(a * b)^T = d", "a * b^T = d")],
+)
+def test_the_reader_tells_apart(one: str, other: str) -> None:
+    assert equation(one) != equation(other)
+
+
+def test_what_cannot_be_said_is_refused() -> None:
+    x = w.scalar("x", "x", "") if hasattr(w, "scalar") else None
+    assert x is not None
+    with pytest.raises(Unsaid):
+        CoqStatement(Problem(())).spelling.number(abs(x))
