@@ -404,3 +404,13 @@ def test_a_number_without_an_end_is_told(page: str) -> None:
     first, *_, last = displayed(page, "tex")
     assert first.line == 1
     assert last.fault or last.latex in ("c = d", "a = b")
+
+
+@pytest.mark.parametrize(
+    "text", [r"a = a / \times a", r"a = a \times / a", r"a = / a", r"a = a \cdot", r"a = a / a / \cdot a"]
+)
+def test_signs_side_by_side_are_told(text: str) -> None:
+    notation = load_notation("[symbols]\na = 'scalar'\nv = { is = 'array', shape = [2, 3] }")
+    (found,) = read_equations(displayed(f"$$ a = {text} $$", "tex"), notation)
+    assert found.status == "unread"
+    assert found.why or found.printed.fault

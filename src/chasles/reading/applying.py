@@ -121,7 +121,7 @@ def made_of(
                 nodes = [fit.node for fit in fits if fit is not None and fit.node is not None]
                 node = made(_with_exponent, make, nodes, name, tolerant=ctx.tolerant)
                 if node is not None and node.fault and isinstance(node, FunctionOf) and node.function in OF_MATRICES:
-                    size = " x ".join(map(str, nodes[0].shape))
+                    size = " x ".join(map(str, chosen[0].shape or ("what does not fit",)))
                     ctx.note(f"no word for {node.function} of {size}", name and name.place)
                 elif node is not None:
                     yield Fit(node, ctx.said(node), sum(fit.cost for fit in chosen) + more)

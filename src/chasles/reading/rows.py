@@ -97,10 +97,8 @@ def _infix(makes: list[Make], one: Fit, other: Fit, sign: Token, usual: int, ctx
 
 def _stroke(left: Pieces, right: Pieces, usual: int, ctx: FittingContext) -> Iterator[Fit]:
     """A quotient on one line: of the product before the stroke by the next factor, or by all that follows."""
-    for end in range(1, len(right) + 1):
+    for end in range(1, len(right) + 1 if all(isinstance(piece, Atom) for piece in right) else 0):
         divisors = _product(right[:end], ctx)  # type: ignore[arg-type]
-        if any(isinstance(piece, Token) for piece in right):
-            break
         for top in _signed(left, ctx):
             for bottom in divisors:
                 one = top if top.node is not None else top.at((1, 1))
