@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import os
 import re
-import resource
 import shutil
 import subprocess
 from collections.abc import Iterable, Iterator
@@ -74,10 +74,13 @@ def _require(folder: Path, name: str, text: str) -> None:
 def _compiled(folder: Path, name: str, text: str) -> subprocess.CompletedProcess[str]:
     (folder / f"{name}.v").write_text(text, "utf-8")
     command = ["coqc", "-q", "-noglob", "-R", ".", "Chasles", f"{name}.v"]
-    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False, preexec_fn=_bounded)
+    bounded = _bounded if os.name == "posix" else None
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False, preexec_fn=bounded)
 
 
 def _bounded() -> None:
+    import resource  # not on every system
+
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
 
