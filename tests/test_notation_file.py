@@ -211,6 +211,11 @@ def test_what_stands_in_brackets_behind_a_letter_is_its_argument_if_the_page_has
     assert latex(part.left).replace(" ", "") == left.replace(" ", "")
 
 
+def test_quaternions_side_by_side_want_a_word():
+    (found,) = read_equations([PrintedEquation("p q = p")], LOADED)
+    assert "quaternion_product" in found.why
+
+
 def test_values_of_a_function_are_different_quantities():
     (part,) = parts_of(r"\Gamma(v) = \Gamma(w)")
     assert part.left != part.right

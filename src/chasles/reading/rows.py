@@ -235,6 +235,9 @@ def _ill_formed(items: tuple[Atom, ...], single: dict[tuple[int, int], list[Fit]
             continue
         (a, a_said), (b, b_said) = ctx.inside(total, Precedence.PRODUCT), ctx.inside(fit, Precedence.PRODUCT)
         node = made(multiplied, a, b, tolerant=True)
+        if node is not None and node.fault and ctx.notation.quaternions and total.shape == fit.shape == (4, 1):
+            ctx.note("no word for quaternions side by side: quaternion_product = '# #' is one", items[start - 1].place)
+            return []
         if node is not None and node.fault and ctx.mixes(total, fit):
             return []
         total = Fit(node, (*a_said, *b_said), total.cost + fit.cost)
