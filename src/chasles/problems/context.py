@@ -6,7 +6,7 @@ at the witness and at every counterexample.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -230,8 +230,11 @@ def _hypothesis_generators(unfold: Unfolder, hypothesis: Hypothesis, most: int) 
 
 def _follow(ring: Ring, new: Collection[Polynomial], known: Sequence[Polynomial]) -> bool:
     """Whether division by what is known leaves nothing of what is new, which speaks of nothing else."""
-    occurring = {k for p in known for exponents, _ in ring.terms(p) for k, power in enumerate(exponents) if power}
-    if any(power and k not in occurring for p in new for exps, _ in ring.terms(p) for k, power in enumerate(exps)):
+
+    def occurring(polynomials: Iterable[Polynomial]) -> set[int]:
+        return {k for p in polynomials for k, power in enumerate(ring.degrees(p)) if power}
+
+    if not occurring(new) <= occurring(known):
         return False
     basis = stated(ring, tuple(known), complete=False)
     return all(basis.reduce(polynomial)[1] == 0 for polynomial in new)
