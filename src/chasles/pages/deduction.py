@@ -262,13 +262,16 @@ class Deduction:
         instead = self._instead(claim) if is_asked else None
         if not isinstance(verdict, Fails) or (instead is None and not told):
             return PageFinding("claim", verdict, claim, open=True)
-        refuted = [self._with_everything(claim, generation) for generation in range(self.premises.generations)]
-        verdicts = [verdict_on(each, self.session) for each in refuted]
-        unrefuted = [each for each in verdicts if not isinstance(each, Fails)]
-        if unrefuted:
-            return PageFinding("claim", unrefuted[0], claim, open=True)
-        against = (*(given.number for given in refuted[0].given), *(h.text for h in refuted[0].assuming))
-        return PageFinding("claim", verdicts[0], refuted[0], instead=instead, against=against)
+        refuted: list[tuple[Claim, Verdict]] = []
+        for generation in range(self.premises.generations):
+            everything = self._with_everything(claim, generation)
+            found = verdict_on(everything, self.session)
+            if not isinstance(found, Fails):
+                return PageFinding("claim", found, claim, open=True)
+            refuted.append((everything, found))
+        refuted_claim, first = refuted[0]
+        against = (*(given.number for given in refuted_claim.given), *(h.text for h in refuted_claim.assuming))
+        return PageFinding("claim", first, refuted_claim, instead=instead, against=against)
 
     def _with_everything(self, claim: Claim, generation: int) -> Claim:
         """The claim with all that the page says of its symbols, open equations among it."""

@@ -41,7 +41,8 @@ def true_but_for_a_slip(
     edits = one_mark_away(*claim.printed, lambda symbol: symbol in known or bool(premises.facts(symbol)))
     candidates = _likely(attempts[-1], islice(edits, MOST_TESTS), session)
     for left, right, said in islice(candidates, MOST_EDITS):
-        verdict = proof_of(with_fields(attempts[-1], left=left, right=right), session)
+        meant = with_fields(attempts[-1], left=left, right=right, sic=True)
+        verdict = None if meant.fault else proof_of(meant, session)
         if isinstance(verdict, Holds | HoldsUnder):
             yield Repair(left, right, (said,), 1, verdict)
     for attempt in attempts:

@@ -20,10 +20,10 @@ MOST = 8
 def complete_subjects(problem: Problem, found: Variables) -> None:
     """Where an equation restricts a symbol that occurs, all the symbols of which it speaks occur."""
     rules = dict(problem.rules)
+    spoken = {h: {s for node in h.subjects for s in free_symbols(node, rules)} for h in problem.hypotheses}
     for _ in problem.hypotheses:
         occurring = set(found.orders) | set(found.angles)
-        for hypothesis in problem.hypotheses:
-            symbols = {s for node in hypothesis.subjects for s in free_symbols(node, rules)}
+        for hypothesis, symbols in spoken.items():
             if hypothesis.equations and symbols & occurring and not symbols <= occurring:
                 for node in hypothesis.subjects:
                     scan(found, node, 0, rules)

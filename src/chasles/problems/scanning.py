@@ -31,10 +31,18 @@ __all__ = ["differs", "scan"]
 
 def scan(found: Variables, node: Node, order: int, rules: Mapping[Node, Node]) -> None:
     """Record the variables that the `order`-th rate of an expression needs, once the rules are applied."""
+    if (node, order) in found.scanned:
+        return
     if node in rules:
         _reach(found, node, order)
         _scan_rule(found, node, order, rules)
-        return
+    else:
+        _scan_parts(found, node, order, rules)
+    # Only now: what leads back to itself has to be met again.
+    found.scanned.add((node, order))
+
+
+def _scan_parts(found: Variables, node: Node, order: int, rules: Mapping[Node, Node]) -> None:
     match node:
         case Symbol():
             _scan_symbol(found, node, order, rules)

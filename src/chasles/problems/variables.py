@@ -89,6 +89,7 @@ class Variables:
     body: str | None = None
     moments: dict[Factors, None] = field(default_factory=dict)
     sought: dict[Node, int] = field(default_factory=dict)
+    scanned: set[tuple[Node, int]] = field(default_factory=set)
 
     def listed(self, unknowns: tuple[Symbol, ...]) -> Iterator[Variable]:
         """The variables from largest to smallest in the term order; the rates of unknowns follow from their values.
