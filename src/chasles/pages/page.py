@@ -29,6 +29,7 @@ MOST_READINGS = 4
 """So many readings of one equation are decided."""
 AHEAD = 2
 """So many equations that follow may say what new symbols are."""
+PROVED = ("holds", "holds-under")
 DISPLAYS = ("$$", "\\[", "\\begin{", "```", ".. math::")
 
 
@@ -178,7 +179,7 @@ def _decided(
 ) -> Iterator[PageEquation]:
     """The relations of an equation in its usual reading, and what differs in its other readings.
 
-    Of several readings those count in which least is new.
+    Of several readings those count in which least is new; none beside a usual one that is proved.
     """
     if not equation.readings:
         yield PageEquation(equation, number, first)
@@ -187,13 +188,19 @@ def _decided(
     taken, *others = [each for each, new in zip(equation.readings, news, strict=True) if new == min(news)]
     forks = [(other, deduction.fork()) for other in others[: MOST_READINGS - 1]]
     findings = list(_said(taken, number, first, role, deduction, ahead))
+    usual = [_verdict(finding) for _, finding in findings]
     told = []
-    for other, fork in forks:
+    for other, fork in () if _is_meant(usual) else forks:
         verdicts = [_verdict(finding) for _, finding in _said(other, number, first, role, fork, ahead)]
-        if verdicts != [_verdict(finding) for _, finding in findings]:
+        if verdicts != usual:
             told.append((", ".join(verdicts), _in_latex(other)))
     for place, (part, finding) in enumerate(findings, first):
         yield PageEquation(equation, number, place, part, finding, tuple(told))
+
+
+def _is_meant(verdicts: list[str]) -> bool:
+    """Whether a reading says something that holds, and nothing that does not."""
+    return any(each in PROVED for each in verdicts) and all(each in (*PROVED, "defined") for each in verdicts)
 
 
 def _said(
