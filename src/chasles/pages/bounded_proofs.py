@@ -13,6 +13,7 @@ from chasles.checker.any_size.at_sizes import sizes_in
 from chasles.deciding import decided
 from chasles.decisions.kept_answers import verdict_stands
 from chasles.decisions.session import Session
+from chasles.points.sampling import Point
 from chasles.problems.context import Context
 from chasles.prover.conditions import Solved
 from chasles.prover.counterexample import UnprovedPart
@@ -45,6 +46,10 @@ class _FewTerms(DeclaredPoints):
     ) -> Counterexample | None:
         _require_few_terms(context, suspects)
         return super().refute_soon(context, solved, suspects)
+
+    def witness(self, context: Context, solved: tuple[Solved, ...]) -> Point | None:
+        _require_few_terms(context, ())
+        return super().witness(context, solved)
 
 
 def _require_few_terms(context: Context, suspects: Sequence[UnprovedPart]) -> None:
