@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
+from chasles import read
 from chasles.reading.equations import read_equations
 from chasles.reading.notation_file import BadNotation, load_notation
 from chasles.reading.pages import displayed
@@ -344,3 +347,10 @@ def test_cases_and_sums_over_what_is_no_number(text, right):
     (found,) = read_equations(displayed(text, "equation"), load_notation(ABBREVIATIONS))
     said = [latex(reading.parts[0].right).replace(" ", "") for reading in found.readings]
     assert said == ([right.replace(" ", "")] if right else [])
+
+
+def test_the_notation_of_the_manual_is_one() -> None:
+    manual = (Path(__file__).parents[1] / "docs" / "reading.md").read_text("utf-8")
+    notation = manual.split("```toml\n")[1].split("```")[0]
+    page = read("$$|\\mathbf g|^2 = \\mathbf f\\cdot\\mathbf f$$\n\n$$R_{AB} R_{BA} = I_3$$", notation)
+    assert [each.verdict for each in page.equations] == ["holds-under", "holds-under"]
