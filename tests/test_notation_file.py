@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from chasles import read
+import chasles
 from chasles.reading.equations import read_equations
 from chasles.reading.notation_file import BadNotation, load_notation
 from chasles.reading.pages import displayed
@@ -350,7 +350,6 @@ def test_cases_and_sums_over_what_is_no_number(text, right):
 
 
 def test_the_notation_of_the_manual_is_one() -> None:
-    manual = (Path(__file__).parents[1] / "docs" / "reading.md").read_text("utf-8")
-    notation = manual.split("```toml\n")[1].split("```")[0]
-    page = read("$$|\\mathbf g|^2 = \\mathbf f\\cdot\\mathbf f$$\n\n$$R_{AB} R_{BA} = I_3$$", notation)
+    notation = Path(__file__).parents[1] / "examples" / "reading" / "kinds.toml"
+    page = chasles.read("$$|\\mathbf g|^2 = \\mathbf f\\cdot\\mathbf f$$\n\n$$R_{AB} R_{BA} = I_3$$", notation)
     assert [each.verdict for each in page.equations] == ["holds-under", "holds-under"]
