@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -353,3 +354,19 @@ def test_the_notation_of_the_manual_is_one() -> None:
     notation = Path(__file__).parents[1] / "examples" / "reading" / "kinds.toml"
     page = chasles.read("$$|\\mathbf g|^2 = \\mathbf f\\cdot\\mathbf f$$\n\n$$R_{AB} R_{BA} = I_3$$", notation)
     assert [each.verdict for each in page.equations] == ["holds-under", "holds-under"]
+
+
+@pytest.mark.parametrize(
+    ("assumed", "message"),
+    [
+        ("m > 0", "'m > 0': expected an equation, and > is no sign of an equation"),
+        (r"m = \foo", r"the notation does not say what \foo is"),
+        ("m = m +", "something is missing at the end"),
+        ("v = m", r"cannot equate v \(3 x 1\) and m"),
+        ("", "no relation stands in it"),
+    ],
+)
+def test_what_is_assumed_has_to_be_an_equation(assumed: str, message: str) -> None:
+    letters = {"m": "scalar", "a": "scalar", "v": "vector"}
+    with pytest.raises(BadNotation, match=message.replace(r"\foo", r"\\foo")):
+        chasles.read("m a = 0", {"symbols": letters, "page": {"assuming": [assumed]}})

@@ -15,7 +15,7 @@ from chasles.pages.deduction import DEFINING, Deduction, PageFinding
 from chasles.pages.facts import facts_of, kind_in_meaning
 from chasles.pages.premises import Premises
 from chasles.reading.equations import read_equations
-from chasles.reading.notation_file import load_notation
+from chasles.reading.notation_file import BadNotation, load_notation
 from chasles.reading.page_notation import PageNotation
 from chasles.reading.pages import Kind, displayed
 from chasles.reading.printed import PrintedEquation
@@ -144,12 +144,10 @@ def read(text: str, notation: str | Path | ModuleType | Mapping[str, Any], kind:
 
 
 def read_page(printed: tuple[PrintedEquation, ...], notation: PageNotation, file: str = "") -> Page:
-    """The page of these equations, decided in their order."""
+    """The page of these equations, decided in their order; raises `BadNotation` for what it cannot assume."""
     deduction = Deduction(Premises(lambda symbol: facts_of(symbol, kind_in_meaning(symbol))))
-    assumed = tuple(PrintedEquation(latex) for latex in notation.assuming)
-    for each in read_equations(assumed, notation):
-        for part in each.readings[0].parts if each.readings else ():
-            deduction.assume(part.left, part.right)
+    for part in _assumed(notation):
+        deduction.assume(part.left, part.right)
     equations = read_equations(printed, notation)
     names = [each.printed.number or each.printed.label or f"line {each.printed.line}" for each in equations]
     places: Counter[str] = Counter()
@@ -165,6 +163,18 @@ def read_page(printed: tuple[PrintedEquation, ...], notation: PageNotation, file
         first = relations[place][0].part if relations[place] else 1
         found += _decided(equation, name, first, role, deduction, ahead)
     return Page(tuple(found), file)
+
+
+def _assumed(notation: PageNotation) -> Iterator[Part]:
+    """What holds on the whole page; raises `BadNotation` for what is no equation that can be read."""
+    for each in read_equations(tuple(map(PrintedEquation, notation.assuming)), notation):
+        parts = each.readings[0].parts if each.readings else ()
+        faults = [part.fault for part in parts if part.fault]
+        relations = [f"{part.sign} is no sign of an equation" for part in parts if part.sign not in ("=", *DEFINING)]
+        why = [each.why] if not parts else [*relations, *faults]
+        if why:
+            raise BadNotation(f"[page] assuming '{each.printed.latex}': expected an equation, and {why[0]}")
+        yield from parts
 
 
 def _relations(reading: Reading, number: str, first: int) -> tuple[Claim, ...]:

@@ -91,8 +91,8 @@ def _symbols(sides: Iterable[Node]) -> Counter[Node]:
 def _is_one_term_said_to_vanish(claim: Claim) -> bool:
     """Whether a slip of the pen would have left it as true or as false."""
     one, other = claim.printed
-    zero = (Number(Fraction(0)),)
+    zero = Number(Fraction(0))
     return any(
-        (right in zero or isinstance(right, Zero)) and not isinstance(left, Sum)
+        (right == zero or isinstance(right, Zero)) and not isinstance(left, Sum)
         for left, right in ((one, other), (other, one))
     )

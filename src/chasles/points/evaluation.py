@@ -12,7 +12,7 @@ from chasles.algebra.values import InPi, Value, divided, is_zero
 from chasles.problems.context import Context
 from chasles.statements import Hypothesis
 
-__all__ = ["Point", "evaluate", "measured", "ratio_at", "satisfies"]
+__all__ = ["Point", "evaluate", "measured", "ratio_at", "satisfies", "terms_of"]
 
 Point = dict[str, Fraction]
 Term = tuple[Fraction, tuple[tuple[str, int], ...], int]
@@ -21,7 +21,7 @@ Term = tuple[Fraction, tuple[tuple[str, int], ...], int]
 def evaluate(context: Context, polynomial: Polynomial, point: Point) -> Value:
     """The polynomial's exact value; every variable that occurs in it must have a value."""
     total: Value = {}
-    for coefficient, factors, power in _terms(context, polynomial):
+    for coefficient, factors, power in terms_of(context, polynomial):
         term = coefficient
         for name, exponent in factors:
             value = point[name]
@@ -33,8 +33,11 @@ def evaluate(context: Context, polynomial: Polynomial, point: Point) -> Value:
     return {power: c for power, c in total.items() if c}
 
 
-def _terms(context: Context, polynomial: Polynomial) -> list[Term]:
-    """The polynomial's terms, read once: sampling evaluates the same few polynomials again and again."""
+def terms_of(context: Context, polynomial: Polynomial) -> list[Term]:
+    """The polynomial's terms, read once: sampling evaluates the same few polynomials again and again.
+
+    Each is a coefficient, the names of what it multiplies with their exponents, and the power of pi or of an angle.
+    """
     known = context.terms.get(id(polynomial))
     if known is None:
         names, transcendental = context.field.ring.names, context.transcendental

@@ -13,7 +13,7 @@ from math import prod
 from random import Random
 
 from chasles.algebra.values import is_zero
-from chasles.points.evaluation import Point, evaluate
+from chasles.points.evaluation import Point, evaluate, terms_of
 from chasles.points.rational import root_of
 from chasles.problems.context import Context, Generator
 from chasles.vocabulary import PI, Symbol
@@ -53,9 +53,7 @@ def _gives_a_symbol(terms: Terms) -> bool:
 
 
 def _places(context: Context, generator: Generator) -> set[int]:
-    return {
-        k for powers, _ in context.field.ring.terms(generator.polynomial) for k, power in enumerate(powers) if power
-    }
+    return {k for k, power in enumerate(context.field.ring.degrees(generator.polynomial)) if power}
 
 
 def _may_move(context: Context, place: int, bound: set[Symbol]) -> bool:
@@ -65,12 +63,12 @@ def _may_move(context: Context, place: int, bound: set[Symbol]) -> bool:
 
 def _terms(context: Context, generator: Generator, own: set[int], point: Point) -> Terms:
     """The equation in its unknowns; all else has its value at the point."""
-    names = context.field.ring.names
+    unknown = {context.variables[k].name: k for k in own}
     found = []
-    for powers, coefficient in context.field.ring.terms(generator.polynomial):
-        known = prod((point[names[k]] ** p for k, p in enumerate(powers) if p and k not in own), start=coefficient)
+    for coefficient, factors, _ in terms_of(context, generator.polynomial):
+        known = prod((point[name] ** power for name, power in factors if name not in unknown), start=coefficient)
         if known:
-            found.append((known, {k: p for k, p in enumerate(powers) if p and k in own}))
+            found.append((known, {unknown[name]: power for name, power in factors if name in unknown}))
     return found
 
 

@@ -112,7 +112,8 @@ def equations_of(
 
 def tokens_of_equation(latex: str, line: int = 1, column: int = 1) -> tuple[Token, ...]:
     """The tokens of one equation, its parts set off by a row's end; raises `BadPage` for one that is not clear."""
-    (found,) = equations_of("", rows_of(lexemes(latex, line, column), False)[:1], [None]) or [DisplayedEquation([], [])]
+    rows = rows_of(lexemes(latex, line, column), False)[:1]
+    (found,) = equations_of("", rows, [None] * len(rows)) or [DisplayedEquation([], [])]
     if found.fault:
         raise BadPage(found.fault, line, column)
     return tuple(found.tokens)
