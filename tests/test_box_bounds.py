@@ -12,6 +12,7 @@ import sympy as sp
 
 import chasles
 from chasles.bounds import NoBound, bound_of_program
+from chasles.compiling.derived import derived_from
 from chasles.compiling.operands import inputs_of, outputs_of
 from chasles.compiling.program_of import program_of
 from chasles.lowering.evaluate import decimals, run
@@ -30,9 +31,10 @@ def as_numpy(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("CC", "no-such-compiler")
 
 
-def made(expression: Any, inputs: Any, **options: Any) -> Program:
+def made(expression: Any, inputs: Any, *kinds: str) -> Program:
     given = inputs_of(inputs)
-    return program_of("made", given, outputs_of(expression, given, None), jacobian=bool(options.get("jacobian")))
+    outputs = outputs_of(expression, given, None)
+    return program_of("made", given, outputs, derived_from(given, outputs, kinds))
 
 
 BOXES = [

@@ -15,6 +15,7 @@ import sympy as sp
 
 import chasles
 from chasles.compiling import LoweringError
+from chasles.compiling.derived import derived_from
 from chasles.compiling.nesting import nested
 from chasles.compiling.operands import inputs_of, outputs_of
 from chasles.compiling.program_of import program_of
@@ -37,9 +38,10 @@ def _in_numpy(monkeypatch):
     monkeypatch.setenv("CC", "no-such-compiler")
 
 
-def program(expression, *, jacobian=False):
+def program(expression, *kinds):
     given = inputs_of(SYMBOLS)
-    return program_of("k", given, outputs_of(expression, given, None), jacobian=jacobian)
+    outputs = outputs_of(expression, given, None)
+    return program_of("k", given, outputs, derived_from(given, outputs, kinds))
 
 
 def as_stated(make):
@@ -299,7 +301,7 @@ def test_no_finite_value_is_wrong(seed):
         pytest.skip(str(refused))
     given = inputs_of(SYMBOLS)
     module = sys.modules["chasles.compiling.program_of"]
-    stated = module._program("k", given, outputs_of(expression, given, None), common=False, jacobian=False)
+    stated = module._program("k", given, outputs_of(expression, given, None), None, common=False)
     assert price(kernel.program)[0] <= cost(stated) + 12
     exact = sp.lambdify(SYMBOLS, expression, "mpmath")
     with mpmath.workdps(80), np.errstate(all="ignore"):
@@ -338,7 +340,7 @@ def calls_to_make(operations):
 
     sys.setprofile(counted)
     try:
-        sources_of(program_of("f", inputs, outputs_of(expression, inputs, None), jacobian=False))
+        sources_of(program_of("f", inputs, outputs_of(expression, inputs, None)))
     finally:
         sys.setprofile(None)
     return count

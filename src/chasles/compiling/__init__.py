@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from chasles.compiling.derived import derived_from
 from chasles.compiling.kernel import CompiledKernel, kernel_for, kernel_of
 from chasles.compiling.operands import inputs_of, outputs_of, require_kernel_name
 from chasles.compiling.recall import key_of
@@ -25,6 +26,11 @@ def compile(
     name: str = "expression",
     *,
     jacobian: bool = False,
+    hessian: bool = False,
+    jvp: bool = False,
+    vjp: bool = False,
+    wrt: Any = None,
+    coo: bool = False,
     levels: str = "own",
 ) -> CompiledKernel:
     """The kernel that computes SymPy expressions, with NaN wherever something is divided by zero.
@@ -53,8 +59,16 @@ def compile(
             supposed positive definite and factorised as L D L^T without pivots; with constraints rows are exchanged.
         name: what the kernel is called.
         jacobian: adds a result for each result: the derivatives of its entries, row by row, by all numbers that go in,
-            in their order, as columns. A scalar has one row, which is a vector; where one scalar goes in there is no
-            axis of columns. Of Abs, Min, Max, sign and Piecewise it is the derivative of the piece taken.
+            in their order, as columns. A scalar has one row, which is a vector; by one number there is no axis of
+            columns. Of Abs, Min, Max, sign and Piecewise it is the derivative of the piece taken.
+        hessian: adds the symmetric matrix of second derivatives of each result, which must be a scalar.
+        jvp: adds an input `tangent` after the others, one number for each column, and for each result its Jacobian
+            times the tangent, in the shape of the result.
+        vjp: adds an input `..._cotangent` for each result, of its shape, and one result, with one number for each
+            column: the sum of cotangents times Jacobians.
+        wrt: what is derived by instead of all inputs: the name of one, what is in one, or a list of such.
+        coo: of Jacobians and Hessians only the entries that are not zero by construction, as a vector, in the order of
+            the kernel's `pattern`.
         levels: "own" compiles for the instructions of this machine, "all" for lesser ones, too, so that
             `chasles_limit` of the shared object can be asked for them.
 
@@ -63,28 +77,27 @@ def compile(
     """
     if levels not in ("own", "all"):
         raise LoweringError(f"levels must be 'own' or 'all', not {levels!r}")
+    asked = {"jacobian": jacobian, "hessian": hessian, "jvp": jvp, "vjp": vjp}
+    kinds = tuple(kind for kind, is_asked in asked.items() if is_asked)
     if any(str(each.__module__).startswith("sympy.physics.mechanics.") for each in type(expr).__mro__):
-        method = _program_of_method(require_kernel_name(name), expr, inputs, outputs, jacobian=jacobian)
-        return kernel_of(method, levels)
+        # What is not needed is not imported.
+        from chasles.compiling.mechanics import program_of_method
+
+        options = {"kinds": kinds, "wrt": wrt, "coo": coo}
+        return kernel_of(program_of_method(require_kernel_name(name), expr, inputs, outputs, **options), levels)
     given = inputs_of(inputs)
     results = outputs_of(expr, given, outputs)
     given_as = [(item.argument, [symbol.name for symbol in item.symbols]) for item in given]
     shapes = [(result.name, result.shape) for result in results]
+    derived = derived_from(given, results, kinds, wrt, coo=coo)
     key = key_of(
-        (entry for result in results for entry in result.entries), require_kernel_name(name), given_as, shapes, jacobian
+        (entry for result in results for entry in result.entries), require_kernel_name(name), given_as, shapes, derived
     )
 
     def made() -> Program:
         # What is recalled is not made: SymPy is not read.
         from chasles.compiling.program_of import program_of
 
-        return program_of(name, given, results, jacobian=jacobian)
+        return program_of(name, given, results, derived)
 
     return kernel_for(key, made, levels)
-
-
-def _program_of_method(name: str, method: Any, inputs: Any, outputs: Any, *, jacobian: bool) -> Program:
-    # What is not needed is not imported.
-    from chasles.compiling.mechanics import program_of_method
-
-    return program_of_method(name, method, inputs, outputs, jacobian=jacobian)

@@ -29,13 +29,13 @@ _SAME_IN_C: Mapping[type, str] = {
     sympy.erf: "erf",
     sympy.erfc: "erfc",
     sympy.gamma: "tgamma",
-    sympy.digamma: "digamma",
     sympy.besselj: "jv",
     sympy.bessely: "yv",
     sympy.besseli: "iv",
     sympy.besselk: "kv",
     sympy.zeta: "zeta",
     sympy.elliptic_k: "ellipk",
+    sympy.elliptic_e: "ellipe",
     cfunctions.expm1: "expm1",
     cfunctions.log1p: "log1p",
     cfunctions.Cbrt: "cbrt",
@@ -72,6 +72,7 @@ def functions_by_class(build: Builder) -> dict[type, Callable[..., int]]:
         sympy.acoth: lambda a: build.function("atanh", over(a)),
         sympy.asech: lambda a: build.function("acosh", over(a)),
         sympy.acsch: lambda a: build.function("asinh", over(a)),
+        sympy.polygamma: partial(_polygamma, build),
         sympy.loggamma: lambda a: _where_nonnegative(build, a, build.function("lgamma", a)),
         sympy.factorial: lambda a: build.function("tgamma", build.add(a, build.one)),
         sympy.ceiling: lambda a: build.negate(build.function("floor", build.negate(a))),
@@ -145,6 +146,10 @@ def _arccotangent(build: Builder, a: int) -> int:
     """The angle in (-pi/2, pi/2], which jumps at zero."""
     turned = build.negate(build.arctangent2(build.one, build.negate(a)))
     return build.select(build.less(a, build.zero), turned, build.arctangent2(build.one, build.function("fabs", a)))
+
+
+def _polygamma(build: Builder, order: int, a: int) -> int:
+    return build.function("digamma", a) if build.value(order) == 0 else build.function("polygamma", order, a)
 
 
 def _sign(build: Builder, a: int) -> int:

@@ -43,6 +43,7 @@ class CompiledKernel(Displayed):
         one: the same for one element or a C-contiguous batch of one shape, all of one precision, for a fraction of a
             call's time, as in `chasles.kernels.one`; the kernel itself of the "numpy" backend.
         program: the straight-line program of which all texts are made.
+        pattern: the rows and columns of what is not zero by construction, of each Jacobian and Hessian, by name.
         operations: how often each operation occurs, by its name.
         c_source: C99 functions of one item, in both precisions, to be used anywhere.
         numpy_source: the same as a Python function of arrays.
@@ -66,6 +67,8 @@ class CompiledKernel(Displayed):
         self._function: Callable[..., Any] = _undisturbed(written) if ufunc is None else called
         self.one: Callable[..., Any] = alone or self._function
         self.inputs = {argument.name: argument.meaning for argument in program.arguments}
+        patterns = ((each.name, each.pattern) for each in program.results if each.pattern is not None)
+        self.pattern = {name: tuple(numpy.array(places, dtype=int).reshape(-1, 2).T) for name, places in patterns}
         self._names = tuple(self.inputs)
         self.__signature__ = signature_of_call(self._function, self._names, by_name=True)
 

@@ -17,9 +17,10 @@ from typing import Any
 import sympy
 from sympy.physics.mechanics import KanesMethod, LagrangesMethod, dynamicsymbols
 
+from chasles.compiling.derived import derived_from
 from chasles.compiling.elimination import solved, solved_definite
 from chasles.compiling.operands import inputs_of, outputs_of
-from chasles.compiling.program_of import jacobians, program_of
+from chasles.compiling.program_of import program_of
 from chasles.compiling.variables import Substitution, variables_of
 from chasles.lowering.builder import Builder
 from chasles.lowering.evaluate import decimals, run
@@ -55,10 +56,11 @@ class EquationsOfMotion:
     constrained: bool
 
 
-def program_of_method(name: str, method: Any, inputs: Any, outputs: Any, *, jacobian: bool) -> Program:
+def program_of_method(name: str, method: Any, inputs: Any, outputs: Any, **options: Any) -> Program:
     """The program of a method whose equations are formed, for the results that `outputs` names, and their derivatives.
 
-    Raises `LoweringError` where there are no equations yet, and for results that are not offered.
+    The options are those of `derived_from`. Raises `LoweringError` where there are no equations yet, and for results
+    that are not offered.
     """
     equations = _equations(method)
     wanted = (outputs,) if isinstance(outputs, str) else USUAL if outputs is None else tuple(outputs)
@@ -67,10 +69,11 @@ def program_of_method(name: str, method: Any, inputs: Any, outputs: Any, *, jaco
         raise LoweringError(f"outputs of {type(method).__name__} are some of {', '.join(offered)}; not {outputs!r}")
     parts = [equations.matrix, equations.right, sympy.Matrix(equations.rates)]
     given = inputs_of(dict(_groups(equations, parts)) if inputs is None else inputs)
-    stated = program_of(name, given, outputs_of(parts, given, None), jacobian=False)
+    stated = program_of(name, given, outputs_of(parts, given, None))
     build, results = _finished(stated, equations, wanted)
-    results += list(jacobians(build, given, results)) if jacobian else []
-    return pruned(Program(name, stated.arguments, build.steps, tuple(results)))
+    derived = derived_from(given, results, **options)
+    results = derived.results(build, results)
+    return pruned(Program(name, (*stated.arguments, *derived.more), build.steps, tuple(results)))
 
 
 def _equations(method: Any) -> EquationsOfMotion:

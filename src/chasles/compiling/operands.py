@@ -20,7 +20,7 @@ from chasles.lowering.names import Names
 from chasles.lowering.program import Argument
 from chasles.lowering.refusal import LoweringError
 
-__all__ = ["Input", "ResultEntries", "inputs_of", "outputs_of", "require_kernel_name"]
+__all__ = ["Input", "ResultEntries", "inputs_of", "outputs_of", "require_kernel_name", "variables_in"]
 
 PLAIN = re.compile(r"[\w\[\](), .+-]+", re.ASCII)
 """What may stand in a comment of any language."""
@@ -95,6 +95,14 @@ def outputs_of(expression: Any, given: Sequence[Input], names: Any) -> tuple[Res
         ResultEntries(name, shape, tuple(map(standing.of, entries)))
         for name, (shape, entries) in zip(called, parts, strict=True)
     )
+
+
+def variables_in(item: Any) -> tuple[Any, ...]:
+    """What is in an input, entry by entry; what is none is left as it is."""
+    try:
+        return _read(item)[1]
+    except LoweringError:
+        return (item,)
 
 
 def require_name(name: Any, what: str) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace as with_fields
@@ -10,7 +9,7 @@ from dataclasses import replace as with_fields
 import sympy
 
 from chasles.algebra.work_limit import within
-from chasles.compiling.derivatives import derivatives
+from chasles.compiling.derived import DerivedResults
 from chasles.compiling.nesting import nested
 from chasles.compiling.operands import Input, ResultEntries
 from chasles.compiling.removable import without_removable
@@ -26,7 +25,7 @@ from chasles.lowering.passes.scale import all_scaled
 from chasles.lowering.program import Op, Program, Result
 from chasles.lowering.rounding import points_of, steady
 
-__all__ = ["jacobians", "program_of"]
+__all__ = ["program_of"]
 
 MOST_STEPS = 1000
 """A program of more steps is not looked at in other spellings: that would take longer than it saves."""
@@ -34,17 +33,20 @@ WORK_PER_STEP = 2_000
 """Products of terms, for each step, in which another spelling is proved to be the same, or else is not taken."""
 
 
-def program_of(name: str, inputs: Sequence[Input], outputs: Sequence[ResultEntries], *, jacobian: bool) -> Program:
+def program_of(
+    name: str, inputs: Sequence[Input], outputs: Sequence[ResultEntries], derived: DerivedResults | None = None
+) -> Program:
     """The cheapest program that is proved to be the same as the expressions and loses no digits another one keeps.
 
     NaN where a divisor is zero. Raises `LoweringError` for what no program computes.
     """
 
     def spelled(outputs: Sequence[ResultEntries], *, common: bool) -> Program:
-        return _program(name, inputs, outputs, common=common, jacobian=jacobian)
+        return _program(name, inputs, outputs, derived, common=common)
 
     outputs = [with_fields(o, entries=tuple(map(without_removable, o.entries))) for o in outputs]
     stated = spelled(outputs, common=False)
+    derived = derived.patterned(stated) if derived else None
     with within(WORK_PER_STEP * len(stated.steps)):
         chosen = _chosen(stated, list(dict.fromkeys(_candidates(stated, outputs, spelled))))
     scaled = all_scaled(chosen)
@@ -83,7 +85,12 @@ def _candidates(
 
 
 def _program(
-    name: str, inputs: Sequence[Input], outputs: Sequence[ResultEntries], *, common: bool, jacobian: bool
+    name: str,
+    inputs: Sequence[Input],
+    outputs: Sequence[ResultEntries],
+    derived: DerivedResults | None,
+    *,
+    common: bool,
 ) -> Program:
     build = Builder()
     places = {
@@ -104,28 +111,7 @@ def _program(
         Result(output.name, output.shape, f"output {place}", tuple(next(numbers) for _ in output.entries))
         for place, output in enumerate(outputs, 1)
     ]
-    if jacobian:
-        results += list(jacobians(build, inputs, results))
-    return pruned(Program(name, tuple(item.argument for item in inputs), build.steps, tuple(results)))
-
-
-def jacobians(build: Builder, inputs: Sequence[Input], results: Sequence[Result]) -> Iterator[Result]:
-    """For each result its derivatives, the entries of the result by those of all inputs."""
-    numbers = [entry for result in results for entry in result.entries]
-    variables = [(place, entry) for place, item in enumerate(inputs) for entry in range(len(item.entries))]
-    columns = [derivatives(build, numbers, *variable) for variable in variables]
-    alone = len(inputs) == 1 and not inputs[0].argument.shape
-    start = 0
-    for result in results:
-        count = len(result.entries)
-        entries = tuple(column[k] for k in range(start, start + count) for column in columns)
-        rows = () if not result.shape else (math.prod(result.shape),)
-        shape = rows if alone else (*rows, len(variables))
-        yield with_fields(
-            result,
-            name=f"{result.name}_jacobian",
-            shape=shape,
-            meaning=f"the derivatives of {result.name} by all numbers that go in, in their order",
-            entries=entries,
-        )
-        start += count
+    arguments = tuple(item.argument for item in inputs)
+    if derived is not None:
+        results, arguments = derived.results(build, results), (*arguments, *derived.more)
+    return pruned(Program(name, arguments, build.steps, tuple(results)))

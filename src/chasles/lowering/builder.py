@@ -12,6 +12,7 @@ from fractions import Fraction
 from math import isqrt
 
 from chasles.lowering.arithmetic import applied
+from chasles.lowering.functions import FUNCTIONS
 from chasles.lowering.program import Op, Step, is_power_of_two
 from chasles.lowering.refusal import LoweringError
 
@@ -183,7 +184,14 @@ class Builder:
         return self._add(Step(Op.SELECT, (condition, if_true, if_false)))
 
     def function(self, name: str, *operands: int) -> int:
-        """A function of the table; an even one of -a is that of a."""
+        """A function of the table; an even one of -a is that of a, and Stumpff's first is the cosine.
+
+        Raises `LoweringError` where it is not one of so many numbers.
+        """
+        if name == "stumpff" and self.value(operands[0]) == 0:
+            return self.cosine(operands[1])
+        if len(operands) != (many := FUNCTIONS[name].operands):
+            raise LoweringError(f"{name} is computed of {many} number{'s' * (many > 1)}, not of {len(operands)}")
         if name == "stumpff" and (inner := self._opposite(operands[1])) is not None:
             return self.function(name, operands[0], inner)
         if name == "fabs":

@@ -113,6 +113,11 @@ def _without_rate(arithmetic: Any, value: Any, *operands: Any) -> tuple[Any, ...
     return (_number(arithmetic, 0),) * len(operands)
 
 
+def _following(arithmetic: Any, value: Any, order: Any, a: Any) -> tuple[Any, ...]:
+    above = arithmetic.function("polygamma", arithmetic.add(order, _number(arithmetic, 1)), a)
+    return arithmetic.not_a_number(), above
+
+
 def _neighbours(name: str, sign: int) -> Rates:
     """The rate (f_(n-1) -+ f_(n+1)) / 2 of a cylindrical function by its argument; there is none by its order."""
 
@@ -162,7 +167,10 @@ FUNCTIONS: dict[str, KnownFunction] = {
     "tgamma": KnownFunction(1, "gamma", lambda on, value, a: (on.multiply(value, on.function("digamma", a)),)),
     "lgamma": KnownFunction(1, "loggamma", lambda on, value, a: (on.function("digamma", a),)),
     "stumpff": KnownFunction(2, _stumpff, _of_stumpff, rates_by_square=_stumpff_by_square),
-    "digamma": KnownFunction(1, "digamma", None, special=True),
+    "digamma": KnownFunction(
+        1, "digamma", lambda on, value, a: (on.function("polygamma", _number(on, 1), a),), special=True
+    ),
+    "polygamma": KnownFunction(2, lambda context, n, a: context.psi(int(n), a), _following, special=True),
     "jv": KnownFunction(2, "besselj", _neighbours("jv", 0), special=True),
     "yv": KnownFunction(2, "bessely", _neighbours("yv", 0), special=True),
     "iv": KnownFunction(2, "besseli", _neighbours("iv", 1), special=True),

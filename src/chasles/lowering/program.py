@@ -7,13 +7,13 @@ only to earlier steps, so that one pass over `steps` is an evaluation.
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 from fractions import Fraction
 
 from chasles.lowering.functions import FUNCTIONS
 
-__all__ = ["MOST_OPERANDS", "Argument", "Op", "Program", "Result", "Step", "is_power_of_two"]
+__all__ = ["MOST_OPERANDS", "Argument", "Op", "Pattern", "Program", "Result", "Step", "is_power_of_two"]
 
 
 class Op(StrEnum):
@@ -60,6 +60,10 @@ MOST_OPERANDS = 32
 FREE_OF_CHARGE = frozenset({Op.INPUT, Op.CONSTANT, Op.NOT_A_NUMBER, Op.NEGATE, Op.SELECT, Op.LESS, Op.EQUAL})
 
 
+Pattern = tuple[tuple[int, int], ...]
+"""Rows and columns of the entries of a matrix that are not zero by construction."""
+
+
 @dataclass(frozen=True, slots=True)
 class Argument:
     """An input: `name` is an identifier in every target, `shape` is () for a scalar, (3,), (3, 3)..., row-major."""
@@ -101,12 +105,13 @@ class Step:
 
 @dataclass(frozen=True, slots=True)
 class Result:
-    """An output: `entries` are the numbers of the steps that hold it, row-major."""
+    """An output: `entries` are the numbers of the steps that hold it, row-major; `pattern` is that of derivatives."""
 
     name: str
     shape: tuple[int, ...]
     meaning: str
     entries: tuple[int, ...]
+    pattern: Pattern | None = field(default=None, repr=False)
 
 
 @dataclass(frozen=True, slots=True)
