@@ -105,7 +105,7 @@ def test_a_note_says_what_the_print_should_be():
         ("[symbols", "no TOML"),
         ("[symbols]\nx = { is = 'vektor' }", "near it: vector"),
         ("[symbols]\nx = { iss = 'vector' }", "near it: is"),
-        ("[symbols]\n'a b' = 'vector'", "not one letter"),
+        ("[symbols]\n'a + b' = 'vector'", "not one letter"),
         ("[symbols]\n'a_' = 'vector'", "argument"),
         ("[symbols]\nx = { is = 'vector', unit = 'furlong' }", "kg m^2/s"),
         ("[symbols]\nx = { is = 'matrix', shape = 3 }", "[rows, columns]"),

@@ -126,6 +126,8 @@ def _added(found: list[DisplayedEquation], new: DisplayedEquation, line: list[To
     *before, last = found
     first = next((at for at, token in enumerate(line) if token.text not in ("&", r"\quad")), 0)
     sign, has_relation = line[first].text, bool(_relations(new.tokens))
+    if sign in commands.IMPLICATIONS:
+        return [*found, new]
     goes_on = sign in commands.RELATIONS or not _relations(last.tokens) or _is_open(last.tokens)
     if sign in commands.OPERATORS:
         goes_on |= not has_relation or any(token.text == "&" for token in line[:first])

@@ -19,7 +19,6 @@ from chasles.reading.printed_atoms import (
 
 __all__ = ["respelled"]
 
-DIMENSION = re.compile(r"-?[\d.]*(?:em|ex|pt|mm|cm|in|mu|sp|\\\w+)$")
 DEEPEST = 60
 SCRIPTLESS = commands.RELATIONS | commands.OPERATORS | {r"\\", "&", ",", ";", "(", "[", r"\{", r"\quad", r"\qquad"}
 
@@ -164,12 +163,10 @@ class _Respelling:
             return [PrintedAtom([token._replace(text=text), *first, *braced(self.argument(token), token)])]
         if text == r"\begin":
             return self.environment(token)
-        if text == "\\\\":
-            self.row_end()
-        elif text in (r"\pmatrix", r"\matrix", r"\cases") and self.peek() == "{":
+        if text in (r"\pmatrix", r"\matrix", r"\cases") and self.peek() == "{":
             begin, end = (token._replace(text=rf"\{side}{{{text[1:]}}}") for side in ("begin", "end"))
             return [PrintedAtom([begin, *flat(self.group()), end])]
-        elif text == ":" and self.peek() == "=":
+        if text == ":" and self.peek() == "=":
             self.at += 1
             text = ":="
         elif text.isdigit() or (text == "." and self.ahead().isdigit()):
@@ -199,14 +196,6 @@ class _Respelling:
         if text == "." and size.text in (r"\left", r"\right", r"\middle"):
             return []
         return [PrintedAtom([token._replace(text={"<": r"\langle", ">": r"\rangle"}.get(text, text))])]
-
-    def row_end(self) -> None:
-        if self.ahead() == "*":
-            self.at += 1
-        if self.ahead() == "[":
-            close = next((k for k in range(self.at, min(self.at + 20, len(self.raw))) if self.raw[k].text == "]"), 0)
-            if close and DIMENSION.match("".join(token.text for token in self.raw[self.at + 1 : close]).strip()):
-                self.at = close + 1
 
     def environment(self, begin: Token) -> list[PrintedAtom]:
         name = spelled(self.raw_argument(begin))
@@ -244,7 +233,8 @@ def _in_ascii(token: Token) -> list[Token]:
 
 def _text(command: Token, inside: list[Token]) -> list[PrintedAtom]:
     """A text in an equation: a formula in it, a name such as tr, punctuation, or words between equations."""
-    words = " ".join(spelled(inside).split())
+    words = " ".join(spelled(each for each in inside if each.text not in commands.TEXT).split())
+    words = words if "$" in words else re.sub(r"[{}]", "", words).strip()
     if formula := re.fullmatch(r"(\\boldmath)?\s*\$[^$]*\$", words):
         start, end = (at for at, token in enumerate(inside) if token.text == "$")
         atoms = _Respelling(inside[start + 1 : end]).atoms()

@@ -59,7 +59,7 @@ DROPPED = _commands(
     "displaystyle textstyle scriptstyle scriptscriptstyle limits nolimits displaylimits allowbreak nobreak break "
     "nonumber notag noindent strut mathstrut protect hline toprule midrule bottomrule relax thinspace medspace "
     "thickspace negthinspace negmedspace negthickspace enspace enskip linebreak pagebreak unboldmath normalsize small "
-    "footnotesize scriptsize large xspace displaybreak centering par f"
+    "footnotesize scriptsize large xspace displaybreak centering par f therefore"
 ) | {r"\,", r"\;", r"\:", r"\!", r"\ ", r"\/", r"\-", r"\>", r"\@", "\\\n", "~"}
 LENGTHS = _commands("hskip mskip kern mkern")
 """Commands that a length follows."""
@@ -81,13 +81,17 @@ SYNONYMS = {
     **dict.fromkeys(_commands("coloneqq coloneq defeq"), ":="),
     **dict.fromkeys(_commands("cr newline tabularnewline"), r"\\"),
     **_pairs(r"\lbrack [ \rbrack ] \lbrace \{ \rbrace \} \colon : \vcentcolon : \le \leq \leqslant \leq \ge \geq"),
-    **_pairs(r"\geqslant \geq \ne \neq \to \rightarrow \prime ' \ast * \eqdef \triangleq \land \wedge"),
+    **_pairs(r"\geqslant \geq \ne \neq \to \rightarrow \gets \leftarrow \prime '"),
+    **_pairs(r"\ast * \eqdef \triangleq \land \wedge"),
 }
 
 RELATIONS = frozenset({"=", "<", ">", ":="}) | _commands(
     "equiv triangleq leq geq neq approx sim simeq cong propto ll gg in subset subseteq ni doteq Rightarrow "
-    "Leftrightarrow implies iff rightarrow Longrightarrow mapsto models prec succ"
+    "Leftrightarrow Longleftrightarrow implies iff rightarrow leftarrow longrightarrow Longrightarrow mapsto models "
+    "prec succ lesssim gtrsim perp parallel asymp"
 )
+IMPLICATIONS = _commands("implies Rightarrow Longrightarrow")
+"""Between two equations: what stands before is a condition of what follows."""
 OPERATORS = frozenset("+-*/") | _commands("times cdot pm mp wedge otimes oplus circ bullet star div odot boxplus")
 
 _SIGNS = dict.fromkeys("\u00a0\u2009\u200b", " ") | _pairs(

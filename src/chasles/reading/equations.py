@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -9,10 +10,12 @@ from itertools import pairwise
 
 from chasles.reading.abbreviations import written_out
 from chasles.reading.alignment import tokens_of_equation
+from chasles.reading.commands import IMPLICATIONS
 from chasles.reading.context import FittingContext
 from chasles.reading.fits import MOST, UNUSUAL, Fit, letters_agree
 from chasles.reading.grammar import Chain, formula
 from chasles.reading.grouping import RELATIONS, Tokens, Unread, lines_of
+from chasles.reading.lexemes import cut
 from chasles.reading.page_functions import functions_in
 from chasles.reading.page_notation import PageNotation
 from chasles.reading.printed import PrintedEquation
@@ -26,8 +29,8 @@ from chasles.vocabulary.measure import added
 
 __all__ = ["expressions", "read_equations", "segments"]
 
-CONDITIONS = ("for", "if", "when", "where", "provided", "with", "as", "i.e.")
-KNOWN = ("=", r"\equiv", "<", ">", r"\leq", r"\geq", r"\neq", r"\approx", r"\simeq")
+CONDITIONS = re.compile(r"(?:(?:for|if|when|where|provided|with|as)\b|i\.e\.)", re.IGNORECASE)
+NO_CLAIM = (r"\in", r"\ni", r"\subset", r"\subseteq", r"\iff", r"\Leftrightarrow", r"\models", r"\mapsto")
 MOST_READINGS = 6
 
 
@@ -117,9 +120,9 @@ def _read(
             if ctx.problems
             else Unread("no reading of it fits together and prints the same again", None)
         )
-    last = [line for line, condition in lines if not condition][-1]
-    cut = max((k for k, mark in enumerate(last) if mark.text in RELATIONS), default=-1)
-    return ReadEquation(equation, tuple(readings)), last[cut + 1 :]
+    last = ([line for line, condition in lines if not condition] or [lines[-1][0]])[-1]
+    end = max((k for k, mark in enumerate(last) if mark.text in RELATIONS), default=-1)
+    return ReadEquation(equation, tuple(readings)), last[end + 1 :]
 
 
 def segments(marks: Tokens) -> list[tuple[Tokens, bool]]:
@@ -128,11 +131,14 @@ def segments(marks: Tokens) -> list[tuple[Tokens, bool]]:
     for line in filter(None, lines_of(marks, (r"\\",))):
         condition = False
         for part, word in _side_by_side(line):
-            condition = condition or word.lower().startswith(CONDITIONS)
+            condition = condition or bool(CONDITIONS.match(word))
             if word == "forall":
                 break
-            if part:
-                found.append((tuple(part), condition))
+            if part and part[-1].text == ":":  # a heading
+                continue
+            *before, last = cut(part, tuple(IMPLICATIONS))
+            found += [(tuple(each), True) for each in before if each]
+            found += [(tuple(last), condition)] if last else []
     return [(full, condition) for part, condition in _joined_lists(found) for full in written_out(part)]
 
 
@@ -210,7 +216,7 @@ def _chain(said: PrintedChain, ctx: FittingContext) -> list[tuple[int, tuple[Par
     if chain.sides[0] is None:
         raise Unread("the left side is missing", chain.relations[0])
     signs = [RELATIONS.get(relation.text, relation.text) for relation in chain.relations]
-    unknown = next((r for r, sign in zip(chain.relations, signs, strict=True) if sign not in KNOWN), None)
+    unknown = next((r for r in chain.relations if r.text in NO_CLAIM), None)
     if unknown:
         raise Unread(f"{unknown.text} claims nothing that can be decided", unknown)
     sides = [ctx.terms(side) for side in chain.sides if side is not None]

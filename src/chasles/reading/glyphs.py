@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 
@@ -14,6 +15,7 @@ from chasles.reading.tokens import Token, tokens
 __all__ = ["Glyph", "joined", "letter_in", "letter_of", "only_atom", "said_of", "spelled", "text_of", "with_arguments"]
 
 BOLD = {r"\boldsymbol": r"\mathbf"}
+_LETTERS = TYPEFACES | MARKS
 NAME = re.compile(r"\\(?:operatorname|text)\{(.*)\}$")
 
 
@@ -55,6 +57,13 @@ def only_atom(chain: Chain) -> Atom | None:
         return None
     pieces = chain.sides[0].rows[0].pieces
     return pieces[0] if len(pieces) == 1 and isinstance(pieces[0], Atom) else None
+
+
+def _inside(chain: Chain, is_accented: bool) -> Atom | None:
+    """The letter in an argument: under an accent also one of several letters side by side."""
+    side = chain.sides[0]
+    row = side.rows[0].pieces if is_accented and side and not chain.relations and side.signs == ("",) else ()
+    return only_atom(chain) or joined(row)
 
 
 def _text(atom: Atom) -> str:
@@ -104,7 +113,7 @@ def letter_of(atom: Atom) -> Glyph:
         inner = None
         if atom.kind == "GROUP" or atom.text in TYPEFACES or atom.text in MARKS:
             try:
-                inner = only_atom(formula(atom.arguments[0])) if atom.arguments[0] else None
+                inner = _inside(formula(atom.arguments[0]), atom.text in MARKS) if atom.arguments[0] else None
             except Unread:
                 inner = None
         if inner is None or (atom.kind == "GROUP" and atom.sub and inner.sub):
@@ -125,35 +134,61 @@ def with_arguments(letter: Glyph, bracket: Atom) -> Glyph | None:
     return replace(letter, arguments=" , ".join(map(text_of, bracket.inside)))
 
 
-def joined(sign: Atom, letter: Atom) -> Atom | None:
-    r"""The letter with a sign of difference before it as one name, as \Delta t is; None where there is no such sign."""
-    is_letter = letter.kind == "LETTER" or letter.text in TYPEFACES
-    if sign.text not in (r"\Delta", r"\delta", "d") or sign.is_marked or not is_letter:
+def joined(atoms: Sequence[Atom | Token]) -> Atom | None:
+    r"""Letters side by side as one name, as in \Delta t and GM; None where something else is among them."""
+    found = [atom for atom in atoms if isinstance(atom, Atom) and (atom.kind == "LETTER" or atom.text in _LETTERS)]
+    if len(found) < max(2, len(atoms)) or any(atom.is_marked or atom.text in MARKS for atom in found[:-1]):
         return None
-    return replace(letter, kind="LETTER", text=f"{sign.text} {_text(letter)}", place=sign.place, arguments=())
+    first, last = found[0], found[-1]
+    if last.text in MARKS:  # an accent on the last of them is put on all: \delta\dot\theta
+        signs = [atom.place for atom in found[:-1] if atom.kind == "LETTER"]
+        held = ((*signs, *last.arguments[0]),)
+        return replace(last, arguments=held, place=first.place) if len(signs) == len(found) - 1 else None
+    text = " ".join(map(_text, found))
+    return replace(last, kind="LETTER", text=text, place=first.place, arguments=(), before=first.before)
 
 
+@lru_cache(maxsize=4096)
 def letter_in(text: str) -> Glyph | None:
     """The letter that a notation writes, with arguments where it is a function; None where that is several."""
     chain = formula(tokens(text))
-    row = chain.sides[0].rows[0].pieces if chain.sides[0] and not chain.relations else ()
-    if len(row) == 2 and isinstance(row[0], Atom) and isinstance(row[1], Atom):
-        joint = joined(row[0], row[1])
-        return letter_of(joint) if joint else None if row[1].is_marked else with_arguments(letter_of(row[0]), row[1])
-    atom = only_atom(chain)
-    return None if atom is None else letter_of(atom)
+    if chain.relations or chain.sides[0] is None or chain.sides[0].signs != ("",):
+        return None
+    *name, last = chain.sides[0].rows[0].pieces
+    bracket = last if name and isinstance(last, Atom) and last.kind == "BRACKET" and not last.is_marked else None
+    row = name if bracket else [*name, last]
+    atom = row[0] if len(row) == 1 and isinstance(row[0], Atom) else joined(row)
+    letter = None if atom is None else letter_of(atom)
+    return with_arguments(letter, bracket) if letter and bracket else letter
 
 
 def spelled(letter: Glyph) -> str:
     """The letter in LaTeX."""
-    text = letter.base
-    for style in reversed(re.findall(r"(\\math\w+|\\boldsymbol) ", letter.base + " ")):
-        inner = text.replace(style, "", 1).strip()
-        text = rf"\boldsymbol{{{inner}}}" if style == r"\mathbf" and inner[:1] == "\\" else f"{style}{{{inner}}}"
+    text = _in_latex(letter.base)
     for accent in letter.accents:
         text = f"{accent}{{{text}}}"
-    sub = f"_{{{letter.sub}}}" if letter.sub else ""
-    sups = "".join(f"^{{{sup}}}" for sup in letter.sups)
-    left = "".join(f"{sign}{{{mark}}}" for sign, mark in zip("_^", letter.before, strict=True) if mark)
-    arguments = f"({letter.arguments.replace(' ,', ',')})" if letter.arguments else ""
+    sub = f"_{{{_in_latex(letter.sub)}}}" if letter.sub else ""
+    sups = "".join(f"^{{{_in_latex(sup)}}}" for sup in letter.sups)
+    left = "".join(f"{sign}{{{_in_latex(mark)}}}" for sign, mark in zip("_^", letter.before, strict=True) if mark)
+    arguments = f"({_in_latex(letter.arguments)})" if letter.arguments else ""
     return ("{}" + left if left else "") + text + sub + "'" * letter.primes + sups + arguments
+
+
+def _in_latex(text: str) -> str:
+    """A text of tokens in LaTeX: typefaces hold the next letter, scripts reach to the next comma or stroke."""
+    found: list[str] = []
+    styles: list[str] = []
+    scripts = 0
+    for word in text.split():
+        if word in TYPEFACES:
+            styles.append(word)
+            continue
+        if word in (",", "/"):
+            found, scripts = [*found, "}" * scripts], 0
+        said = rf"\mathrm{{{word}}}" if word.isalpha() and len(word) > 1 else word
+        for style in reversed(styles):
+            said = (r"\boldsymbol" if style == r"\mathbf" and said[:1] == "\\" else style) + f"{{{said}}}"
+        styles = []
+        scripts += word in ("_", "^")
+        found.append(said + "{" if word in ("_", "^") else said)
+    return re.sub(r" ?([_^]\{) ?| (?=[,}])", r"\1", " ".join(filter(None, [*found, "}" * scripts])))

@@ -24,22 +24,26 @@ class LetterTable:
     """What letters mean: exact ones, and patterns of subscripts, superscripts and arguments.
 
     `said` is what a file says of each of them, and how; of the patterns, those that leave least open come first.
+    `names` are the letters that are several side by side.
     """
 
     def __init__(self) -> None:
         self.exact: dict[Glyph, list[Meaning]] = {}
         self.loose: dict[Glyph, list[Meaning]] = {}
         self.patterns: list[tuple[int, str, Glyph, tuple[re.Pattern[str], ...], Meaning]] = []
+        self.names: set[str] = set()
         self.behind: LetterTable | None = None
         self.said: dict[Glyph, tuple[str, Any]] = {}
 
     def before(self, other: LetterTable) -> LetterTable:
         """The letters of this table, and those of another that this one does not have."""
-        self.behind = other
+        self.behind, self.names = other, self.names | other.names
         return self
 
     def add(self, letter: Glyph, meaning: Meaning, said: str = "") -> None:
         """Say what a letter means, beside what it may mean already; `said` is how a file writes it."""
+        if len(letter.loose.base.split()) > 1 and letter.base[0] not in "[(":
+            self.names.add(letter.loose.base)
         marks = _marks(letter)
         if any("#" in part or "|" in part for part in marks):
             freedom = sum(100 if "# #" in part else part.count("#") for part in marks)

@@ -8,7 +8,8 @@ from typing import NamedTuple
 
 __all__ = ["LEXEME", "MOST_LEXEMES", "BadPage", "Token", "blank", "cut", "lexemes", "spelled"]
 
-LEXEME = re.compile(r"%[^\n]*(?:\n[ \t]*|$)|\\(?:[A-Za-z@]+|.|$)|\s+|.", re.DOTALL)
+SPACE_BEHIND = r"\*?(?:\s*\[\s*-?[\d.]*\s*(?:em|ex|pt|mm|cm|in|mu|sp|\\\w+)\s*\])?"
+LEXEME = re.compile(rf"%[^\n]*(?:\n[ \t]*|$)|\\\\{SPACE_BEHIND}|\\(?:[A-Za-z@]+|.|$)|\s+|.", re.DOTALL)
 GROUP_OPENING = re.compile(r"\{$|\\begin\b")
 GROUP_CLOSING = re.compile(r"\}$|\\end\b")
 MOST_LEXEMES = 20_000
@@ -45,7 +46,9 @@ def lexemes(latex: str, line: int = 1, column: int = 1) -> list[Token]:
 
 
 def blank(text: str) -> str:
-    r"""White space as TeX has it: a blank, or \par for an empty line; any other text as it stands."""
+    r"""White space as TeX has it: a blank, or \par for an empty line; a row's end bare; any other text as it stands."""
+    if text.startswith("\\\\"):
+        return "\\\\"
     return text if not text.isspace() else " " if text.count("\n") < 2 else r"\par"
 
 

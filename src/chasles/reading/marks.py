@@ -28,7 +28,7 @@ from chasles.vocabulary import (
 )
 from chasles.vocabulary.families import Entry, Kronecker
 
-__all__ = ["atom_fits", "letter_fits"]
+__all__ = ["WITHOUT_WORD", "atom_fits", "letter_fits"]
 
 GROUPS = {"()": "()", "[]": "[]", r"\{\}": "{}"}
 SIZE = re.compile(r"(\d+)(?: \\times (\d+))?")
@@ -48,7 +48,7 @@ def atom_fits(atom: Atom, ctx: FittingContext) -> list[Fit]:
     if found:
         del ctx.problems[problems:]
     elif len(ctx.problems) == problems and atom.kind in ("LETTER", "COMMAND") and not _is_known(letter, ctx):
-        why = WITHOUT_WORD.get(atom.text) or f"the notation does not say what {''.join(_shown(letter))} is"
+        why = WITHOUT_WORD.get(atom.text) or f"the notation does not say what {spelled(letter)} is"
         ctx.note(why, atom.place)
     return kept(found)
 
@@ -69,13 +69,6 @@ def letter_fits(letter: Glyph, ctx: FittingContext, is_function: bool = False) -
         longest = longest or (rest if fits else None)
         found += fits if rest == longest else [replace(fit, cost=fit.cost + UNUSUAL) for fit in fits]
     return found
-
-
-def _shown(letter: Glyph) -> list[str]:
-    sub = [f"_{{{letter.sub}}}"] if letter.sub else []
-    left = [f"{sign}{{{mark}}}" for sign, mark in zip("_^", letter.before, strict=True) if mark]
-    sups = (f"^{{{sup}}}" for sup in letter.sups)
-    return [*letter.accents, *left, letter.base + "'" * letter.primes + "".join((*sub, *sups))]
 
 
 def _of_symbol(node: Node, ctx: FittingContext) -> Fit:

@@ -31,6 +31,13 @@ TABLES = ("operators", "symbols", "page", "equations", "section")
 PAGE = ("units", "assuming", *CONVENTIONS)
 SHORT = {"exp": "rotation_by_vector", "vee": "vect", "abs": "norm", "adjoint": "adjoint_of_motion"}
 NOT_PRINTED = (Rate, Identity, Zero)
+USUAL = {
+    "skew": [r"[#]_\times", r"[# \times]", r"\lfloor # \times \rfloor", r"[#]^\times", r"#^\times", r"#^\wedge"],
+    "vee": [r"#^\vee"],
+    "quaternion_product": [r"# \otimes #"],
+    "outer_product": [r"# \otimes #"],
+}
+"""Spellings that a file need not name; those that it names come first."""
 
 
 def load_notation(source: str | Path | ModuleType | Mapping[str, Any]) -> PageNotation:
@@ -83,7 +90,7 @@ class _Loading:
         self.conventions = {name: bool(page[name]) for name in CONVENTIONS if name in page}
         usual_spellings(self.notation)
         forms: dict[Any, str] = {}
-        for name, spelled in tables.get("operators", {}).items():
+        for name, spelled in (*tables.get("operators", {}).items(), *USUAL.items()):
             self._operator(name, spelled, forms)
         self.notation.forms = Notation(forms)
         sys.modules[self.notation.home].NOTATION = self.notation.forms  # type: ignore[attr-defined]
@@ -117,7 +124,7 @@ class _Loading:
             except (Unread, BadPage) as problem:
                 raise BadNotation(f"[operators] {name}: {problem}") from None
             if not place and kind is not None and kind not in NOT_PRINTED:
-                forms[kind] = _numbered(form)
+                forms.setdefault(kind, _numbered(form))
 
     def _constant(self, name: str, form: str) -> None:
         letter = letter_in(form)

@@ -17,7 +17,9 @@ __all__ = ["Kind", "displayed", "kind_of"]
 
 Kind = Literal["tex", "md", "rst", "equation"]
 
-SUFFIXES: dict[str, Kind] = {".tex": "tex", ".ltx": "tex", ".md": "md", ".markdown": "md", ".myst": "md", ".rst": "rst"}
+SUFFIXES: dict[str, Kind] = {
+    ".tex": "tex", ".ltx": "tex", ".md": "md", ".markdown": "md", ".myst": "md", ".dox": "md", ".rst": "rst",
+}  # fmt: skip
 LABEL_AFTER = re.compile(r"[ \t]*\(([^\s()]+)\)[ \t]*(?=\n|$)")
 ROW_END = "\\\\"
 
@@ -62,7 +64,8 @@ class _MarkdownPage(TexPage):
 
     counts = False
     special_text = re.compile(
-        r"<!--|^[ \t>]*(?:`{3,}|~{3,}|:{3,})[^\n`]*$|`+|\\f\[|^#{1,6}[ \t][^\n]*|\\(?:[A-Za-z@]+|.)|\$\$?",
+        r"<!--|^[ \t>]*(?:`{3,}|~{3,}|:{3,})[^\n`]*$|`+"
+        r"|\\f(?:\[|\{\w+\*?\}\{?)|^#{1,6}[ \t][^\n]*|\\(?:[A-Za-z@]+|.)|\$\$?",
         re.DOTALL | re.MULTILINE,
     )
 
@@ -71,6 +74,8 @@ class _MarkdownPage(TexPage):
         if text == "<!--":
             end = source.text.find("-->", source.at)
             source.at = end if end > 0 else source.end
+        elif text.startswith(r"\f{"):
+            self.display(token, r"\f{", text[3 : text.index("}")], source)
         elif text.startswith("#"):
             self.numbering.begin_heading(text.lstrip("#").rstrip("# "))
         elif text.lstrip(" \t>")[:1] not in ("`", "~", ":"):

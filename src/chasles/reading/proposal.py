@@ -3,15 +3,20 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 
 from chasles.reading.commands import MARKS
-from chasles.reading.equations import segments
+from chasles.reading.declared_letters import declare_letter
+from chasles.reading.equations import read_equations, segments
 from chasles.reading.glyphs import Glyph, letter_in, letter_of, spelled
 from chasles.reading.grammar import Terms, formula, terms_in
 from chasles.reading.grouping import TYPEFACES, Unread
-from chasles.reading.page_notation import PageNotation, usual_spellings
+from chasles.reading.letter_table import LetterTable
+from chasles.reading.marks import WITHOUT_WORD
+from chasles.reading.notation_file import load_notation
+from chasles.reading.page_notation import PageNotation
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.spellings import called
 from chasles.reading.tokens import BadPage, Token
@@ -20,60 +25,103 @@ __all__ = ["proposed"]
 
 TRANSPOSES, INVERSES = ("T", r"\top"), ("- 1", "- T", r"- \top")
 RATES = (r"\dot", r"\ddot", r"\dddot")
-NOT_DECLARED = (
-    r"d \partial \int \sum \lim \ldots \dots \cdots \infty \pi e . ! 0 I \mathbf_I \mathbf_0 \mathbf_1 \mathrm_d"
-)
-BARE_VECTORS = (r"\vec", r"\bar", r"\hat")
+NO_LETTERS = frozenset([*WITHOUT_WORD, r"\partial", ".", "!"])
+BARE = ("d", r"\pi", "e", "0", "I", r"\mathbf I", r"\mathbf 0", r"\mathbf 1", r"\mathrm d")
+"""What is no letter of the page where it has no subscript."""
+KINDS = {(True, True): ("matrix", "vector"), (True, False): ("vector", "matrix"),
+         (False, True): ("matrix", "scalar", "vector"), (False, False): ("scalar", "vector")}  # fmt: skip
+"""What a letter may be, by whether it is bold and whether it is a capital."""
+LONGEST, MOST_TRIED, ROUNDS = 150, 5, 2
+"""A letter is tried in so many equations that have it, of so many tokens at most, so many times."""
 
 
 @dataclass
 class _Use:
-    """How a letter is used on the page: with which signs, in which functions, with which subscripts."""
+    """How a letter is used on the page: with which signs, in which functions, with which subscripts, where."""
 
     signs: set[str] = field(default_factory=set)
     letters: dict[Glyph, None] = field(default_factory=dict)
+    places: dict[int, None] = field(default_factory=dict)
+    kind: str = ""
+    other: str = ""
 
 
 def proposed(equations: Sequence[PrintedEquation]) -> str:
-    """A notation in TOML for the letters of these equations; where two meanings are likely, a question mark says so."""
-    usual = PageNotation()
-    usual_spellings(usual)
+    """A notation in TOML for the letters of these equations; where two meanings are likely, a question mark says so.
+
+    Of what a letter may be, that is taken with which more of the equations can be read.
+    """
+    usual = load_notation("")
     uses: dict[Glyph, _Use] = {}
-    for equation in equations:
+    for place, equation in enumerate(equations):
         try:
             for line, _ in segments(equation.tokens):
                 for side in formula(line).sides:
-                    _note(side, "", uses, usual)
+                    _note(side, "", uses, usual, place)
         except (Unread, BadPage):
             continue
-    lines = ["[operators]", *_operators(uses), "", "[symbols]"]
-    for stem, use in sorted(uses.items(), key=lambda each: spelled(each[0])):
-        lines += _declared(stem, use)
+    uses = dict(sorted(uses.items(), key=lambda each: spelled(each[0])))
+    for stem, use in uses.items():
+        use.kind, use.other = _kind(stem, use)
+    operators = "\n".join(["[operators]", *_operators(uses)])
+    _choose_kinds(uses, load_notation(operators), equations)
+    lines = [operators, "", "[symbols]"]
+    for stem, use in uses.items():
+        question = f"  # ? or {use.other}" if use.other else ""
+        for glyph, said in _declared(stem, use):
+            of = f", of = {_quoted(said['of'])}" if "of" in said else ""
+            known = _is_one_letter(glyph)
+            entry = f'{_quoted(spelled(glyph))} = {{ is = "{said["is"]}"{of} }}{"" if of else question}'
+            lines.append(entry if known else f"# {spelled(glyph)}: several letters in one; say what it is")
     return "\n".join(lines) + "\n"
 
 
-def _declared(stem: Glyph, use: _Use) -> Iterator[str]:
-    """The lines of a letter: with its subscripts, one pattern for many of them, or the components of a vector."""
-    kind, other = _kind(stem, use)
+def _choose_kinds(uses: dict[Glyph, _Use], operators: PageNotation, equations: Sequence[PrintedEquation]) -> None:
+    """Let each letter be that with which most of the shortest equations that have it can be read."""
+    for _ in range(ROUNDS):
+        for stem, use in sorted(uses.items(), key=lambda each: len(_kinds(each[0])), reverse=True):
+            having = [equations[place] for place in use.places if len(equations[place].tokens) < LONGEST]
+            tried = sorted(having, key=lambda equation: len(equation.tokens))[:MOST_TRIED]
+            best = _count_read(tried, uses, operators)
+            if best >= len(tried):
+                continue
+            for kind in _kinds(stem):
+                before, use.kind = use.kind, kind
+                count = _count_read(tried, uses, operators)
+                if count > best:
+                    best, use.other = count, ""
+                else:
+                    use.kind = before
+
+
+def _count_read(tried: Sequence[PrintedEquation], uses: dict[Glyph, _Use], operators: PageNotation) -> int:
+    """How many of the equations can be read, and are well formed, when the letters are what is proposed."""
+    notation = replace(operators, letters=LetterTable().before(operators.letters), matched={})
+    for stem, use in uses.items():
+        for glyph, said in _declared(stem, use):
+            if _is_one_letter(glyph):
+                declare_letter(notation, notation.letters, spelled(glyph), said)
+    read = read_equations(tried, notation)
+    return sum(bool(each.readings) and not any(part.fault for part in each.readings[0].parts) for each in read)
+
+
+def _declared(stem: Glyph, use: _Use) -> Iterator[tuple[Glyph, Mapping[str, str]]]:
+    """What is said of a letter: with its subscripts, by a pattern for many of them, and of a vector's components."""
     components = [glyph for glyph in use.letters if glyph.sub in ("x", "y", "z")]
-    question = f"  # ? or {other}" if other else ""
-    glyphs = [glyph for glyph in use.letters if not (kind == "vector" and stem in use.letters and glyph in components)]
-    if len(glyphs) > 3 and all(glyph.sub and not glyph.sups for glyph in glyphs):
+    are_parts = use.kind == "vector" and stem in use.letters and bool(components)
+    glyphs = [glyph for glyph in use.letters if not (are_parts and glyph in components)]
+    if len(glyphs) > 3 and all(glyph.sub for glyph in glyphs):
         glyphs = [replace(stem, sub="##")]
-    for glyph in glyphs:
-        if "#" not in glyph.sub and not _is_one_letter(glyph):
-            yield f"# {spelled(glyph)}: several letters in one; say what it is"
-            continue
-        yield f'{_quoted(spelled(glyph))} = {{ is = "{kind}" }}{question}'
-    if len(glyphs) < len(use.letters) and components and stem in use.letters:
-        marks = replace(stem, sub="x|y|z")
-        yield f'{_quoted(spelled(marks))} = {{ is = "component", of = {_quoted(spelled(stem))} }}'
+    yield from ((glyph, {"is": use.kind}) for glyph in glyphs)
+    if are_parts:
+        yield replace(stem, sub="x|y|z"), {"is": "component", "of": spelled(stem)}
 
 
+@lru_cache(maxsize=4096)
 def _is_one_letter(glyph: Glyph) -> bool:
     """Whether it is read as the letter that it is once it is written."""
     try:
-        return letter_in(spelled(glyph)) == glyph
+        return "#" in glyph.sub or "|" in glyph.sub or letter_in(spelled(glyph)) == glyph
     except (Unread, BadPage):
         return False
 
@@ -82,7 +130,7 @@ def _quoted(text: str) -> str:
     return json.dumps(text) if "'" in text else f"'{text}'"
 
 
-def _note(terms: Terms | None, within: str, uses: dict[Glyph, _Use], usual: PageNotation) -> None:
+def _note(terms: Terms | None, within: str, uses: dict[Glyph, _Use], usual: PageNotation, at: int) -> None:
     """Note each letter of the terms, with what stands around it."""
     for row in terms.rows if terms else ():
         before = within
@@ -97,47 +145,47 @@ def _note(terms: Terms | None, within: str, uses: dict[Glyph, _Use], usual: Page
                 before = name
                 continue
             for inner in terms_in(piece):
-                _note(inner, piece.text if piece.text in (r"\|\|", "||") else before, uses, usual)
+                _note(inner, piece.text if piece.text in (r"\|\|", "||") else before, uses, usual, at)
             if piece.kind == "LETTER" or piece.text in TYPEFACES or piece.text in MARKS:
-                _note_letter(letter_of(piece), around, uses)
+                _note_letter(letter_of(piece), around, uses, at)
             before = within
 
 
-def _note_letter(letter: Glyph, around: set[str], uses: dict[Glyph, _Use]) -> None:
-    if (
-        letter.base.replace(" ", "_") in NOT_DECLARED.split()
-        or " , " in letter.base
-        or letter.base.startswith(("[", "(", r"\begin"))
-    ):
+def _note_letter(letter: Glyph, around: set[str], uses: dict[Glyph, _Use], at: int) -> None:
+    is_bare = letter.base in BARE and not letter.sub and not set(letter.accents) - {*RATES}
+    if is_bare or letter.base in NO_LETTERS or " , " in letter.base or letter.base.startswith(("[", "(", r"\begin")):
         return
     scripts = {sup for sup in letter.sups if sup in (*TRANSPOSES, *INVERSES, "2", "3", r"\wedge", r"\vee", "*")}
     accents = tuple(accent for accent in letter.accents if accent not in (*RATES, r"\tilde"))
     own = Glyph(letter.base, accents, letter.sub, letter.primes, tuple(set(letter.sups) - scripts), letter.before)
-    stem = Glyph(letter.base, accents, before=letter.before)
+    stem = replace(own, sub="")
     use = uses.setdefault(stem, _Use())
-    use.letters[own] = None
+    use.letters[own] = use.places[at] = None
     use.signs |= around | {f"^{sup}" for sup in scripts} | {accent for accent in letter.accents if accent == r"\tilde"}
+
+
+def _looks(stem: Glyph) -> tuple[bool, bool]:
+    """Whether the letter is bold, or has an accent of vectors, and whether it is a capital."""
+    letter = stem.base.split()[-1]
+    accented = bool({*stem.accents} & {r"\vec", r"\bar", r"\hat"})
+    return r"\mathbf" in stem.base or r"\vec" in stem.base or accented, letter.strip("\\")[:1].isupper()
+
+
+def _kinds(stem: Glyph) -> tuple[str, ...]:
+    return KINDS[_looks(stem)]
 
 
 def _kind(stem: Glyph, use: _Use) -> tuple[str, str]:
     """What the letter is most likely, and what else it may be."""
     letter = stem.base.split()[-1]
-    large = letter[:1].isupper() or (letter[:1] == "\\" and letter[1:2].isupper())
+    bold, large = _looks(stem)
     square = any(f"^{sup}" in use.signs for sup in INVERSES) or bool(use.signs & {r"\det", "tr", r"\tr"})
     vector = bool(use.signs & {r"\times", r"\cdot", r"\|\|", r"\tilde", r"^\wedge"})
     transposed = any(f"^{sup}" in use.signs for sup in TRANSPOSES)
-    if r"\mathbf" in stem.base or set(stem.accents) & {r"\vec", r"\bar", r"\hat"} or r"\vec" in stem.base:
-        return (
-            ("rotation", "matrix")
-            if large and letter in ("R", "Q", "C")
-            else ("matrix", "")
-            if large
-            else ("vector", "")
-        )
-    if large and (square or transposed):
+    if large and (bold or square or transposed):
         return ("rotation", "matrix") if letter in ("R", "Q", "C") else ("matrix", "")
-    if vector and not large:
-        return "vector", "scalar" if r"\cdot" in use.signs else ""
+    if bold or (vector and not large):
+        return "vector", "" if bold or r"\cdot" not in use.signs else "scalar"
     if transposed:
         return "vector", "matrix"
     if use.signs & {r"\sin", r"\cos", r"\tan"}:
@@ -150,6 +198,6 @@ def _operators(uses: dict[Glyph, _Use]) -> list[str]:
     signs = set().union(*(use.signs for use in uses.values()))
     skew = [form for sign, form in ((r"\tilde", r"\tilde{#}"), (r"^\wedge", r"#^\wedge")) if sign in signs]
     transposes = [f"#^{sup}" for sup in TRANSPOSES if f"^{sup}" in signs] or ["#^T"]
-    lines = ["skew = [" + ", ".join(f"'{form}'" for form in (*skew, r"[#]_\times")) + "]"]
+    lines = ["skew = [" + ", ".join(f"'{form}'" for form in (*skew, r"[#]_\times")) + "]"] if skew else []
     lines += ["transpose = [" + ", ".join(f"'{form}'" for form in transposes) + "]"]
     return [*lines, r"identity = ['\mathbf{1}', '\mathbf{I}', 'I']  # ? what of these is a letter of its own"]

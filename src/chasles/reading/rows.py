@@ -152,16 +152,21 @@ def _product(items: tuple[Atom, ...], ctx: FittingContext) -> list[Fit]:
 def _names_whole(items: tuple[Atom, ...], ctx: FittingContext) -> tuple[Atom, ...]:
     r"""The atoms with a name that is printed bold as one: \mathbf{1tr} is \mathbf{1} and tr."""
     names = [name for name in ctx.notation.spellings.names if name.isalpha() and len(name) > 1]
+    letters = ctx.notation.letters
+    longest = max((len(name.split()) for name in letters.names), default=1)
     found: list[Atom] = []
     place = 0
     while place < len(items):
         bold = [item.arguments[0][0].text if item.text == r"\mathbf" else "" for item in items[place : place + 8]]
         name = next((name for name in names if bold[: len(name)] == list(name)), "")
         found.append(replace(items[place], kind="LETTER", text=name, arguments=()) if name else items[place])
-        joint = joined(found[-2], found[-1]) if not name and len(found) > 1 else None
-        if joint is not None and next(ctx.notation.letters.meanings(letter_of(joint)), None) is not None:
-            found[-2:] = [joint]
         place += len(name) or 1
+        for length in range(min(longest, len(found)), 1 if not name else longest, -1):
+            joint = joined(found[-length:])
+            letter = letter_of(joint) if joint else None
+            if joint and letter and letter.loose.base in letters.names and next(letters.meanings(letter), None):
+                found[-length:] = [joint]
+                break
     return tuple(found)
 
 

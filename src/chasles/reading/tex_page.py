@@ -9,6 +9,7 @@ from chasles.reading.alignment import DisplayedEquation, DisplayRow, equations_o
 from chasles.reading.lexemes import MOST_LEXEMES, BadPage, Token, spelled
 from chasles.reading.macros import DEFINING, MacroTable, Source
 from chasles.reading.numbering import LEVELS, Numbering
+from chasles.reading.packages import ALWAYS, PACKAGES
 from chasles.reading.printed import PrintedEquation
 
 __all__ = ["Included", "TexPage", "UnclosedDisplay"]
@@ -26,8 +27,9 @@ DISPLAYS = re.compile(
 ROW_NUMBERED = re.compile(r"(?:x?align(?:at)?|flalign|gather|eqnarray|IEEEeqnarray)\*?$")
 UNNUMBERED = re.compile(r".*\*$|displaymath$|$")
 TAKES_ARGUMENT = re.compile(r"(?:x?alignat|IEEEeqnarray|empheq)\*?$")
+TAKES_OPTION = re.compile(r"(?:dmath|IEEEeqnarray|empheq)\*?$")
 VERBATIM = re.compile(r"(?:[vV]erbatim|lstlisting|minted|comment|filecontents|code|alltt)\*?$")
-CLOSING = {r"\[": r"\]", r"\f[": r"\f]", r"\(": r"\)", "$$": "$$", "$": "$"}
+CLOSING = {r"\[": r"\]", r"\f[": r"\f]", r"\f{": r"\f}", r"\(": r"\)", "$$": "$$", "$": "$"}
 INLINE = {"$": re.compile(r"(?:[^\\$]|\\.)*?\$", re.DOTALL), r"\(": re.compile(r"[^()]*?\\\)")}
 SPECIAL = re.compile(r"%[^\n]*|\\(?:[A-Za-z@]+|.)|\$\$?", re.DOTALL)
 
@@ -50,6 +52,7 @@ class TexPage:
         self.files: list[str] = []
         self.fences: list[str] = []
         self.displays = 0
+        self.define(ALWAYS)
 
     def read(self, source: Source) -> None:
         """Reads a file to its end; raises `BadPage` where it is too large or includes itself."""
@@ -105,6 +108,13 @@ class TexPage:
         if text in (r"\input", r"\include", r"\subfile") and self.included:
             self.include(name, token)
 
+    def define(self, definitions: str) -> None:
+        """Takes in macros that stand nowhere on the page."""
+        source = Source(definitions, self.macros)
+        while token := source.lexeme():
+            if DEFINING.match(token.text):
+                source.define(token)
+
     def include(self, name: str, token: Token) -> None:
         """Reads a file that the page asks for."""
         assert self.included
@@ -127,6 +137,10 @@ class TexPage:
                 counter, value = source.name(token), source.name(token)
                 if re.fullmatch(r"-?\d{1,6}", value):
                     self.numbering.set(counter, int(value), token.text == r"\addtocounter")
+            case "usepackage" | "RequirePackage":
+                source.optional(token)
+                for package in source.name(token).split(","):
+                    self.define(PACKAGES.get(package.strip(), ""))
             case "appendix":
                 self.numbering.begin_appendix()
             case "verb" | "lstinline" if not source.waiting:
@@ -157,7 +171,8 @@ class TexPage:
             source.at = end if end >= 0 else source.end
         elif is_begin and DISPLAYS.match(name):
             inner = name
-            source.optional(token)
+            if TAKES_OPTION.match(name):
+                source.optional(token)
             if TAKES_ARGUMENT.match(name):
                 argument = source.name(token)
                 inner = argument.partition("=")[0] if name.startswith("empheq") else name
@@ -237,7 +252,7 @@ class TexPage:
         if text == "$" and closer == "$$" and source.peek() == "$":
             source.lexeme()
             return None
-        if text == r"\f" and closer == r"\f]" and source.peek() == "]":
+        if text == r"\f" and closer in (r"\f]", r"\f}") and source.peek() == closer[-1]:
             source.lexeme()
             return None
         if text == r"\par" and opener in CLOSING:

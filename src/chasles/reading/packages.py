@@ -1,0 +1,23 @@
+"""Commands of LaTeX packages that are made of others."""
+
+from __future__ import annotations
+
+__all__ = ["ALWAYS", "PACKAGES"]
+
+ALWAYS = r"""
+\newcommand\prescript[3]{{}^{#1}_{#2}{#3}}
+\newcommand\leftidx[3]{{}#1{#2}#3}
+"""
+"""What is the same in every package that has it."""
+
+PACKAGES = {
+    "physics": r"""
+\newcommand\abs[1]{\left|#1\right|} \newcommand\norm[1]{\left\|#1\right\|} \newcommand\qty[1]{\left(#1\right)}
+\newcommand\vb{\mathbf} \newcommand\va[1]{\vec{\mathbf{#1}}} \newcommand\vu[1]{\hat{\mathbf{#1}}}
+\newcommand\dd{\mathrm{d}} \newcommand\dv[2]{\frac{d #1}{d #2}} \newcommand\pdv[2]{\frac{\partial #1}{\partial #2}}
+\newcommand\cross{\times} \newcommand\vdot{\cdot} \newcommand\tr{\operatorname{tr}} \newcommand\grad{\nabla}
+""",
+    "tensor": r"\newcommand\tensor[3][]{{}#1{#2}#3}",
+    "siunitx": r"\newcommand\SI[2]{#1} \newcommand\qty[2]{#1} \newcommand\num[1]{#1} \newcommand\ang[1]{#1^\circ}",
+}
+"""By the name of the package, what a page that uses it may write."""

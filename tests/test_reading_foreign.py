@@ -1,0 +1,159 @@
+"""Ways of writing that texts by others use: names of several letters, packages' commands, relations, skew matrices."""
+
+from __future__ import annotations
+
+import pytest
+
+import chasles
+from chasles.reading.equations import read_equations
+from chasles.reading.glyphs import letter_in, spelled
+from chasles.reading.notation_file import load_notation
+from chasles.reading.pages import Kind, displayed
+from chasles.reading.printed import PrintedEquation
+from chasles.reading.proposal import proposed
+from chasles.vocabulary import latex
+
+NOTATION = r"""
+[symbols]
+'\mathbf{a}' = "vector"
+'\mathbf{b}' = "vector"
+'\mathbf{A}' = "matrix"
+'PB' = "rotation"
+'PN_{#}' = "rotation"
+'BN_{#}' = "rotation"
+'GM' = "scalar"
+'\delta\theta' = "vector"
+'r' = "scalar"
+'h' = "scalar"
+'p' = "quaternion"
+'q' = "unit quaternion"
+"""
+
+
+def readings(text: str, kind: Kind = "equation") -> list[str]:
+    """Each part of the first reading of each equation, or why there is none."""
+    found: list[str] = []
+    for each in read_equations(displayed(text, kind), load_notation(NOTATION)):
+        parts = each.readings[0].parts if each.readings else ()
+        found += [f"{latex(part.left)} {part.sign} {latex(part.right)}".replace(" ", "") for part in parts]
+        found += [] if parts else [each.why]
+    return found
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (r"\mathbf a^\wedge \mathbf b", r"[\mathbf{a}]_\times\mathbf{b}"),
+        (r"\mathbf a^\times \mathbf b", r"[\mathbf{a}]_\times\mathbf{b}"),
+        (r"\left[\mathbf a\right]_\times \mathbf b", r"[\mathbf{a}]_\times\mathbf{b}"),
+        (r"[\mathbf a \times] \mathbf b", r"[\mathbf{a}]_\times\mathbf{b}"),
+        (r"\lfloor\mathbf a\times\rfloor\mathbf b", r"[\mathbf{a}]_\times\mathbf{b}"),
+        (r"\mathbf A^\vee", r"\mathbf{A}^\vee"),
+        (r"(\mathbf a \otimes \mathbf b) \mathbf a", r"(\mathbf{a}\otimes\mathbf{b})\mathbf{a}"),
+        (r"\frac{GM}{r^2} \mathbf{a}", r"\frac{GM}{r^2}\mathbf{a}"),
+        (r"\delta\dot\theta", r"\dot{\delta\theta}"),
+        (r"\dot{\delta\theta}", r"\dot{\delta\theta}"),
+    ],
+)
+def test_usual_spellings_and_names_of_several_letters_are_read(text: str, expected: str) -> None:
+    (found,) = readings(rf"\mathbf b = {text}")
+    said = found.removeprefix(r"\mathbf{b}=").replace(r"\left", "").replace(r"\right", "")
+    assert said == expected
+
+
+def test_quaternions_have_a_product_of_their_own() -> None:
+    assert readings(r"p = q \otimes p \otimes q") == [r"p=q\otimesp\otimesq"]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (r"\mathbf a \to \mathbf b", [r"\mathbf{a}\rightarrow\mathbf{b}"]),
+        (r"r \propto h", [r"r\proptoh"]),
+        (r"r \gg h", [r"r\ggh"]),
+        (r"r \in h", [r"\in claims nothing that can be decided"]),
+        (r"r = h \Rightarrow h = r", ["h=r"]),
+        (r"r = h \quad\implies\quad h = r", ["h=r"]),
+        (r"\text{forward:} \quad r = h", ["r=h"]),
+        (r"\text{forward}: \quad r = h", ["r=h"]),
+        (r"r = h \text{ for } h \neq 0", ["r=h"]),
+    ],
+)
+def test_relations_implications_and_headings(text: str, expected: list[str]) -> None:
+    assert readings(text) == expected
+
+
+def test_what_stands_before_an_implication_is_a_condition() -> None:
+    letters = {"symbols": {"a": "scalar", "b": "scalar", "c": "scalar"}}
+    page = chasles.read(
+        r"\begin{align} a &= 2 b \Rightarrow a^2 = 4 b^2 \\ c &= a \\ \Rightarrow a &= c \end{align}", letters, "tex"
+    )
+    assert [each.verdict for each in page.equations] == ["holds-under", "defined", "holds"]
+    (wrong,) = chasles.read(r"a = b \Rightarrow a^2 = 2 b^2", letters).equations
+    assert wrong.verdict == "fails"
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (r"\begin{equation} [PB] = [PN_1] [BN_1]^T \end{equation}", 1),
+        (r"\begin{equation} [PB] \mathbf b = \mathbf a \end{equation}", 1),
+        ("\\begin{align} r &= h \\\\[1em] h &= r \\\\*[-2pt] r &= h \\end{align}", 3),
+        ("\\begin{align} r &= h \\\\\n [0.5\\baselineskip] h &= r \\end{align}", 2),
+        (r"\usepackage{physics} \[ \dv{\vb{a}}{t} = \abs{\vb a} \vb b \]", 1),
+        (r"\[ m_{\text{\text{hub}}} = r \]", 1),
+    ],
+)
+def test_displays_keep_what_stands_in_them(text: str, expected: int) -> None:
+    found = displayed(text, "tex")
+    assert len(found) == expected
+    marks = load_notation(NOTATION + "'m_{\\mathrm{hub}}' = 'scalar'\n")
+    assert [each.status for each in read_equations(found, marks)] == ["read"] * expected
+
+
+@pytest.mark.parametrize(
+    "text", [r"\prescript{A}{B}{R}", r"\leftidx{^A_B}{R}{}", r"{}^{A}_{B}R", r"\prescript{A}{B} R"]
+)
+def test_scripts_at_the_left_are_one_whatever_the_package(text: str) -> None:
+    (found,) = displayed(f"{text} = 0", "equation")
+    assert "".join(token.text for token in found.tokens) == "{}_{B}^{A}R=0"
+
+
+def test_displays_of_doxygen() -> None:
+    text = "Text \\f{align*}{\n a &= b \\\\\n c &= d\n\\f} and \\f[ e = f \\f] end"
+    assert [(each.line, each.latex.count("=")) for each in displayed(text, "md")] == [(2, 1), (3, 1), (4, 1)]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        r"m_{\text{sp}_{i2},B_c}", r"\mathbf{DV}_{\mathrm{measured}}", r"\dot{\boldsymbol\omega}_{\cal B/N}", "GM",
+        r"{}^{\mathcal N}_{B}\hat{\mathbf p}'_{a_1}", r"\Delta\mathbf{x}_k",
+        r"\Gamma(\boldsymbol\phi)", r"\mathrm{\Phi}^{ab}",
+    ],
+)  # fmt: skip
+def test_a_letter_is_the_same_once_it_is_written(text: str) -> None:
+    letter = letter_in(text)
+    assert letter is not None
+    assert letter_in(spelled(letter)) == letter
+
+
+PROPOSED = [
+    r"\mathbf{F} = m \ddot{\mathbf{r}}_{C/N}",
+    r"\mathbf{L}_{\text{sc},B} = [I_{\text{sc},B}] \dot{\boldsymbol\omega} + \mathbf{r}_{C/N} \times \mathbf{F}",
+    r"R_b = \frac{v_{rear}}{\omega} + 1",
+    r"\mathbf{r}''_{P/B} = \mathbf{r}'_{P/B} + \mathbf{c}''",
+]
+
+
+def test_of_what_letters_may_be_that_is_proposed_with_which_more_is_read() -> None:
+    equations = [PrintedEquation(text) for text in PROPOSED]
+    text = proposed(equations)
+    for line in (
+        "'\\mathbf{F}' = { is = \"vector\" }",
+        "'\\mathbf{L}_{\\mathrm{sc}, B}' = { is = \"vector\" }",
+        "'I_{\\mathrm{sc}, B}' = { is = \"matrix\" }",
+        "'R_{b}' = { is = \"scalar\" }",
+    ):
+        assert any(each.startswith(line) for each in text.splitlines()), text
+    assert [each.status for each in read_equations(equations, load_notation(text))] == ["read"] * 4
