@@ -341,7 +341,7 @@ def test_what_has_no_word_is_told(text, why):
         (r"a = \begin{cases} b & \text{in summer} \\ -b & \text{otherwise} \end{cases}", ""),
         (r"a = \begin{cases} b & b > 0 \\ -b & \text{in summer, } b \end{cases}", ""),
         (r"v = b \sum_{i=1}^{n} m_i w", r"b \sum_{i = 1}^{n} m_{i} w"),
-        (r"a = v \cdot \sum_i m_i w", ""),
+        (r"a = v \cdot \sum_i m_i w", r"v \cdot \sum_{i} m_{i} w"),
     ],
 )  # fmt: skip
 def test_cases_and_sums_over_what_is_no_number(text, right):

@@ -157,3 +157,31 @@ def test_of_what_letters_may_be_that_is_proposed_with_which_more_is_read() -> No
     ):
         assert any(each.startswith(line) for each in text.splitlines()), text
     assert [each.status for each in read_equations(equations, load_notation(text))] == ["read"] * 4
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (r"\int_{\text{solid}} h dV", r"\int_{\mathrm{solid}}hdV"),
+        (r"\int_0^h \int r \, dx \, \mathrm{d}y", r"\int_{0}^{h}\intrdx\mathrm{d}y"),
+        (r"2 \int r dt \, h", r"2\intrdth"),
+        (r"\int dm", r"\intdm"),
+        (r"\mathbf a \cdot \sum_k \mathbf b", r"\mathbf{a}\cdot\sum_{k}\mathbf{b}"),
+        (r"-\sum_k h + \frac{1}{2}\oint r ds", r"-\sum_{k}h+\frac{1}{2}\ointrds"),
+        (r"\int \frac{dm}{h}", None),
+        (r"\int", None),
+        (r"\sum", None),
+        (r"\int h d", None),
+        (r"\times \int h dr", None),
+    ],
+)
+def test_integrals_and_sums_are_quantities_of_their_own(text: str, expected: str | None) -> None:
+    (found,) = readings(f"r = {text}")
+    assert found == f"r={expected}" if expected else "=" not in found
+
+
+def test_a_sign_that_is_no_word_makes_a_quantity_of_its_own() -> None:
+    notation = {"operators": {"quantity": ["#'", r"\nabla #"]}, "symbols": {"v": "vector", "M": "matrix"}}
+    page = chasles.read(r"\begin{align} v' &= [M]'v \\ \dot{v} &= v' \\ 2 v' &= v' + [M]'v\end{align}", notation, "tex")
+    assert [each.verdict for each in page.equations] == ["defined", "open", "holds"]
+    assert chasles.read(r"\nabla v = v", notation).equations[0].verdict == "defined"

@@ -239,6 +239,8 @@ def _text(command: Token, inside: list[Token]) -> list[PrintedAtom]:
         start, end = (at for at, token in enumerate(inside) if token.text == "$")
         atoms = _Respelling(inside[start + 1 : end]).atoms()
         return styled(r"\boldsymbol" if formula[1] else "", atoms, command)
+    if not words:
+        return []
     if len(words) == 1:
         return styled(r"\mathrm" if words.isalpha() else "", [PrintedAtom([command._replace(text=words)])], command)
     is_name = words.isalpha() and words.isascii() and "\\" + words.lower() not in commands.CONNECTIVES

@@ -12,7 +12,18 @@ from chasles.reading.grammar import Atom, Chain, FlatRow, Terms, formula
 from chasles.reading.grouping import TYPEFACES, Tokens, Unread
 from chasles.reading.tokens import Token, tokens
 
-__all__ = ["Glyph", "joined", "letter_in", "letter_of", "only_atom", "said_of", "spelled", "text_of", "with_arguments"]
+__all__ = [
+    "Glyph",
+    "joined",
+    "letter_in",
+    "letter_of",
+    "only_atom",
+    "said_of",
+    "spelled",
+    "text_of",
+    "text_of_atom",
+    "with_arguments",
+]
 
 BOLD = {r"\boldsymbol": r"\mathbf"}
 _LETTERS = TYPEFACES | MARKS
@@ -89,10 +100,11 @@ def text_of(terms: Terms) -> str:
 
 
 def _text_of_row(row: FlatRow) -> str:
-    return " ".join(piece.text if isinstance(piece, Token) else _whole(piece) for piece in row.pieces)
+    return " ".join(piece.text if isinstance(piece, Token) else text_of_atom(piece) for piece in row.pieces)
 
 
-def _whole(atom: Atom) -> str:
+def text_of_atom(atom: Atom) -> str:
+    """The atom with its scripts as one text."""
     sub = f" _ {said_of(atom.sub)}" if atom.sub else ""
     return _text(atom) + sub + " '" * atom.primes + "".join(f" ^ {said_of(sup)}" for sup in atom.sups)
 
@@ -164,17 +176,17 @@ def letter_in(text: str) -> Glyph | None:
 
 def spelled(letter: Glyph) -> str:
     """The letter in LaTeX."""
-    text = _in_latex(letter.base)
+    text = in_latex(letter.base)
     for accent in letter.accents:
         text = f"{accent}{{{text}}}"
-    sub = f"_{{{_in_latex(letter.sub)}}}" if letter.sub else ""
-    sups = "".join(f"^{{{_in_latex(sup)}}}" for sup in letter.sups)
-    left = "".join(f"{sign}{{{_in_latex(mark)}}}" for sign, mark in zip("_^", letter.before, strict=True) if mark)
-    arguments = f"({_in_latex(letter.arguments)})" if letter.arguments else ""
+    sub = f"_{{{in_latex(letter.sub)}}}" if letter.sub else ""
+    sups = "".join(f"^{{{in_latex(sup)}}}" for sup in letter.sups)
+    left = "".join(f"{sign}{{{in_latex(mark)}}}" for sign, mark in zip("_^", letter.before, strict=True) if mark)
+    arguments = f"({in_latex(letter.arguments)})" if letter.arguments else ""
     return ("{}" + left if left else "") + text + sub + "'" * letter.primes + sups + arguments
 
 
-def _in_latex(text: str) -> str:
+def in_latex(text: str) -> str:
     """A text of tokens in LaTeX: typefaces hold the next letter, scripts reach to the next comma or stroke."""
     found: list[str] = []
     styles: list[str] = []

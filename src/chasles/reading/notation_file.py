@@ -20,7 +20,8 @@ from chasles.reading.letter_table import LetterTable
 from chasles.reading.page_notation import CONVENTIONS, PageNotation, in_module, known_words, usual_spellings
 from chasles.reading.spellings import Make
 from chasles.reading.tokens import BadPage
-from chasles.vocabulary import Identity, Node, Rate, Zero
+from chasles.vocabulary import Identity, Node, Rate, Symbol, Zero, latex, symbols_of
+from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.functions import PRINTED, FunctionOf
 from chasles.vocabulary.nodes import node_fields
 from chasles.vocabulary.notation import Notation
@@ -118,7 +119,7 @@ class _Loading:
             if name in ("identity", "zero"):
                 self._constant(name, form)
                 continue
-            kind, make = self._word(name, form.count("#"))
+            kind, make = self._word(name, form) if name != "quantity" else (None, partial(_quantity, form))
             try:
                 self.notation.spellings.add(form, make)
             except (Unread, BadPage) as problem:
@@ -135,19 +136,27 @@ class _Loading:
         self.notation.letters.add(letter, lambda _: node)
         self.notation.sizes.update(digits)
 
-    def _word(self, name: str, places: int) -> tuple[type[Node] | None, Make]:
+    def _word(self, name: str, form: str) -> tuple[type[Node] | None, Make]:
+        places = form.count("#")
         words = dict(known_words())
         kind = words.get(SHORT.get(name, name))
         if kind is None and name in PRINTED:
             return None, lambda *of: FunctionOf(name, of)
         if kind is None:
-            known = sorted({*words, *SHORT, *PRINTED, "identity", "zero", "function"})
+            known = sorted({*words, *SHORT, *PRINTED, "identity", "zero", "function", "quantity"})
             raise BadNotation(f"[operators] has no word {name!r}{nearest(name, known)}")
         held = node_fields(cast(Any, kind))
         if len(held) != places:
             raise BadNotation(f"[operators] {name}: expected {len(held)} '#', found {places}")
         taken = {name: value for name, value in self.conventions.items() if name in dir(kind)}
         return kind, partial(cast(Make, kind), **taken)
+
+
+def _quantity(form: str, of: Node) -> Node:
+    """What a sign that is no word makes: a quantity of its own, as large as what it is put on."""
+    letter = form.replace("#", f"{latex(of)} ", 1)
+    homes = (symbol.home for symbol in symbols_of(of) if symbol.home)
+    return Symbol(letter, letter, measured(of), home=next(homes, ""))
 
 
 def _numbered(form: str) -> str:

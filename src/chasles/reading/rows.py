@@ -8,13 +8,13 @@ from dataclasses import replace
 from chasles.reading.context import FittingContext
 from chasles.reading.factors import factors
 from chasles.reading.fits import UNUSUAL, Fit, kept, made
-from chasles.reading.glyphs import joined, letter_of, said_of
+from chasles.reading.glyphs import joined, letter_of
 from chasles.reading.grammar import Atom, FlatRow
 from chasles.reading.quotients import sized_quotient
 from chasles.reading.spellings import Make
 from chasles.reading.tokens import Token
-from chasles.vocabulary import Block, Contract, Misfit, Node, Quotient, Scale, Sum, Symbol, latex
-from chasles.vocabulary.fitting import measured
+from chasles.reading.totals import TOTALS, end_of_total, totals
+from chasles.vocabulary import Block, Contract, Misfit, Node, Quotient, Scale, Sum
 from chasles.vocabulary.parts import part
 from chasles.vocabulary.spelling import Precedence
 
@@ -30,17 +30,18 @@ def row_fits(row: FlatRow, ctx: FittingContext) -> list[Fit]:
 
 
 def _signed(pieces: Pieces, ctx: FittingContext) -> list[Fit]:
-    sums = [k for k, piece in enumerate(pieces) if isinstance(piece, Atom) and piece.text == r"\sum" and piece.sub]
-    if sums:
-        return _summed(pieces, sums[0], ctx)
+    signs = TOTALS[: 1 if ctx.notation.integral else None]
+    for place, piece in enumerate(pieces):
+        if isinstance(piece, Atom) and piece.text in signs:
+            return _with_total(pieces, place, ctx)
     cuts = [k for k, piece in enumerate(pieces) if isinstance(piece, Token)]
     if not cuts:
         return _product(tuple(piece for piece in pieces if isinstance(piece, Atom)), ctx)
     found: list[Fit] = []
-    signs = {k: piece.text for k, piece in enumerate(pieces) if isinstance(piece, Token)}
-    step = 1 if r"\times" in signs.values() else UNUSUAL
+    texts = {k: piece.text for k, piece in enumerate(pieces) if isinstance(piece, Token)}
+    step = 1 if r"\times" in texts.values() else UNUSUAL
     # The sign that binds least is the outermost: a stroke binds most, and of equal ones the last is outermost.
-    for rank, cut in enumerate(sorted(cuts, key=lambda k: (signs[k] == "/", -k))):
+    for rank, cut in enumerate(sorted(cuts, key=lambda k: (texts[k] == "/", -k))):
         usual = rank * step
         sign = pieces[cut]
         assert isinstance(sign, Token)
@@ -61,18 +62,25 @@ def _signed(pieces: Pieces, ctx: FittingContext) -> list[Fit]:
     return kept(found)
 
 
-def _summed(pieces: Pieces, place: int, ctx: FittingContext) -> list[Fit]:
-    """A sum over what is no numbers: a quantity of its own, as print has it, of all that stands behind the sign."""
-    sign, inside, before = pieces[place], pieces[place + 1 :], pieces[:place]
-    if not isinstance(sign, Atom) or any(isinstance(piece, Token) for piece in before) or not inside:
-        ctx.note(r"no word for \sum here", sign)
-        return []
-    mark = rf"\sum_{{{said_of(sign.sub or ())}}}" + "".join(f"^{{{said_of(sup)}}}" for sup in sign.sups)
-    terms = [fit.node for fit in _signed(inside, ctx) if fit.node is not None and fit.shape and ctx.is_as_printed(fit)]
-    sums = [Symbol(f"{mark} {term}", f"{mark} {latex(term)}", measured(term), home=ctx.notation.home) for term in terms]
-    found = [Fit(each, ctx.said(each)) for each in sums]
-    factors = _signed(before, ctx) if before else []
-    return kept(each for one in factors for other in found for each in _times(one, other, ctx)) if before else found
+def _with_total(pieces: Pieces, place: int, ctx: FittingContext) -> list[Fit]:
+    """A row with the sign of a sum over what is no numbers, or of an integral."""
+    sign, before, inside = pieces[place], pieces[:place], pieces[place + 1 :]
+    assert isinstance(sign, Atom)
+    end = end_of_total(sign, inside)
+    found = totals(sign, inside[:end], lambda each: _signed(each, ctx), ctx)
+    if inside[end:]:
+        found = [each for one in found for other in _signed(inside[end:], ctx) for each in _times(one, other, ctx)]
+    cut = max((k for k, piece in enumerate(before) if isinstance(piece, Token)), default=-1)
+    if before[cut + 1 :]:
+        factors = _signed(before[cut + 1 :], ctx)
+        found = [each for one in factors for other in found for each in _times(one, other, ctx)]
+    if cut < 0:
+        return kept(found)
+    infix = before[cut]
+    assert isinstance(infix, Token)
+    makes = ctx.notation.spellings.infixes.get(infix.text, [])
+    left = _signed(before[:cut], ctx) if cut else []
+    return kept(each for one in left for other in found for each in _infix(makes, one, other, infix, 0, ctx))
 
 
 def _infix(makes: list[Make], one: Fit, other: Fit, sign: Token, usual: int, ctx: FittingContext) -> Iterator[Fit]:
