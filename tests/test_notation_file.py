@@ -317,7 +317,6 @@ def test_what_a_formula_abbreviates(text, parts):
 @pytest.mark.parametrize(
     ("text", "why"),
     [
-        (r"a = \pm b", r"\pm says two equations"),
         (r"a + \dots + b = 0", r"\dots stands for what is left out"),
         (r"v \in \mathbb{R}^3", r"\in claims nothing"),
         (r"a = \lim_{b \to 0} b", r"no word for \lim"),

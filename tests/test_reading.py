@@ -120,7 +120,6 @@ def test_it_prints_the_tokens_of_the_page(number: str):
         (r"\mathbf{p} = \mathbf{a} +", "missing at the end"),
         (r"\mathbf{p} \in \mathbb{R}^3", "\\in claims nothing"),
         (r"\mathbf{p} \times \mathbf{Q} = \mathbf{a}", "no word for \\times between 3 x 1 and 3 x 3"),
-        (r"\mathbf{p} \pm \mathbf{a} = \mathbf{b}", "\\pm"),
     ],
 )
 def test_what_cannot_be_read_says_why(text: str, why: str):

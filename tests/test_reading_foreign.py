@@ -185,3 +185,24 @@ def test_a_sign_that_is_no_word_makes_a_quantity_of_its_own() -> None:
     page = chasles.read(r"\begin{align} v' &= [M]'v \\ \dot{v} &= v' \\ 2 v' &= v' + [M]'v\end{align}", notation, "tex")
     assert [each.verdict for each in page.equations] == ["defined", "open", "holds"]
     assert chasles.read(r"\nabla v = v", notation).equations[0].verdict == "defined"
+
+
+def test_a_sign_that_is_either_makes_another_quantity_in_each_equation() -> None:
+    letters = {"symbols": dict.fromkeys("abcxy", "scalar")}
+    page = chasles.read(r"\begin{align} x &= \pm a \\ y &= \pm a \\ x &= y \\ x^2 &= a^2 \end{align}", letters, "tex")
+    assert [each.verdict for each in page.equations] == ["defined", "defined", "open", "open"]
+    (whole,) = chasles.read(r"x = \frac{-b \pm \sqrt{b^2 - 4 a c}}{2 a}", letters).equations
+    assert whole.verdict == "defined"
+    assert [each.verdict for each in chasles.read(r"a \pm b = b \pm a", letters).equations] == ["holds", "fails"]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (r"\text{where } r = h", ["r=h"]),
+        (r"r = h \text{ where } h = 2", ["r=h"]),
+        (r"r = h * h", ["r=hh"]),
+    ],
+)
+def test_a_line_that_begins_with_where_states_something(text: str, expected: list[str]) -> None:
+    assert readings(text) == expected

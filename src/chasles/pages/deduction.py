@@ -36,6 +36,7 @@ from chasles.pages.premises import (
 )
 from chasles.pages.slips import true_but_for_a_slip
 from chasles.prover.decide import pose
+from chasles.reading.fits import OF_ITS_OWN
 from chasles.reading.reading import Part, Reading
 from chasles.repairs.repair import Repair
 from chasles.statements import Claim, Definition, Statement, problem_of
@@ -258,9 +259,10 @@ class Deduction:
         """The finding on a claim that is not proved: it fails, or is open."""
         rules = chosen_rules(claim.printed, self.premises.defined())
         verdict = verdict_on(self._with(claim, rules, ()), self.session)
-        is_asked = isinstance(verdict, Fails) and not _is_defining(claim)
+        of_its_own = any(symbol.meaning == OF_ITS_OWN for symbol, _ in free_quantities(claim.printed, rules))
+        is_asked = isinstance(verdict, Fails) and not _is_defining(claim) and not of_its_own
         instead = self._instead(claim) if is_asked else None
-        if not isinstance(verdict, Fails) or (instead is None and not told):
+        if not isinstance(verdict, Fails) or (instead is None and not told) or of_its_own:
             return PageFinding("claim", verdict, claim, open=True)
         refuted: list[tuple[Claim, Verdict]] = []
         for generation in range(self.premises.generations):

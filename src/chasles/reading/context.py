@@ -20,10 +20,13 @@ KINDS = {"()": "()", "[]": "[]", r"\{\}": "{}"}
 
 
 class FittingContext:
-    """Reads in one notation; at `level` 1 also matrices without marks between blocks, at 2 also what is ill-formed."""
+    """Reads in one notation; at `level` 1 also matrices without marks between blocks, at 2 also what is ill-formed.
 
-    def __init__(self, notation: PageNotation, level: int = 0) -> None:
-        self.notation = notation
+    `where` is the place of the equation.
+    """
+
+    def __init__(self, notation: PageNotation, level: int = 0, where: str = "") -> None:
+        self.notation, self.where = notation, where
         self.level = level
         self.tolerant = level == 2
         self.problems: list[Unread] = []

@@ -80,8 +80,8 @@ def expressions(latex: str, notation: PageNotation) -> list[Node]:
     return found
 
 
-def _context(notation: PageNotation, level: int) -> FittingContext:
-    ctx = FittingContext(notation, level)
+def _context(notation: PageNotation, level: int, where: str = "") -> FittingContext:
+    ctx = FittingContext(notation, level, where)
     ctx.terms = lambda terms: sum_fits(terms, ctx)
     return ctx
 
@@ -110,7 +110,7 @@ def _read(
     if not any(said.chain.relations for said in chains):
         raise Unread("no relation stands in it", marks[0] if marks else None)
     for level in range(3):
-        ctx = _context(notation, level)
+        ctx = _context(notation, level, f"{equation.file}:{equation.line}:{equation.column}")
         readings = _readings(chains, ctx)
         if readings or (level and ctx.problems):
             break
@@ -131,7 +131,7 @@ def segments(marks: Tokens) -> list[tuple[Tokens, bool]]:
     for line in filter(None, lines_of(marks, (r"\\",))):
         condition = False
         for part, word in _side_by_side(line):
-            condition = condition or bool(CONDITIONS.match(word))
+            condition = condition or bool(CONDITIONS.match(word) and (found or word.lower() not in ("where", "with")))
             if word == "forall":
                 break
             if part and part[-1].text == ":":  # a heading

@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from chasles.vocabulary import Misfit, Node, Symbol, printed, symbols_of
-from chasles.vocabulary.measure import Extent
+from chasles.vocabulary.measure import Extent, Measure
 
-__all__ = ["MOST", "UNUSUAL", "Fit", "Said", "Shape", "kept", "letters_agree", "made"]
+__all__ = ["MOST", "OF_ITS_OWN", "UNUSUAL", "Fit", "Said", "Shape", "kept", "letters_agree", "made", "own_quantity"]
 
 Shape = tuple[Extent, Extent]
 Said = tuple[str, ...]
@@ -17,6 +17,15 @@ MOST = 12
 """How many readings of one piece in one shape are kept."""
 UNUSUAL = 4
 """The cost of a reading that counts only where no usual one fits."""
+
+
+OF_ITS_OWN = "a quantity of its own"
+"""The meaning of what print has a sign for that is no word: nothing is known of it, hence nothing refuted by it."""
+
+
+def own_quantity(letter: str, measure: Measure, home: str, name: str = "") -> Symbol:
+    """What is printed so, and of which nothing else is known."""
+    return Symbol(name or letter, letter, measure, OF_ITS_OWN, home=home)
 
 
 @dataclass(frozen=True, slots=True)

@@ -118,7 +118,7 @@ def _single(token: Token, before: list[Terminal], open_bars: list[str]) -> Termi
         kind = "OPEN" if text in OPENING else "CLOSE"
     elif text in RELATIONS:
         kind = "RELATION"
-    elif text in ("+", "-"):
+    elif text in ("+", "-", r"\pm", r"\mp"):
         kind = "SIGN"
     elif text in INFIXES:
         kind = "INFIX"
@@ -128,8 +128,6 @@ def _single(token: Token, before: list[Terminal], open_bars: list[str]) -> Termi
         kind = "PRIME"
     elif text in (",", ";"):
         kind = "COMMA"
-    elif text in (r"\pm", r"\mp"):
-        raise Unread(f"{text} says two equations at once", token)
     elif text in ("&", r"\\", "}", r"\quad"):
         raise Unread(f"{text} is not expected here", token)
     else:

@@ -14,13 +14,14 @@ from typing import Any, cast
 
 from chasles.nearest import nearest
 from chasles.reading.declared_letters import BadNotation, declare_letter
+from chasles.reading.fits import own_quantity
 from chasles.reading.glyphs import letter_in
 from chasles.reading.grouping import Unread
 from chasles.reading.letter_table import LetterTable
 from chasles.reading.page_notation import CONVENTIONS, PageNotation, in_module, known_words, usual_spellings
 from chasles.reading.spellings import Make
 from chasles.reading.tokens import BadPage
-from chasles.vocabulary import Identity, Node, Rate, Symbol, Zero, latex, symbols_of
+from chasles.vocabulary import Identity, Node, Rate, Zero, latex, symbols_of
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.functions import PRINTED, FunctionOf
 from chasles.vocabulary.nodes import node_fields
@@ -156,7 +157,7 @@ def _quantity(form: str, of: Node) -> Node:
     """What a sign that is no word makes: a quantity of its own, as large as what it is put on."""
     letter = form.replace("#", f"{latex(of)} ", 1)
     homes = (symbol.home for symbol in symbols_of(of) if symbol.home)
-    return Symbol(letter, letter, measured(of), home=next(homes, ""))
+    return own_quantity(letter, measured(of), next(homes, ""))
 
 
 def _numbered(form: str) -> str:

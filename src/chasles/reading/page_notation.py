@@ -168,6 +168,7 @@ def usual_spellings(notation: PageNotation) -> None:
     spellings.add(r"# \cdot #", Dot)
     spellings.add(r"\langle #, #\rangle", Dot)
     spellings.add(r"# \cdot #", _product)
+    spellings.add("# * #", _product)
     spellings.add(r"# \times #", Cross)
     spellings.add(r"# \times #", _number_times)
     for _, word in known_words():

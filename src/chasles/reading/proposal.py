@@ -31,6 +31,7 @@ BARE = ("d", r"\pi", "e", "0", "I", r"\mathbf I", r"\mathbf 0", r"\mathbf 1", r"
 KINDS = {(True, True): ("matrix", "vector"), (True, False): ("vector", "matrix"),
          (False, True): ("matrix", "scalar", "vector"), (False, False): ("scalar", "vector")}  # fmt: skip
 """What a letter may be, by whether it is bold and whether it is a capital."""
+MANY = 3
 LONGEST, MOST_TRIED, ROUNDS = 150, 5, 2
 """A letter is tried in so many equations that have it, of so many tokens at most, so many times."""
 
@@ -61,8 +62,9 @@ def proposed(equations: Sequence[PrintedEquation]) -> str:
         except (Unread, BadPage):
             continue
     uses = dict(sorted(uses.items(), key=lambda each: spelled(each[0])))
+    are_bold = sum(_looks(stem)[0] for stem in uses) >= MANY
     for stem, use in uses.items():
-        use.kind, use.other = _kind(stem, use)
+        use.kind, use.other = _kind(stem, use, are_bold)
     operators = "\n".join(["[operators]", *_operators(uses)])
     _choose_kinds(uses, load_notation(operators), equations)
     lines = [operators, "", "[symbols]"]
@@ -152,10 +154,15 @@ def _note(terms: Terms | None, within: str, uses: dict[Glyph, _Use], usual: Page
 
 
 def _note_letter(letter: Glyph, around: set[str], uses: dict[Glyph, _Use], at: int) -> None:
-    is_bare = letter.base in BARE and not letter.sub and not set(letter.accents) - {*RATES}
+    is_bare = (
+        letter.base in BARE
+        and (letter.base != "e" or bool(letter.sups))
+        and not letter.sub
+        and not set(letter.accents) - {*RATES}
+    )
     if is_bare or letter.base in NO_LETTERS or " , " in letter.base or letter.base.startswith(("[", "(", r"\begin")):
         return
-    scripts = {sup for sup in letter.sups if sup in (*TRANSPOSES, *INVERSES, "2", "3", r"\wedge", r"\vee", "*")}
+    scripts = {sup for sup in letter.sups if sup in (*TRANSPOSES, *INVERSES, "2", "3", r"\wedge", r"\vee")}
     accents = tuple(accent for accent in letter.accents if accent not in (*RATES, r"\tilde"))
     own = Glyph(letter.base, accents, letter.sub, letter.primes, tuple(set(letter.sups) - scripts), letter.before)
     stem = replace(own, sub="")
@@ -175,8 +182,8 @@ def _kinds(stem: Glyph) -> tuple[str, ...]:
     return KINDS[_looks(stem)]
 
 
-def _kind(stem: Glyph, use: _Use) -> tuple[str, str]:
-    """What the letter is most likely, and what else it may be."""
+def _kind(stem: Glyph, use: _Use, are_bold: bool) -> tuple[str, str]:
+    """What the letter is most likely, and what else it may be; where vectors are bold, others are none at first."""
     letter = stem.base.split()[-1]
     bold, large = _looks(stem)
     square = any(f"^{sup}" in use.signs for sup in INVERSES) or bool(use.signs & {r"\det", "tr", r"\tr"})
@@ -184,7 +191,8 @@ def _kind(stem: Glyph, use: _Use) -> tuple[str, str]:
     transposed = any(f"^{sup}" in use.signs for sup in TRANSPOSES)
     if large and (bold or square or transposed):
         return ("rotation", "matrix") if letter in ("R", "Q", "C") else ("matrix", "")
-    if bold or (vector and not large):
+    has_parts = stem in use.letters and {"x", "y"} <= {glyph.sub for glyph in use.letters}
+    if bold or (vector and not large and (has_parts or not are_bold)):
         return "vector", "" if bold or r"\cdot" not in use.signs else "scalar"
     if transposed:
         return "vector", "matrix"

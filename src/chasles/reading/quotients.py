@@ -9,7 +9,7 @@ from itertools import product
 from chasles.reading.applying import applied
 from chasles.reading.context import FittingContext
 from chasles.reading.exponentials import exponential
-from chasles.reading.fits import Fit, made
+from chasles.reading.fits import Fit, made, own_quantity
 from chasles.reading.glyphs import Glyph, letter_of, said_of
 from chasles.reading.grammar import Atom, formula
 from chasles.reading.grouping import Tokens, Unread, closing
@@ -19,7 +19,6 @@ from chasles.vocabulary import (
     Node,
     Quotient,
     Rate,
-    Symbol,
     latex,
 )
 from chasles.vocabulary.fitting import measured
@@ -76,7 +75,7 @@ def rate_in_frame(frame: str, home: str) -> Make:
 
     def make(of: Node) -> Node:
         letter = rf"\frac{{{{}}^{{{frame}}} d}}{{dt}} {latex(of)}"
-        return Symbol(f"rate in {frame} of {of}", letter, measured(Rate(of)), home=home)
+        return own_quantity(letter, measured(Rate(of)), home, f"rate in {frame} of {of}")
 
     return make
 

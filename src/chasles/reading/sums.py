@@ -3,22 +3,27 @@
 from __future__ import annotations
 
 from chasles.reading.context import FittingContext
-from chasles.reading.fits import MOST, Fit, Shape, kept, made
+from chasles.reading.fits import MOST, Fit, Shape, kept, made, own_quantity
+from chasles.reading.glyphs import in_latex, text_of
 from chasles.reading.grammar import Terms
 from chasles.reading.grouping import Unread
 from chasles.reading.rows import row_fits
 from chasles.vocabulary import Negative, Node, Sum
+from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.spelling import Precedence
 
 __all__ = ["sum_fits"]
 
 MOST_TERMS = 500
+EITHER = frozenset({r"\pm", r"\mp"})
 
 
 def sum_fits(terms: Terms, ctx: FittingContext) -> list[Fit]:
     """The readings of a sum, the usual ones first."""
     if len(terms.rows) > MOST_TERMS:
         raise Unread(f"a sum of more than {MOST_TERMS} terms: write it as several")
+    if EITHER.intersection(terms.signs):
+        return _either(terms, ctx)
     problems = len(ctx.problems)
     rows = [row_fits(row, ctx) for row in terms.rows]
     if not all(rows):
@@ -36,6 +41,18 @@ def sum_fits(terms: Terms, ctx: FittingContext) -> list[Fit]:
     if not found and ctx.tolerant:
         found = _ill_formed(terms.signs, rows, ctx)
     return kept(found)
+
+
+def _either(terms: Terms, ctx: FittingContext) -> list[Fit]:
+    r"""A sum with a \pm that is not on both sides: a quantity of its own, another one in each equation."""
+    signs = ["+" if sign in EITHER else sign for sign in terms.signs]
+    letter = in_latex(text_of(terms))
+    found = []
+    for fit in sum_fits(Terms(("" if signs[0] == "+" else signs[0], *signs[1:]), terms.rows), ctx):
+        if fit.node is not None and fit.shape:
+            symbol = own_quantity(letter, measured(fit.node), ctx.notation.home, f"{letter} in {ctx.where}")
+            found.append(Fit(symbol, ctx.said(symbol), fit.cost))
+    return found
 
 
 def _of_shape(signs: tuple[str, ...], rows: list[list[Fit]], shape: Shape, ctx: FittingContext) -> list[Fit]:

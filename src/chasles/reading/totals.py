@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from chasles.reading.context import FittingContext
-from chasles.reading.fits import Fit
+from chasles.reading.fits import Fit, own_quantity
 from chasles.reading.glyphs import in_latex, letter_of, said_of, text_of_atom
 from chasles.reading.grammar import Atom
 from chasles.reading.tokens import Token
-from chasles.vocabulary import NO_DIMENSION, Symbol, latex, uniform
+from chasles.vocabulary import NO_DIMENSION, latex, uniform
 from chasles.vocabulary.dimension import has_units
 from chasles.vocabulary.fitting import measured
 
@@ -33,7 +33,7 @@ def totals(sign: Atom, inside: Pieces, read: Callable[[Pieces], list[Fit]], ctx:
     terms = [fit.node for fit in fits if fit.node is not None and fit.shape and ctx.is_as_printed(fit)]
     sizes = [(latex(term), measured(term)) for term in terms] if end else [("", uniform((1, 1), NO_DIMENSION))]
     letters = {" ".join(filter(None, (mark, said, behind))): size for said, size in sizes}
-    found = [Symbol(letter, letter, size, home=ctx.notation.home) for letter, size in letters.items()]
+    found = [own_quantity(letter, size, ctx.notation.home) for letter, size in letters.items()]
     return [Fit(each, ctx.said(each)) for each in found]
 
 
