@@ -613,3 +613,27 @@ def test_other_compilers_and_levels_give_the_same(flag, tmp_path):
 def test_importing_chasles_stays_light():
     light = "import sys, chasles; assert not {'sympy', 'numpy', 'ctypes'} & set(sys.modules), sys.modules.keys()"
     subprocess.run([sys.executable, "-c", light], check=True)
+
+
+@needs_c
+def test_single_precision_is_rounded_from_double_until_there_is_much_of_it(monkeypatch):
+    """Whatever the layout; then it is compiled too, and the results are as good."""
+    kernel = chasles.compile([v / v.norm(), v.dot(v) * x], [v, x])
+    draw = np.random.default_rng(5)
+    for shape in [(), (1,), (5,), (33,), (4, 40), (700,)]:
+        vectors, factors = np.float32(draw.uniform(-1, 1, (*shape, 3))), np.float32(draw.uniform(-1, 1, shape))
+        for given in ((vectors, factors), (vectors[..., ::-1], factors), (vectors, factors * 0 + np.float32(2))):
+            wide = kernel(*(each.astype(float) for each in given))
+            for narrow, exact in zip(kernel(*given), wide, strict=True):
+                assert narrow.dtype == np.float32
+                assert np.array_equal(narrow, np.float32(exact))
+    before, rounded = kernel.ufunc, kernel(vectors, factors)
+    monkeypatch.setattr(sys.modules["chasles.compiling.kernel"], "MANY_SINGLES", 100)
+    kernel(vectors, factors)
+    assert kernel.ufunc is not before
+    for one, other in zip(kernel(vectors, factors), rounded, strict=True):
+        assert one.dtype == np.float32
+        np.testing.assert_allclose(one, other, rtol=1e-6)
+    after = kernel.ufunc
+    kernel(vectors, factors)
+    assert kernel.ufunc is after

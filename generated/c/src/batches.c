@@ -526,3 +526,66 @@ void chasles_run(
         feraiseexcept(FE_INVALID);
     }
 }
+
+/* Four numbers at a time; less than that are left. */
+#if CHASLES_VECTORS
+typedef float four_narrow __attribute__((vector_size(16), aligned(4), may_alias));
+typedef double four_wide __attribute__((vector_size(32), aligned(8), may_alias));
+#define CHASLES_CONVERT(to, to_kind, from, from_kind, n) \
+    *(to_kind *)(void *)(to + n) = __builtin_convertvector(*(from_kind *)(void *)(from + n), to_kind)
+#else
+#define CHASLES_CONVERT(to, to_kind, from, from_kind, n) \
+    for (ptrdiff_t i = n; i < n + 4; i++) { \
+        (to)[i] = (from)[i]; \
+    }
+#endif
+
+/* Copies the numbers of some floats' items to doubles, one item after the other, or back. */
+static void widen(float *narrow, ptrdiff_t step, double *wide, ptrdiff_t numbers, ptrdiff_t items, int back)
+{
+    const ptrdiff_t apart = step / (ptrdiff_t)sizeof(float), whole = apart == numbers ? numbers * items : numbers;
+    for (ptrdiff_t done = 0; done < items * numbers; done += whole, narrow += apart, wide += whole) {
+        for (ptrdiff_t n = 0; n + 4 <= whole; n += 4) {
+            if (back) {
+                CHASLES_CONVERT(narrow, four_narrow, wide, four_wide, n);
+            } else {
+                CHASLES_CONVERT(wide, four_wide, narrow, four_narrow, n);
+            }
+        }
+        for (ptrdiff_t n = whole - whole % 4; n < whole; n++) {
+            if (back) {
+                narrow[n] = (float)wide[n];
+            } else {
+                wide[n] = (double)narrow[n];
+            }
+        }
+    }
+}
+
+void chasles_run_in_double(
+    const chasles_loop *loop, int level, ptrdiff_t groups, char *const *at, const ptrdiff_t *steps)
+{
+    double store[CHASLES_STORE / sizeof(double)];
+    const int shift = shift_of(loop, level);
+    const ptrdiff_t count = groups << (CHASLES_VECTORS ? shift + 1 : 0), room = room_of(loop, (ptrdiff_t)1 << shift);
+    for (ptrdiff_t done = 0, items; done < count; done += items) {
+        items = count - done > room ? room : count - done;
+        Part part;
+        double *next = store;
+        for (int k = 0; k < loop->operands; k++) {
+            const ptrdiff_t size = size_of(loop, k), numbers = size / (ptrdiff_t)sizeof(double);
+            part.at[k] = (char *)next;
+            part.steps[k] = size;
+            if (k < loop->inputs) {
+                widen((float *)(void *)(at[k] + done * steps[k]), steps[k], next, numbers, items, 0);
+            }
+            next += items * numbers;
+        }
+        loop->blocks[level](items >> shift, part.at, part.steps, &nothing);
+        for (int k = loop->inputs; k < loop->operands; k++) {
+            const ptrdiff_t numbers = part.steps[k] / (ptrdiff_t)sizeof(double);
+            double *const found = (double *)(void *)part.at[k];
+            widen((float *)(void *)(at[k] + done * steps[k]), steps[k], found, numbers, items, 1);
+        }
+    }
+}

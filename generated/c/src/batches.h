@@ -118,6 +118,11 @@ int chasles_best_level(void);
 void chasles_run(
     const chasles_loop *loop, int level, ptrdiff_t count, char *const *at, const ptrdiff_t *steps, const ptrdiff_t *core);
 
+/* What a block in single precision does that computes in double: `groups` groups of floats of the level, by the loop of
+ * the same kernel in double. Each result is rounded once more. */
+void chasles_run_in_double(
+    const chasles_loop *loop, int level, ptrdiff_t groups, char *const *at, const ptrdiff_t *steps);
+
 #ifdef __cplusplus
 }
 #endif

@@ -110,24 +110,29 @@ class Compiler:
             made()
 
     def _jobs(self, files: Mapping[str, str]) -> Iterator[_Job]:
-        """Blocks for each level, the largest first, and other sources once."""
+        """Blocks for each level, the largest first, and other sources once: with the first, where that runs anyway."""
         count, least = len(self.levels), self.least
         if any(_PACKED in text for path, text in files.items() if path.endswith("_blocks.c")):
             least = min(least, 1)
         shared = (*_ALWAYS, *_INCLUDES, f"-DCHASLES_LEVELS={count}", *([f"-DCHASLES_LEAST={least}"] if least else ()))
         sources = sorted(path for path in files if path.endswith(".c"))
         blocks = [path for path in sources if path.endswith("_blocks.c")]
+        others = [path for path in sources if path not in blocks]
         circular = any(word in files[path] for path in blocks if path not in _FIXED for word in _CIRCULAR)
+        # To start a compiler takes longer than what it has to do for these.
+        along = [path for path in others if least and path not in _FIXED]
+        included = [word for path in along for word in ("-include", path)]
         for level, flag in reversed(list(enumerate(self.levels))[least:]):
             for source in blocks:
                 if source != _CONTRACTED or circular:
                     contracted = ("-ffp-contract=fast",) if source == _CONTRACTED else ()
                     flags = (*_BLOCK, *contracted, f"-DCHASLES_LEVEL={level}", *((flag,) if flag else ()))
+                    if included and source not in _FIXED:
+                        flags, included = (*flags, "-DCHASLES_BLOCKS_ALONE", *included), []
                     yield _Job(source, (*shared, *flags))
-        alone = ("-DCHASLES_BLOCKS_ALONE",) if least else ()
-        for source in sources:
-            if source not in blocks:
-                yield _Job(source, (*shared, *_ONCE, *(alone if source not in _FIXED else ())))
+        for source in others:
+            if source not in along:
+                yield _Job(source, (*shared, *_ONCE))
 
 
 def _ready(files: Mapping[str, str], levels: int) -> Path:

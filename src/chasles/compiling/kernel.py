@@ -29,6 +29,9 @@ if TYPE_CHECKING:
 
 __all__ = ["CompiledKernel", "kernel_for", "kernel_of"]
 
+MANY_SINGLES = 2**20
+"""So many numbers of single precision in a kernel's results are worth a compiler's time."""
+
 
 class CompiledKernel(Displayed):
     """A function of arrays: core axes come last, batch axes before them broadcast; float32 stays float32.
@@ -50,11 +53,12 @@ class CompiledKernel(Displayed):
         array_api: that function, for arrays of every library of the array API, which may trace and differentiate it.
     """
 
-    def __init__(self, program: Program, sources: Sources, ufunc: Any, one: Any, written: Callable[..., Any]) -> None:
+    def __init__(
+        self, program: Program, sources: Sources, ufunc: Any, one: Any, written: Callable[..., Any], levels: str
+    ) -> None:
         self.name = program.name
         self.signature = sources.signature
         self.backend = "numpy" if ufunc is None else "c"
-        self.ufunc = ufunc
         self.program = program
         counts = program.operations
         self.operations = {op.value: counts[op] for op in Op if counts[op]}
@@ -62,15 +66,21 @@ class CompiledKernel(Displayed):
         self.numpy_source = sources.numpy
         self.array_api = written
         self.__doc__ = written.__doc__
-        packing = packing_of(program) if ufunc is not None else None
-        called, alone = (ufunc, one) if packing is None else map(packing.around, (ufunc, one))
-        self._function: Callable[..., Any] = _undisturbed(written) if ufunc is None else called
-        self.one: Callable[..., Any] = alone or self._function
+        self._levels, self._singles = levels, 0
+        self._take(ufunc, one)
         self.inputs = {argument.name: argument.meaning for argument in program.arguments}
         patterns = ((each.name, each.pattern) for each in program.results if each.pattern is not None)
         self.pattern = {name: tuple(numpy.array(places, dtype=int).reshape(-1, 2).T) for name, places in patterns}
         self._names = tuple(self.inputs)
         self.__signature__ = signature_of_call(self._function, self._names, by_name=True)
+
+    def _take(self, ufunc: Any, one: Any) -> None:
+        """Call these, or the NumPy text where there are none."""
+        packing = packing_of(self.program) if ufunc is not None else None
+        called, alone = (ufunc, one) if packing is None else map(packing.around, (ufunc, one))
+        self.ufunc = ufunc
+        self._function: Callable[..., Any] = _undisturbed(self.array_api) if ufunc is None else called
+        self.one: Callable[..., Any] = alone or self._function
 
     def __call__(self, *inputs: Any, **options: Any) -> Any:
         """The results for the inputs, in their order or by name; a tuple where there are several.
@@ -80,10 +90,22 @@ class CompiledKernel(Displayed):
         if len(inputs) != len(self._names):
             inputs = self._in_order(inputs, options)
         found = self._function(*inputs, **options)
-        if isinstance(found[0] if type(found) is tuple else found, numpy.ma.MaskedArray):
+        first = found[0] if type(found) is tuple else found
+        if isinstance(first, numpy.ma.MaskedArray):
             # NumPy gives a result the mask of an input, whose shape is another.
             raise ValueError(f"{self.name}: an input is a masked array: hand over its numbers, as .filled(nan)")
+        if self._singles < MANY_SINGLES and self.ufunc is not None and first.dtype == numpy.float32:
+            self._count_singles(first.size)
         return found
+
+    def _count_singles(self, many: int) -> None:
+        """Once there are many, single precision is compiled, too; until then it is computed in double and rounded."""
+        self._singles += many
+        if self._singles >= MANY_SINGLES:
+            ufunc, one = _compiled(
+                self.program, *_sources_of(self.program, narrowed=False), self.__doc__ or "", self._levels
+            )
+            self._take(ufunc or self.ufunc, one or self.one)
 
     def _in_order(self, inputs: tuple[Any, ...], options: dict[str, Any]) -> tuple[Any, ...]:
         """The inputs with those that are among the options, by their names."""
@@ -174,14 +196,14 @@ def kernel_for(key: str, make: Callable[[], Program], levels: str = "own") -> Co
 def _kernel(program: Program, sources: Sources, files: dict[str, str], levels: str) -> CompiledKernel:
     written = _WrittenOut(program.name, sources.numpy)
     ufunc, one = _compiled(program, sources, files, written.__doc__ or "", levels)
-    return CompiledKernel(program, sources, ufunc, one, written)
+    return CompiledKernel(program, sources, ufunc, one, written, levels)
 
 
-def _sources_of(program: Program) -> tuple[Sources, dict[str, str]]:
+def _sources_of(program: Program, *, narrowed: bool = True) -> tuple[Sources, dict[str, str]]:
     # What is kept needs no languages: they are imported where texts are written.
     from chasles.compiling.sources import sources_of
 
-    return sources_of(program)
+    return sources_of(program, narrowed=narrowed)
 
 
 def _compiled(program: Program, sources: Sources, files: dict[str, str], doc: str, levels: str) -> tuple[Any, Any]:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace as with_fields
+from typing import Any
 
 import sympy
+from sympy.simplify.cse_main import opt_cse
 
 from chasles.algebra.work_limit import within
 from chasles.compiling.derived import DerivedResults
@@ -29,6 +31,8 @@ __all__ = ["program_of"]
 
 MOST_STEPS = 1000
 """A program of more steps is not looked at in other spellings: that would take longer than it saves."""
+CHEAPEST = 2
+"""So many of the spellings have functions of an angle in lowest terms, too."""
 WORK_PER_STEP = 2_000
 """Products of terms, for each step, in which another spelling is proved to be the same, or else is not taken."""
 
@@ -76,8 +80,8 @@ def _candidates(
     done: dict[sympy.Basic, sympy.Basic] = {}
     inner = [with_fields(output, entries=tuple(nested(entry, done) for entry in output.entries)) for output in outputs]
     programs = [stated, spelled(outputs, common=True), spelled(inner, common=False), spelled(inner, common=True)]
-    for program in dict.fromkeys(programs):
-        yield program
+    yield from programs
+    for program in sorted(dict.fromkeys(programs), key=price)[:CHEAPEST]:
         if program.operations[Op.SINE] + program.operations[Op.COSINE]:
             for halved in (False, True):
                 with suppress(ZeroDivisionError):
@@ -98,14 +102,10 @@ def _program(
         for place, item in enumerate(inputs)
         for entry, symbol in enumerate(item.symbols)
     }
-    scalars = Scalars(build, places)
     entries = [entry for output in outputs for entry in output.entries]
-    if common:
-        # In SymPy's order of its own it takes a time that grows with the tree.
-        symbols = sympy.numbered_symbols("common_", cls=sympy.Dummy)
-        replacements, entries = sympy.cse(entries, symbols=symbols, order="none")
-        for symbol, meaning in replacements:
-            scalars.define(symbol, meaning)
+    # In SymPy's order of its own it takes a time that grows with the tree.
+    spelled = opt_cse(entries, order="none") if common else {}
+    scalars = Scalars(build, places, spelled, _repeated(entries, spelled) if common else ())
     numbers = iter([scalars.of(entry) for entry in entries])
     results = [
         Result(output.name, output.shape, f"output {place}", tuple(next(numbers) for _ in output.entries))
@@ -115,3 +115,16 @@ def _program(
     if derived is not None:
         results, arguments = derived.results(build, results), (*arguments, *derived.more)
     return pruned(Program(name, arguments, build.steps, tuple(results)))
+
+
+def _repeated(entries: Sequence[sympy.Basic], spelled: Mapping[sympy.Basic, Any]) -> Iterator[sympy.Basic]:
+    """The parts that come more than once where each part is written once."""
+    seen: set[sympy.Basic] = set()
+    waiting = list(entries)
+    while waiting:
+        part = waiting.pop()
+        if part in seen:
+            yield part
+        else:
+            seen.add(part)
+            waiting += [inner for inner in spelled.get(part, part).args if not isinstance(inner, int)]

@@ -9,11 +9,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
 from itertools import islice
+from typing import Any
 
 import sympy
 from sympy.codegen import cfunctions
 from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
+from sympy.simplify.cse_main import Unevaluated
 
 from chasles.compiling.elementary import functions_by_class, power
 from chasles.lowering.builder import Builder
@@ -33,20 +35,23 @@ KNOWN = (
 
 
 class Scalars:
-    """The steps of expressions, asked for by expression; `places` are the steps of symbols."""
+    """The steps of expressions, asked for by expression; `places` are the steps of symbols.
 
-    def __init__(self, build: Builder, places: Mapping[sympy.Expr, int]) -> None:
+    Sums and products may be `spelled` as sums and products of others, as SymPy's search for common ones has them. By
+    a power that is `shared` is not divided: its reciprocal is multiplied by.
+    """
+
+    def __init__(
+        self,
+        build: Builder,
+        places: Mapping[sympy.Expr, int],
+        spelled: Mapping[sympy.Basic, Any] | None = None,
+        shared: Iterable[sympy.Basic] = (),
+    ) -> None:
         self.build = build
         self._places: dict[sympy.Basic, int] = dict(places)
-        self._conditions: dict[sympy.Basic, sympy.Basic] = {}
+        self._spelled, self._shared = spelled or {}, frozenset(shared)
         self._functions = functions_by_class(build)
-
-    def define(self, symbol: sympy.Symbol, meaning: sympy.Basic) -> None:
-        """Let a symbol stand for an expression or a condition."""
-        if isinstance(meaning, sympy.logic.boolalg.Boolean):
-            self._conditions[symbol] = meaning
-        else:
-            self._places[symbol] = self.of(meaning)
 
     def of(self, expression: sympy.Basic) -> int:
         """The step that holds the expression. Raises `LoweringError` for what no program computes."""
@@ -57,6 +62,9 @@ class Scalars:
 
     def _made(self, expression: sympy.Basic) -> int:
         build = self.build
+        spelled = self._spelled.get(expression, expression)
+        if isinstance(spelled, Unevaluated) and spelled.func in (sympy.Add, sympy.Mul):
+            return (self._sum if spelled.func is sympy.Add else self._product)(spelled.args)
         if expression.is_number:
             return self._number(expression)
         match expression:
@@ -114,10 +122,13 @@ class Scalars:
             return self.build.function("log1p", self._sum([term for term in of.args if term is not sympy.S.One]))
         return self.build.function("log", self.of(of))
 
-    def _product(self, factors: Iterable[sympy.Expr]) -> int:
+    def _product(self, factors: Sequence[sympy.Expr]) -> int:
         above: list[int] = []
         below: list[int] = []
         for factor in factors:
+            if len(factors) > 1 and isinstance(factor, sympy.Pow) and factor in self._shared:
+                above.append(self.of(factor))
+                continue
             base, exponent = factor.as_base_exp() if isinstance(factor, sympy.Pow) else (factor, sympy.S.One)
             if not isinstance(exponent, sympy.Rational | sympy.Float):
                 above.append(self.build.function("pow", self.of(base), self.of(exponent)))
@@ -129,7 +140,6 @@ class Scalars:
 
     def _chosen(self, condition: sympy.Basic, one: int, other: int) -> int:
         """The one step where the condition holds, else the other."""
-        condition = self._conditions.get(condition, condition)
         match condition:
             case sympy.logic.boolalg.BooleanTrue():
                 return one

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace as with_fields
+from functools import partial
 from hashlib import sha256
 from pathlib import Path
 
@@ -15,7 +16,8 @@ from chasles.lowering.program import Program
 from chasles.lowering.refusal import LoweringError
 from chasles.targets import EmissionError, Origin, Page, Target, TargetKernel, spelled_out
 from chasles.targets.c import TARGET as C
-from chasles.targets.c.blocks import loop_name
+from chasles.targets.c import pages
+from chasles.targets.c.blocks import block_name, loop_name
 from chasles.targets.c.functions import PRECISIONS, single
 from chasles.targets.constants import DOUBLE, SINGLE
 from chasles.targets.emit import filled
@@ -27,10 +29,6 @@ __all__ = ["library_of", "sources_of", "target_kernel"]
 
 _HERE = Path(__file__).parent
 ORIGIN = Origin(command="chasles.compile")
-_LIBRARY = with_fields(
-    C, pages=lambda kernels: (page for page in C.pages(kernels) if not page.path.startswith("test/"))
-)
-"""The files that are compiled."""
 
 
 def target_kernel(program: Program) -> TargetKernel:
@@ -40,8 +38,11 @@ def target_kernel(program: Program) -> TargetKernel:
     return TargetKernel(expanded_in_series(program), heading)
 
 
-def sources_of(program: Program) -> tuple[Sources, dict[str, str]]:
-    """The texts of a program, and the files for a compiler. Raises `LoweringError` where no target can spell it."""
+def sources_of(program: Program, *, narrowed: bool = True) -> tuple[Sources, dict[str, str]]:
+    """The texts of a program, and the files for a compiler, in which single precision may be `narrowed` from double.
+
+    Raises `LoweringError` where no target can spell it.
+    """
     kernel = target_kernel(program)
     is_special = any(FUNCTIONS[step.function].special for step in kernel.program.steps if step.function)
     shown = Target("shown", _HERE, _in_python if is_special else _shown)
@@ -49,7 +50,8 @@ def sources_of(program: Program) -> tuple[Sources, dict[str, str]]:
         compiled = spelled_out([kernel], [shown], head=(), origin=ORIGIN)
         packing = packing_of(kernel.program)
         inner = kernel if packing is None else with_fields(kernel, program=packing.program)
-        files = {} if is_special else library_of([inner], spelled_out([inner], [_LIBRARY]))
+        library = with_fields(C, pages=partial(_library, narrowed=narrowed))
+        files = {} if is_special else library_of([inner], spelled_out([inner], [library]), narrowed=narrowed)
     except EmissionError as error:
         raise LoweringError(str(error)) from None
     digest = sha256(repr(sorted(files.items())).encode()).hexdigest()
@@ -58,11 +60,21 @@ def sources_of(program: Program) -> tuple[Sources, dict[str, str]]:
     return Sources(*texts, *shapes, tuple(sorted(files)), digest), files
 
 
-def library_of(kernels: Sequence[TargetKernel], texts: Mapping[str, str]) -> dict[str, str]:
-    """The files of a shared object, of the emitted `texts`: the C library and what a ufunc calls."""
+def library_of(kernels: Sequence[TargetKernel], texts: Mapping[str, str], *, narrowed: bool = False) -> dict[str, str]:
+    """The files of a shared object, of the emitted `texts`: the C library and what a ufunc calls.
+
+    Blocks in single precision that are not in the texts are `narrowed` from those in double.
+    """
     loops = [loop_name(kernel, precision) for kernel in kernels for precision in (SINGLE, DOUBLE)]
-    page = Page("entry.c", "entry.c.jinja", {"loops": loops})
+    from_double = [(block_name(kernel, SINGLE), loop_name(kernel, DOUBLE)) for kernel in kernels if narrowed]
+    page = Page("entry.c", "entry.c.jinja", {"loops": loops, "narrowed": from_double})
     return {**c_sources(texts), "src/entry.c": filled(_HERE, page, ORIGIN)}
+
+
+def _library(kernels: tuple[TargetKernel, ...], *, narrowed: bool) -> Iterator[Page]:
+    """The files that are compiled; each block takes a compiler its time."""
+    found = pages(kernels, (DOUBLE,)) if narrowed else pages(kernels)
+    return (page for page in found if not page.path.startswith("test/"))
 
 
 def _shown(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:

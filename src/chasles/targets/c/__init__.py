@@ -28,7 +28,7 @@ of instructions (a level) and one of the results is taken when the program runs;
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from chasles.lowering.program import MOST_OPERANDS
@@ -41,13 +41,14 @@ from chasles.targets.constants import Precision
 from chasles.targets.kernel import EmissionError, TargetKernel
 from chasles.targets.target import Page, Target
 
-__all__ = ["TARGET"]
+__all__ = ["TARGET", "pages"]
 
 _FEW_ENTRIES = 512
 """Of a group of items with no more the store of most kernels has room, whatever the registers."""
 
 
-def _pages(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
+def pages(kernels: tuple[TargetKernel, ...], on_registers: Sequence[Precision] = PRECISIONS) -> Iterator[Page]:
+    """The files of a library; it has blocks `on_registers` in these precisions, and others come from elsewhere."""
     functions = {kernel.name: _functions(kernel) for kernel in kernels}
     pairs = [(kernel, precision) for kernel in kernels for precision in PRECISIONS]
     inner = [name(*pair) for pair in pairs for name in (loop_name, block_name)]
@@ -57,10 +58,14 @@ def _pages(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
     for section in dict.fromkeys(kernel.heading.section for kernel in kernels):
         members = [kernel for kernel in kernels if kernel.heading.section == section]
         bodies = [function for kernel in members for function in functions[kernel.name]]
-        loops = [loop(kernel, precision) for kernel in members for precision in PRECISIONS]
+        loops = [
+            loop(kernel, precision, gaps=precision not in on_registers)
+            for kernel in members
+            for precision in PRECISIONS
+        ]
         values = {"section": section, "functions": bodies, "loops": loops}
         yield Page(f"src/{section}.c", "section.c.jinja", values)
-        blocks = [block(kernel, precision) for kernel in members for precision in PRECISIONS]
+        blocks = [block(kernel, precision) for kernel in members for precision in on_registers]
         steps = [step for kernel in members for step in kernel.program.steps if step.function]
         called = sorted({f"CHASLES_LANEWISE_{len(step.operands)}({step.function})" for step in steps})
         values = {"section": section, "blocks": blocks, "functions": called}
@@ -101,4 +106,4 @@ def _require_distinct(names: list[str]) -> None:
         raise EmissionError(f"several functions would be called {', '.join(twice)}; rename a kernel")
 
 
-TARGET = Target("c", Path(__file__).parent, _pages, alone)
+TARGET = Target("c", Path(__file__).parent, pages, alone)

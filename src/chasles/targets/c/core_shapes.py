@@ -28,8 +28,11 @@ class Loop:
     block: str
 
 
-def loop(kernel: TargetKernel, precision: Precision) -> Loop:
-    """The constant for the kernel. Raises EmissionError for an operand of more than two core axes."""
+def loop(kernel: TargetKernel, precision: Precision, *, gaps: bool = False) -> Loop:
+    """The constant for the kernel, whose blocks take items with `gaps` whatever their registers.
+
+    Raises EmissionError for an operand of more than two core axes.
+    """
     program = kernel.program
     shapes = []
     for item in program.parameters:
@@ -44,7 +47,7 @@ def loop(kernel: TargetKernel, precision: Precision) -> Loop:
         name=name,
         number=precision.name,
         silent=int(any(step.op is Op.NOT_A_NUMBER for step in program.steps)),
-        gaps=int(bool(parts_of(program).parts)),
+        gaps=int(gaps or bool(parts_of(program).parts)),
         inputs=len(program.arguments),
         operands=len(program.parameters),
         shapes=listed(f"static const chasles_shape {name}_shapes[] = {{", shapes, "};", closing_line=True),
