@@ -527,17 +527,9 @@ void chasles_run(
     }
 }
 
-/* Four numbers at a time; less than that are left. */
 #if CHASLES_VECTORS
-typedef float four_narrow __attribute__((vector_size(16), aligned(4), may_alias));
-typedef double four_wide __attribute__((vector_size(32), aligned(8), may_alias));
-#define CHASLES_CONVERT(to, to_kind, from, from_kind, n) \
-    *(to_kind *)(void *)(to + n) = __builtin_convertvector(*(from_kind *)(void *)(from + n), to_kind)
-#else
-#define CHASLES_CONVERT(to, to_kind, from, from_kind, n) \
-    for (ptrdiff_t i = n; i < n + 4; i++) { \
-        (to)[i] = (from)[i]; \
-    }
+typedef float narrow_4 __attribute__((vector_size(16), aligned(4), may_alias));
+typedef double wide_4 __attribute__((vector_size(32), aligned(8), may_alias));
 #endif
 
 /* Copies the numbers of some floats' items to doubles, one item after the other, or back. */
@@ -545,14 +537,19 @@ static void widen(float *narrow, ptrdiff_t step, double *wide, ptrdiff_t numbers
 {
     const ptrdiff_t apart = step / (ptrdiff_t)sizeof(float), whole = apart == numbers ? numbers * items : numbers;
     for (ptrdiff_t done = 0; done < items * numbers; done += whole, narrow += apart, wide += whole) {
-        for (ptrdiff_t n = 0; n + 4 <= whole; n += 4) {
+        ptrdiff_t n = 0;
+#if CHASLES_VECTORS
+        for (; n + 4 <= whole; n += 4) {
+            narrow_4 *const four = (narrow_4 *)(void *)(narrow + n);
+            wide_4 *const other = (wide_4 *)(void *)(wide + n);
             if (back) {
-                CHASLES_CONVERT(narrow, four_narrow, wide, four_wide, n);
+                *four = __builtin_convertvector(*other, narrow_4);
             } else {
-                CHASLES_CONVERT(wide, four_wide, narrow, four_narrow, n);
+                *other = __builtin_convertvector(*four, wide_4);
             }
         }
-        for (ptrdiff_t n = whole - whole % 4; n < whole; n++) {
+#endif
+        for (; n < whole; n++) {
             if (back) {
                 narrow[n] = (float)wide[n];
             } else {
