@@ -12,6 +12,7 @@ import pytest
 
 from chasles import vocabulary as w
 from chasles.coq.expressions import Unsaid
+from chasles.coq.sentences import failing, holding, satisfiable
 from chasles.coq.statement import CoqStatement
 from chasles.statements import Inverse, load, problem_of
 from chasles.statements.inversion import problems_of_inverse
@@ -216,6 +217,13 @@ def equations_of(text: str) -> tuple[list[Tree], list[Tree], list[Tree]]:
     """The equations that a statement assumes, those that it claims, and the words of which something is assumed."""
     body = re.sub(r"^Definition .*?:=\n(?:  forall .*?,\n)?", "", text, flags=re.DOTALL).rstrip().removesuffix(".")
     *premises, claim = body.split(" ->\n")
+    assumed, words = assumed_in(premises)
+    claim = re.sub(r"^  during T \(fun t =>\s*(.*)\)$", r"\1", claim, flags=re.DOTALL)
+    return assumed, [equation(each) for each in claim.split(" /\\\n")], words
+
+
+def assumed_in(premises: list[str]) -> tuple[list[Tree], list[Tree]]:
+    """The equations and the words that are assumed."""
     assumed: list[Tree] = []
     words: list[Tree] = []
     for premise in premises:
@@ -226,8 +234,7 @@ def equations_of(text: str) -> tuple[list[Tree], list[Tree], list[Tree]]:
             assumed.append(equation(inner))
         elif "<" not in inner:
             words.append(Reader(inner).sum())
-    claim = re.sub(r"^  during T \(fun t =>\s*(.*)\)$", r"\1", claim, flags=re.DOTALL)
-    return assumed, [equation(each) for each in claim.split(" /\\\n")], words
+    return assumed, words
 
 
 def words_expected(said: CoqStatement, expected: Expected) -> list[Tree]:
@@ -248,7 +255,7 @@ def test_statements_read_back_say_what_is_declared() -> None:
     assert len(problems()) >= 290
     for number, problem in problems():
         said = CoqStatement(problem)
-        text = said.text("statement")
+        text = holding("statement", said)
         assumed, claimed, words = equations_of(text)
         expected = Expected(said)
         goals = [("=", expected.side(goal.left), expected.side(goal.right)) for goal in problem.goals]
@@ -264,6 +271,37 @@ def test_statements_read_back_say_what_is_declared() -> None:
         assert others == sum(
             len(h.equations) for h in problem.hypotheses if h.kind in ("unit column", "direction", "untaken")
         )
+
+
+def test_what_fails_is_the_negation_of_what_would_hold() -> None:
+    for number, problem in problems()[::7]:
+        said = CoqStatement(problem)
+        negated = re.fullmatch(
+            r"Definition statement : Prop := ~ \(\n(.*)\)\.\n", failing("statement", said), re.DOTALL
+        )
+        assert negated is not None
+        text = f"Definition statement : Prop :=\n{negated[1]}.\n"
+        assert equations_of(text) == equations_of(holding("statement", said)), number
+        assert bound_in(text, "forall") == said.binders, number
+
+
+def test_what_is_assumed_is_what_there_is_said_to_be() -> None:
+    for number, problem in problems():
+        said = CoqStatement(problem)
+        if not said.premises:
+            continue
+        text = satisfiable("statement", said)
+        body = re.sub(r"^Definition .*?:=\n(?:  exists .*?,\n)?", "", text, flags=re.DOTALL).rstrip().removesuffix(".")
+        whole, _, words = equations_of(holding("statement", said))
+        assert assumed_in(body.split(" /\\\n")) == (whole, words), number
+        assert bound_in(text, "exists") == said.binders, number
+
+
+def bound_in(text: str, word: str) -> list[tuple[str, str]]:
+    """The names that are bound, with their types."""
+    found = re.search(rf"^  {word} (.*?),$", text, re.MULTILINE)
+    groups = re.findall(r"\(([^:()]+) : ((?:[^()]|\([^()]*\))+)\)", found[1]) if found else []
+    return [(name, kind) for names, kind in groups for name in names.split()]
 
 
 @pytest.mark.parametrize(

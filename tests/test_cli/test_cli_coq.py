@@ -15,11 +15,14 @@ from chasles.coq.checking import FORBIDDEN, MISSING, CoqVerdict, coq_version, ve
 from chasles.coq.expressions import Unsaid
 from chasles.coq.folder import chunks, files_of
 from chasles.coq.names import THEORIES, identifier, theory
+from chasles.coq.points import refutation
 from chasles.coq.proof import proof_of
+from chasles.coq.sentences import failing, holding
 from chasles.coq.statement import CoqStatement
 from chasles.coq.theorems import Claimed, claims_of
 from chasles.statements import Problem, Theorem, problem_of
 from chasles.statements.problem import Goal
+from chasles.verdict import Fails
 from chasles.vocabulary import Negative, paren
 
 from ..decided import chapter_session
@@ -47,7 +50,8 @@ def problems(*numbers: str) -> list[tuple[Problem, dict[str, object]]]:
 
 
 def test_a_statement_reads_like_the_page() -> None:
-    [claim] = claims("3.13")
+    claim, witness = claims("3.13")
+    assert witness.said.startswith("Definition eq_3_13_1_assumes : Prop :=\n  exists (A : M 4 3) (phi : R)")
     assert claim.said == (
         "Definition eq_3_13_1 : Prop :=\n"
         "  forall (A : M 4 3) (phi : R) (e : M 3 1) (Q E : M 3 3),\n"
@@ -99,7 +103,36 @@ def mutated() -> Iterator[Claimed]:
         for count, mutant in enumerate(mutants(problem)[which % 2 : which % 2 + 1]):
             name = f"mutant_{which}_{count}"
             proof = proof_of(name, CoqStatement(problem), certificate)
-            yield Claimed("", "", name, "", CoqStatement(mutant).text(name), proof)
+            yield Claimed("", "", name, "", holding(name, CoqStatement(mutant)), proof)
+
+
+FAILING = ["3.97a", "3.148"]
+"""What fails where a unit vector moves, and where nothing does."""
+
+
+def proved() -> list[Claimed]:
+    """What is true of these."""
+    return [claim for claim in claims(*QUICK) if claim.proof] + [
+        claim for claim in claims(*FAILING) if claim.name.endswith("_fails")
+    ]
+
+
+def refuted() -> Iterator[Claimed]:
+    """Slips in what holds, with the points at which they fail; and what holds, with such a point."""
+    session = chapter_session()
+    for which, (problem, _) in enumerate(problems("3.13", "3.43", "3.91", "3.142")):
+        for count, mutant in enumerate(mutants(problem)[which % 2 : which % 2 + 1]):
+            verdict = session.verdict_on(mutant)
+            assert isinstance(verdict, Fails)
+            name = f"slip_{which}_{count}"
+            proof = refutation(name, CoqStatement(mutant), verdict.counterexample)
+            yield Claimed("", "", name, "", failing(name, CoqStatement(mutant)), proof)
+            name = f"true_{which}_{count}"
+            proof = proof.replace(f"slip_{which}_{count}", name)
+            yield Claimed("", "", name, "", failing(name, CoqStatement(problem)), proof)
+            name = f"elsewhere_{which}_{count}"
+            proof = re.sub(r"\(1\)", "(0)", proof).replace(f"true_{which}_{count}", name)
+            yield Claimed("", "", name, "", failing(name, CoqStatement(mutant)), proof)
 
 
 def believed() -> Iterator[Claimed]:
@@ -122,15 +155,15 @@ def misfits() -> Iterator[Claimed]:
 @pytest.fixture(scope="module")
 def verdicts() -> dict[str, CoqVerdict]:
     """What Coq says of true statements, mutants and axioms."""
-    found = [*claims(*QUICK), *claims("3.94"), *mutated(), *believed(), *misfits()]
+    found = [*proved(), *claims("3.94"), *mutated(), *refuted(), *believed(), *misfits()]
     return {each.claim.name: each for each in verdicts_of_coq(chunks(found))}
 
 
 @needs_coq
 def test_coq_accepts(verdicts: dict[str, CoqVerdict]) -> None:
-    proved = [claim.name for claim in claims(*QUICK) if claim.proof]
-    assert len(proved) >= len(QUICK)
-    assert [name for name in proved if not verdicts[name].accepted] == []
+    names = {claim.name for claim in proved()}
+    assert {"eq_3_13_1", "eq_3_13_1_assumes", "eq_3_97a_1_as_read_fails", "eq_3_148_1_fails"} <= names
+    assert [name for name in names if not verdicts[name].accepted] == []
 
 
 @needs_coq
@@ -144,6 +177,14 @@ def test_coq_refuses_other_statements_with_the_same_proof(verdicts: dict[str, Co
     found = [name for name in verdicts if name.startswith("mutant")]
     assert len(found) >= 4
     assert [name for name in found if verdicts[name].accepted] == []
+
+
+@needs_coq
+def test_coq_accepts_that_slips_fail_and_not_that_what_holds_does(verdicts: dict[str, CoqVerdict]) -> None:
+    accepted = {name for name in verdicts if verdicts[name].accepted}
+    assert {name for name in verdicts if name.startswith("slip")} <= accepted
+    assert not [name for name in accepted if name.startswith(("true", "elsewhere"))]
+    assert sum(name.startswith("slip") for name in accepted) == 4
 
 
 @needs_coq
@@ -173,7 +214,10 @@ def test_the_command_says_what_coq_accepts(run, tmp_path: Path) -> None:  # type
     assert done.exit_code == 0
     record = json.loads(done.stdout)["coq"]
     assert record["version"] == coq_version()
-    assert [(each["name"], each["accepted"]) for each in record["theorems"]] == [("eq_3_13_1", True)]
+    assert [(each["name"], each["accepted"], each["witness"]) for each in record["theorems"]] == [
+        ("eq_3_13_1", True, False),
+        ("eq_3_13_1_assumes", True, True),
+    ]
     assert (tmp_path / "out" / "Statements_1.v").is_file()
 
 

@@ -22,7 +22,7 @@ from chasles.vocabulary import Node
 if TYPE_CHECKING:
     from chasles.checker.any_size.at_sizes import Shown
 
-__all__ = ["check_counterexample"]
+__all__ = ["bound_in", "check_counterexample", "completed", "quotient_at"]
 
 Value = Mapping[int, Fraction]
 SIMPLEST = {
@@ -71,12 +71,12 @@ def _objection(reading: Reading, goal: Goal, shown: Shown) -> str:
     if not (1 <= row <= rows and 1 <= column <= columns):
         return f"the equation has no entry {row}, {column}"
     sides = [reading(side)[row - 1][column - 1] for side in (goal.left, goal.right)]
-    relevant = _bound(reading, sides[0].places | sides[1].places)
+    relevant = bound_in(reading, sides[0].places | sides[1].places)
     try:
-        point = _completed(reading, shown.at, relevant)
+        point = completed(reading, shown.at, relevant)
         require(reading, point, relevant)
         require_motion(reading, point)
-        left, right = (_quotient(reading, side, point) for side in sides)
+        left, right = (quotient_at(reading, side, point) for side in sides)
     except Rejected as error:
         return str(error)
     if left == right:
@@ -87,13 +87,13 @@ def _objection(reading: Reading, goal: Goal, shown: Shown) -> str:
     return ""
 
 
-def _bound(reading: Reading, places: set[int]) -> set[int]:
+def bound_in(reading: Reading, places: set[int]) -> set[int]:
     """The variables in these places, and all those of which anything is assumed."""
     assumed = (*reading.vanishing.values(), *reading.nonzero, *(positive for _, positive in reading.positive))
     return {place for place in places.union(*(p.places for p in assumed)) if place >= len(reading.nonzero)}
 
 
-def _completed(reading: Reading, at: Mapping[str, Fraction], relevant: set[int]) -> Point:
+def completed(reading: Reading, at: Mapping[str, Fraction], relevant: set[int]) -> Point:
     """The point, with values for what it leaves out."""
     angles = {reading.places[what[1].name]: what[1].name for what in reading.variables if what[0] == "cos"}
     # An angle is shown only where pi measures it.
@@ -140,7 +140,7 @@ def _norms(reading: Reading, point: Point, relevant: set[int]) -> None:
         kind, of, *_ = reading.variables[place]
         entries = [entry for (entry,) in reading(of)] if kind == "norm" else []
         if entries and all(entry.places <= point.keys() for entry in entries):
-            numbers = [number for entry in entries for number in _quotient(reading, entry, point).values()]
+            numbers = [number for entry in entries for number in quotient_at(reading, entry, point).values()]
             root = _root(sum((number * number for number in numbers), Fraction(0)))
             if root is not None:
                 point[place] = root, 0
@@ -185,7 +185,7 @@ def _root(square: Fraction) -> Fraction | None:
     return root if root * root == square else None
 
 
-def _quotient(reading: Reading, polynomial: Polynomial, point: Point) -> Value:
+def quotient_at(reading: Reading, polynomial: Polynomial, point: Point) -> Value:
     """The value of an expression, its inverses of nonzero factors evaluated too."""
     numerator, powers = cleared(polynomial, reading.nonzero)
     below = value_at(product(reading.nonzero, powers), point)

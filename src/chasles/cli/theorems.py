@@ -38,9 +38,12 @@ class Theorems:
         if self.version is None:
             yield f"{number_of(sum(bool(claim.proof) for claim in self.claims), 'theorem')} in {self.folder}; {MISSING}"
         else:
-            accepted = [each.claim for each in self.checked if each.accepted]
-            of = number_of(len(self.claims), "statement")
+            found = [each.claim for each in self.checked if each.accepted]
+            accepted = [claim for claim in found if not claim.is_witness]
+            of = number_of(sum(not claim.is_witness for claim in self.claims), "statement")
             yield f"Coq {self.version} accepted {len(accepted)} of {of} in {self.folder}"
+            if witnesses := len(found) - len(accepted):
+                yield f"of {witnesses} of them also that there is what satisfies all that they assume"
             if parts := sum(not claim.whole for claim in accepted):
                 yield f"of {parts} of them, theorems and inverses, the equations, one by one"
 
@@ -59,6 +62,7 @@ class Theorems:
                     "form": claim.form,
                     "name": claim.name,
                     "whole": claim.whole,
+                    "witness": claim.is_witness,
                     "accepted": verdicts.get(claim.name, None if self.version is None and claim.proof else False),
                     "reason": reasons.get(claim.name),
                     "file": f"{files[claim.name].statements}.v" if claim.said else None,

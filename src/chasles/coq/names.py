@@ -10,57 +10,14 @@ from chasles import vocabulary as w
 
 __all__ = ["THEORIES", "CoqNames", "identifier", "theory"]
 
-THEORIES = ("Words", "Hypotheses", "Steps", "Motion", "Bodies")
+THEORIES = ("Words", "Hypotheses", "Steps", "Motion", "Bodies", "Points")
 """The files that come with every folder, each requiring those before it."""
 BINDERS = ("T", "t", "B", "b", "integral")
 """Instants, one of them, the elements of a body, one of them, the integral over them."""
-OF_COQ = [
-    "as",
-    "at",
-    "by",
-    "cofix",
-    "else",
-    "end",
-    "exists",
-    "exists2",
-    "fix",
-    "for",
-    "forall",
-    "fun",
-    "if",
-    "in",
-    "let",
-    "match",
-    "mod",
-    "return",
-    "then",
-    "using",
-    "where",
-    "with",
-    "Prop",
-    "Set",
-    "Type",
-    "SProp",
-    "R",
-    "M",
-    "PI",
-    "sin",
-    "cos",
-    "tan",
-    "sqrt",
-    "eq",
-    "open_set",
-    "IZR",
-    "Rplus",
-    "Rminus",
-    "Rmult",
-    "Rdiv",
-    "Ropp",
-    "Rinv",
-    "nat",
-    "bool",
-    "unit",
-]
+OF_COQ = (
+    "as at by cofix else end exists exists2 fix for forall fun if in let match mod return then using where with "
+    "Prop Set Type SProp R M PI sin cos tan sqrt eq open_set IZR Rplus Rminus Rmult Rdiv Ropp Rinv nat bool unit"
+)
 
 
 def theory(name: str) -> str:
@@ -71,7 +28,7 @@ def theory(name: str) -> str:
 @cache
 def _taken() -> frozenset[str]:
     words = (re.findall(r"^(?:Definition|Fixpoint) (\w+)", theory(name), re.MULTILINE) for name in THEORIES)
-    return frozenset((*BINDERS, *OF_COQ, *(word for found in words for word in found)))
+    return frozenset((*BINDERS, *OF_COQ.split(), *(word for found in words for word in found)))
 
 
 def identifier(name: str) -> str:

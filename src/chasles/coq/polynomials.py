@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
 
 from chasles import vocabulary as w
@@ -10,7 +11,7 @@ from chasles.coq.expressions import Unsaid
 from chasles.coq.sources import ProofReading
 from chasles.coq.statement import CoqStatement
 
-__all__ = ["Polynomials", "literal", "taken_apart"]
+__all__ = ["Polynomials", "literal", "multiple", "spelled", "taken_apart"]
 
 
 class Polynomials:
@@ -23,15 +24,7 @@ class Polynomials:
 
     def __call__(self, polynomial: Polynomial) -> str:
         """A polynomial, in brackets."""
-        text = ""
-        for monomial, coefficient in polynomial.terms.items():
-            factors = [self.variable(k) + (f"^{e}" if e > 1 else "") for k, e in exponents(monomial)]
-            if abs(coefficient) != 1 or not factors:
-                factors.insert(0, str(abs(coefficient)))
-            sign = "- " if coefficient < 0 else "+ " if text else ""
-            text += f" {sign}{'*'.join(factors)}"
-        text = text.strip() or "0"
-        return f"({text})" if polynomial.below == 1 else f"(({text}) / {polynomial.below})"
+        return spelled(polynomial, self.variable)
 
     def product(self, powers: int) -> str:
         """A product of nonzero factors, which are packed as in a monomial; empty for none."""
@@ -58,13 +51,7 @@ class Polynomials:
     def angle(self, angle: w.Symbol, unit: Fraction) -> str:
         """A multiple of an angle."""
         name = self._entry(angle, 0, 0, 0)
-        if unit == 1:
-            return name
-        return (
-            f"({unit.numerator} * {name} / {unit.denominator})"
-            if unit.numerator > 1
-            else f"({name} / {unit.denominator})"
-        )
+        return multiple(name, unit)
 
     def _entry(self, symbol: w.Symbol, order: int, i: int, j: int) -> str:
         node: w.Node = symbol
@@ -81,6 +68,28 @@ class Polynomials:
         if self.said.runs(symbol):
             return f"({name} b)" if symbol.shape == (1, 1) else f"({name}_ b {i}%nat {j}%nat)"
         return name if symbol.shape == (1, 1) else entry_name(name, symbol.shape, i, j)
+
+
+def spelled(polynomial: Polynomial, variable: Callable[[int], str]) -> str:
+    """A polynomial, in brackets, with variables that are spelled as told."""
+    text = ""
+    for monomial, coefficient in polynomial.terms.items():
+        factors = [variable(k) + (f"^{e}" if e > 1 else "") for k, e in exponents(monomial)]
+        if abs(coefficient) != 1 or not factors:
+            factors.insert(0, str(abs(coefficient)))
+        sign = "- " if coefficient < 0 else "+ " if text else ""
+        text += f" {sign}{'*'.join(factors)}"
+    text = text.strip() or "0"
+    return f"({text})" if polynomial.below == 1 else f"(({text}) / {polynomial.below})"
+
+
+def multiple(name: str, unit: Fraction) -> str:
+    """A multiple of an angle."""
+    if unit == 1:
+        return name
+    return (
+        f"({unit.numerator} * {name} / {unit.denominator})" if unit.numerator > 1 else f"({name} / {unit.denominator})"
+    )
 
 
 def entry_name(name: str, shape: tuple[int, int], i: int, j: int) -> str:

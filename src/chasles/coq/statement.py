@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import chain, groupby
+from itertools import chain
 
 from chasles import vocabulary as w
 from chasles.coq.expressions import ATOM, Spelling, Unsaid
@@ -209,25 +209,6 @@ class CoqStatement:
         if self.integrals:
             first += [("B", "Type"), ("integral", "(B -> R) -> R")]
         return [*first, *((name, self.type_of(node)) for node, name in everything)]
-
-    def text(self, name: str) -> str:
-        """The definition of the statement, under its name."""
-        premises = self.premises  # which name what is bound
-        lines = [f"  {self._during(each.says) if each.moves else _bracketed(each.says)} ->" for each in premises]
-        goals = [self.spelling.equation(goal.left, goal.right) for goal in self.problem.goals]
-        claim = f" /\\\n{'      ' if self.timed else '  '}".join(goals)
-        claim = f"  during T (fun t =>\n      {claim})" if self.timed else f"  {claim}"
-        groups = groupby(self.binders, key=lambda each: each[1])
-        bound = " ".join(f"({' '.join(name for name, _ in each)} : {kind})" for kind, each in groups)
-        bound = f"\n  forall {bound}," if bound else ""
-        return f"Definition {name} : Prop :={bound}\n" + "\n".join([*lines, claim]) + ".\n"
-
-    def _during(self, says: str) -> str:
-        return f"during T (fun t => {says})"
-
-
-def _bracketed(says: str) -> str:
-    return f"({says})" if says.startswith("forall") or "/\\" in says else says
 
 
 def bare_rate(node: w.Node) -> w.Node:

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from typing import Any
 
 from chasles.coq.expressions import Unsaid
 from chasles.coq.misfits import misfit
+from chasles.coq.points import existence, refutation
 from chasles.coq.proof import proof_of
+from chasles.coq.sentences import failing, holding, satisfiable
 from chasles.coq.statement import CoqStatement
 from chasles.decisions.decision import HOW, Decision, Sentence, key_of
 from chasles.statements import Inverse, Problem, Statement, Theorem, problem_of
@@ -26,7 +28,8 @@ class Claimed:
     """One statement in Coq and its proof: `said` is empty where it cannot be said, `proof` where there is none yet.
 
     `number` and `form` tell what it is of; `whole` says whether the statement is all that the verdict claims. Of a
-    misfit the proof is a command that succeeds because Coq refuses the equation.
+    misfit the proof is a command that succeeds because Coq refuses the equation; a witness says that there is what
+    satisfies the premises of another statement.
     """
 
     number: str
@@ -38,6 +41,7 @@ class Claimed:
     why_not: str = ""
     whole: bool = True
     is_misfit: bool = False
+    is_witness: bool = False
 
     @property
     def theorem(self) -> str:
@@ -68,6 +72,16 @@ def _claims(decision: Decision, form: str, verdict: Verdict, sentence: Sentence,
     stem = _named(key) + ENDINGS[form]
     if isinstance(verdict, IllFormed) and isinstance(sentence, Statement):
         yield _misfit(key, form, _fresh(stem, taken), sentence)
+    elif isinstance(verdict, Fails) and not isinstance(sentence, Inverse):
+        name = _fresh(f"{stem}_fails", taken)
+        problem = problem_of(sentence, "printed", decision.accepted)
+        found = verdict.counterexample
+        yield _written(
+            Claimed(key, f"{HOW[form]}, which fails", name, sentence.says, whole=not isinstance(sentence, Theorem)),
+            problem,
+            failing,
+            lambda said: refutation(name, said, found),
+        )
     elif isinstance(verdict, Fails | IllFormed | Contradictory):
         yield Claimed(
             key, HOW[form], _fresh(stem, taken), sentence.says, why_not=f"no theorem says yet that it {_fault(verdict)}"
@@ -76,29 +90,42 @@ def _claims(decision: Decision, form: str, verdict: Verdict, sentence: Sentence,
         return
     elif isinstance(sentence, Inverse):
         for count, (says, problem) in enumerate(problems_of_inverse(sentence, decision.accepted)):
-            name = _fresh(f"{stem}_case_{count + 1}", taken)
-            yield _claimed(key, form, name, says, problem, certificate["branches"][says], False)
+            claim = Claimed(key, HOW[form], _fresh(f"{stem}_case_{count + 1}", taken), says, whole=False)
+            yield from _claimed(claim, problem, certificate["branches"][says])
     else:
         problem = problem_of(sentence, "printed", decision.accepted)
         whole = not isinstance(sentence, Theorem)
-        yield _claimed(key, form, _fresh(stem, taken), sentence.says, problem, certificate, whole)
+        yield from _claimed(
+            Claimed(key, HOW[form], _fresh(stem, taken), sentence.says, whole=whole), problem, certificate
+        )
 
 
 def _fault(verdict: Verdict) -> str:
     return {"fails": "fails", "ill-formed": "does not fit together"}.get(verdict.name, "is contradictory")
 
 
-def _claimed(
-    key: str, form: str, name: str, says: str, problem: Problem, certificate: Mapping[str, Any], whole: bool
+def _claimed(claim: Claimed, problem: Problem, certificate: Mapping[str, Any]) -> Iterator[Claimed]:
+    """The statement, and that there is what satisfies all that it assumes."""
+    yield _written(claim, problem, holding, lambda said: proof_of(claim.name, said, certificate))
+    found = replace(claim, name=f"{claim.name}_assumes", form=f"what it assumes, {claim.form}", is_witness=True)
+    witness = _written(found, problem, satisfiable, lambda said: existence(found.name, said, certificate["witness"]))
+    if witness.proof:
+        yield witness
+
+
+def _written(
+    claim: Claimed,
+    problem: Problem,
+    sentence: Callable[[str, CoqStatement], str],
+    proof: Callable[[CoqStatement], str],
 ) -> Claimed:
-    statement, proof, why_not = "", "", ""
+    """A claim with its statement and its proof, or why there is none."""
     try:
         said = CoqStatement(problem)
-        statement = said.text(name)
-        proof = proof_of(name, said, certificate)
+        claim = replace(claim, said=sentence(claim.name, said))
+        return replace(claim, proof=proof(said))
     except Unsaid as reason:
-        why_not = str(reason)
-    return Claimed(key, HOW[form], name, says, statement, proof, why_not, whole)
+        return replace(claim, why_not=str(reason))
 
 
 def _misfit(key: str, form: str, name: str, statement: Statement) -> Claimed:

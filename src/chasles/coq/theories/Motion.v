@@ -33,6 +33,8 @@ Lemma D_same f t a b : derivable_pt_lim f t a -> a = b -> derivable_pt_lim f t b
 Proof. intros H <-; exact H. Qed.
 Lemma D_constant k t : derivable_pt_lim (fun _ => k) t 0.
 Proof. exact (derivable_pt_lim_const k t). Qed.
+Lemma D_identity t : derivable_pt_lim (fun s => s) t 1.
+Proof. exact (derivable_pt_lim_id t). Qed.
 Lemma D_plus f g t a b :
   derivable_pt_lim f t a -> derivable_pt_lim g t b -> derivable_pt_lim (fun s => f s + g s) t (a + b).
 Proof. exact (derivable_pt_lim_plus f g t a b). Qed.
@@ -288,6 +290,7 @@ Ltac rates := lazymatch goal with
       exact (H b t K)
   | H : differentiable_under ?I |- derivable_pt_lim (fun s => ?I _) _ _ =>
       refine (D_integral I _ _ _ H _); intro; rates
+  | |- derivable_pt_lim (fun s => s) _ _ => apply D_identity
   | |- derivable_pt_lim (fun s => ?c) _ _ => apply D_constant
   end.
 Lemma spin_of_rotation T (Q Q_dot : R -> M 3 3) : open_set T -> (forall t, T t -> rotation (Q t)) -> rate T Q Q_dot ->

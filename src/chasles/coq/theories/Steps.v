@@ -38,8 +38,10 @@ Lemma not_zero_product (a b : R) : a <> 0 -> b <> 0 -> a * b <> 0.
 Proof. intros. apply Rmult_integral_contrapositive_currified; assumption. Qed.
 Lemma not_zero_factor (a b k : R) : a <> 0 -> a = k * b -> b <> 0.
 Proof. intros H E Z. apply H. rewrite E, Z. ring. Qed.
+Lemma one_and_squares (a b c : R) : 1 + (a ^ 2 + b ^ 2 + c ^ 2) <> 0.
+Proof. generalize (pow2_ge_0 a), (pow2_ge_0 b), (pow2_ge_0 c). lra. Qed.
 Ltac not_zero_alone := first
-  [ assumption | lra
+  [ assumption | lra | apply one_and_squares
   | apply pow_nonzero; not_zero_alone
   | apply not_zero_product; not_zero_alone
   | match goal with K : ?a <> 0 |- ?b <> 0 => first
