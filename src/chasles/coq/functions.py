@@ -18,15 +18,15 @@ from chasles.checker.sparse import Polynomial, Rejected, exponents, variable
 from chasles.checker.witness import Point
 from chasles.coq.expressions import Unsaid
 
-__all__ = ["Function", "Motion"]
+__all__ = ["Function", "MotionThrough"]
 
 Function = dict[tuple[int, int, int], Fraction]
-"""By exponents: a polynomial in time, the one transcendental number of a point, and one over `Motion.below`."""
+"""By exponents: a polynomial in time, the one transcendental number of a point, and one over `MotionThrough.below`."""
 Vector = list[Function]
 TURNED = ("unit", "rotation", "orthonormal")
 
 
-class Motion:
+class MotionThrough:
     """What a reading's polynomials are as functions of time; raises `Unsaid` if they are no such functions."""
 
     def __init__(self, reading: Reading, point: Point) -> None:

@@ -15,7 +15,7 @@ from chasles.coq.expressions import Spelling, Unsaid
 from chasles.coq.polynomials import multiple
 from chasles.coq.sentences import assumed
 from chasles.coq.statement import CoqStatement, Premise
-from chasles.coq.values import Angle, Values, rational
+from chasles.coq.values import Angle, PointValues, rational
 from chasles.statements import Hypothesis
 from chasles.verdict import Counterexample
 
@@ -30,13 +30,13 @@ KNOWN = "pose proof now' as known'; unfold T in known'; decompose [and] known'; 
 
 def refutation(name: str, said: CoqStatement, found: Counterexample) -> str:
     """The theorem that a statement fails, which is said under that name. Raises `Unsaid` where no proof is known."""
-    point = _CoqPoint(said, Values(said, found.at))
+    point = _CoqPoint(said, PointValues(said, found.at))
     return _theorem(name, ["intro claim'.", *point.steps(), *point.contradiction(found)])
 
 
 def existence(name: str, said: CoqStatement, witness: Mapping[str, Any]) -> str:
     """The theorem that there is what satisfies the premises, which is said under that name; all is at rest there."""
-    point = _CoqPoint(said, Values(said, witness, at_rest=True))
+    point = _CoqPoint(said, PointValues(said, witness, at_rest=True))
     if not said.premises:
         raise Unsaid("nothing is assumed")
     *others, last = [each.name for each in said.premises]
@@ -45,7 +45,7 @@ def existence(name: str, said: CoqStatement, witness: Mapping[str, Any]) -> str:
 
 
 class _CoqPoint:
-    def __init__(self, said: CoqStatement, values: Values) -> None:
+    def __init__(self, said: CoqStatement, values: PointValues) -> None:
         self.said, self.values = said, values
         self.arguments = " ".join(name for name, _ in said.binders)
         self._unfold = f"cbv beta delta [{' '.join(values.nodes)}]"

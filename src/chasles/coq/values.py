@@ -12,18 +12,18 @@ from chasles.checker.reading import Reading
 from chasles.checker.refutation import Value, bound_in, completed, quotient_at
 from chasles.checker.sparse import Polynomial, Rejected, variable
 from chasles.coq.expressions import Unsaid
-from chasles.coq.functions import Function, Motion
+from chasles.coq.functions import Function, MotionThrough
 from chasles.coq.polynomials import literal, multiple, spelled
 from chasles.coq.statement import CoqStatement
 
-__all__ = ["Angle", "Values", "rational"]
+__all__ = ["Angle", "PointValues", "rational"]
 
 Angle = tuple[w.Symbol, Fraction, str]
 """An angle, of which multiple the cosine and sine are known, and the name of its value."""
 
 
-class Values:
-    """Values for the symbols and rates of a statement, by name; raises `Unsaid` where there are none.
+class PointValues:
+    """PointValues for the symbols and rates of a statement, by name; raises `Unsaid` where there are none.
 
     With `at_rest` no rate is other than zero.
     """
@@ -48,7 +48,7 @@ class Values:
                 self.angles[place] = (what[1], what[2], f"{said.names.symbol(what[1])}'")
             if what[0] == "cos" and place not in self.point:
                 self.point |= {place: (Fraction(1), 0), place + 1: (Fraction(0), 0)}
-        self.motion = Motion(reading, self.point)
+        self.motion = MotionThrough(reading, self.point)
         if at_rest and any(self.motion(entry) for node in said.names.rates for row in reading(node) for entry in row):
             raise Unsaid("a point through which something moves")
 
