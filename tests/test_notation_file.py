@@ -319,7 +319,7 @@ def test_what_a_formula_abbreviates(text, parts):
     [
         (r"a + \dots + b = 0", r"\dots stands for what is left out"),
         (r"v \in \mathbb{R}^3", r"\in claims nothing"),
-        (r"a = \lim_{b \to 0} b", r"no word for \lim"),
+        (r"a = \lim", r"no word for \lim"),
         (r"a = \left\{ \begin{bmatrix} 1 \end{bmatrix} \right.", "\\{ is not closed"),
     ],
 )

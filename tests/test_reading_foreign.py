@@ -168,6 +168,8 @@ def test_of_what_letters_may_be_that_is_proposed_with_which_more_is_read() -> No
         (r"\int dm", r"\intdm"),
         (r"\mathbf a \cdot \sum_k \mathbf b", r"\mathbf{a}\cdot\sum_{k}\mathbf{b}"),
         (r"-\sum_k h + \frac{1}{2}\oint r ds", r"-\sum_{k}h+\frac{1}{2}\ointrds"),
+        (r"\lim_{h \to 0} \frac{r}{h}", r"\lim_{h\rightarrow0}\frac{r}{h}"),
+        (r"\frac{d}{dt} \int h \, \mathrm{d}m", r"\dot{\inth\mathrm{d}m}"),
         (r"\int \frac{dm}{h}", None),
         (r"\int", None),
         (r"\sum", None),
@@ -206,3 +208,38 @@ def test_a_sign_that_is_either_makes_another_quantity_in_each_equation() -> None
 )
 def test_a_line_that_begins_with_where_states_something(text: str, expected: list[str]) -> None:
     assert readings(text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (r"r &= h + \\ & + 2", "r=h+2"),
+        (r"r &= h + \\ & - 2", "r=h-2"),
+        (r"r &= h - \\ & + 2", "r=h-2"),
+        (r"r &= h \cdot \\ & \cdot 2", "r=2h"),
+        (r"r &= \\ & = h", "r=h"),
+        (r"r &= h - \\ & - 2", "- is not expected here"),
+    ],
+)
+def test_a_sign_that_is_repeated_where_a_line_breaks_is_one(text: str, expected: str) -> None:
+    (found,) = readings(rf"\begin{{align*}} {text} \end{{align*}}", "tex")
+    assert found.replace(r"h\cdot2", "2h").replace("h2", "2h") == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (r"r = 6\,371\,000 h", "r=6371000h"),
+        (r"r = 2\,h", "r=2h"),
+        (r"r = 12\,34 h", "no reading of it fits"),
+        (r"PB \in SO(3), \quad r = h", "r=h"),
+        (r"r = 90^\circ", r"r=90^\circ"),
+        ("r = 90°", r"r=90^\circ"),
+        (r"r = 3\ \text{rad/s}", "the notation does not say what"),
+        (r"r = 3\ \text{kg m^2}", "the notation does not say what"),
+        (r"r = 3\ \text{ for all times}", "r=3"),
+    ],
+)
+def test_numbers_degrees_units_and_kinds(text: str, expected: str) -> None:
+    (found,) = readings(text)
+    assert found.startswith(expected)

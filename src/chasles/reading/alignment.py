@@ -139,9 +139,19 @@ def _added(found: list[DisplayedEquation], new: DisplayedEquation, line: list[To
         return [*found, new._replace(tokens=[*side, *new.tokens])]
     fault = "" if goes_on else "a row that neither begins an equation nor goes on with a sign"
     raw = last.raw if last.raw is new.raw else [*last.raw, new.raw[0]._replace(text=r"\\"), *new.raw]
-    joined = new._replace(tokens=[*last.tokens, *new.tokens], raw=raw, fault=last.fault or fault)
+    joined = new._replace(tokens=_continued(last.tokens, new.tokens), raw=raw, fault=last.fault or fault)
     named = joined._replace(number=last.number or new.number, label=last.label or new.label)
     return [*before, named._replace(place=last.place)]
+
+
+def _continued(before: list[Token], after: list[Token]) -> list[Token]:
+    """The tokens of two lines; a sign that ends the one and begins the other is one, and + says no more than -."""
+    end, start = before[-1].text, after[0].text if after else ""
+    if end == start and end != "-" and end in commands.RELATIONS | commands.OPERATORS:
+        return [*before[:-1], *after]
+    if end == "+" and start == "-":
+        return [*before[:-1], *after]
+    return [*before, *(after[1:] if (end, start) == ("-", "+") else after)]
 
 
 def _joined(equations: list[DisplayedEquation]) -> DisplayedEquation:

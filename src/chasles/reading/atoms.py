@@ -20,6 +20,9 @@ from chasles.reading.printed_atoms import (
 __all__ = ["respelled"]
 
 DEEPEST = 60
+UNIT = re.compile(
+    r"(?:(?:[kcmnMG]?(?:m|g|s|N|J|W|Pa|Hz|V|A|K|T)|rad|deg|h|min|ft|lbf?|rev)(?:\^?-?\d)?(?:[ /*](?=\w)|$))+", re.ASCII
+)
 SCRIPTLESS = commands.RELATIONS | commands.OPERATORS | {r"\\", "&", ",", ";", "(", "[", r"\{", r"\quad", r"\qquad"}
 
 
@@ -177,7 +180,11 @@ class _Respelling:
         return self.raw[self.at + count].text if self.at + count < len(self.raw) else ""
 
     def rest_of_number(self, text: str) -> str:
-        while self.ahead().isdigit() or (self.ahead() == "." and "." not in text and self.ahead(1).isdigit()):
+        while True:
+            is_parted = self.ahead() == r"\," and all(self.ahead(k).isdigit() for k in (1, 2, 3))
+            self.at += is_parted
+            if not (self.ahead().isdigit() or (self.ahead() == "." and "." not in text and self.ahead(1).isdigit())):
+                break
             text += self.ahead()
             self.at += 1
         return text
@@ -243,5 +250,7 @@ def _text(command: Token, inside: list[Token]) -> list[PrintedAtom]:
         return []
     if len(words) == 1:
         return styled(r"\mathrm" if words.isalpha() else "", [PrintedAtom([command._replace(text=words)])], command)
+    if UNIT.fullmatch(words) and not words.isalpha():
+        return [PrintedAtom([command._replace(text=rf"\operatorname{{{words}}}")])]
     is_name = words.isalpha() and words.isascii() and "\\" + words.lower() not in commands.CONNECTIVES
     return [PrintedAtom([command._replace(text=rf"\{'operatorname' if is_name else 'text'}{{{words}}}")])]

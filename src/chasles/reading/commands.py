@@ -96,7 +96,7 @@ OPERATORS = frozenset("+-*/") | _commands("times cdot pm mp wedge otimes oplus c
 
 _SIGNS = dict.fromkeys("\u00a0\u2009\u200b", " ") | _pairs(
     r"− - × \times · \cdot ⋅ \cdot ′ ' ″ '' ≡ \equiv ∥ \| ≤ \leq ≥ \geq ≠ \neq ‖ \| ≜ \triangleq ≔ := ∈ \in ∞ \infty "
-    r"∂ \partial ∇ \nabla"
+    r"∂ \partial ∇ \nabla ° ^\circ"
 )
 _STYLE_NAMES = {"BOLD": r"\mathbf", "BOLD ITALIC": r"\boldsymbol", "ITALIC": "", "SCRIPT": r"\mathcal"}
 

@@ -165,4 +165,4 @@ def named(letter: Glyph) -> str:
     said = " ".join((*letter.before, letter.base, *letter.accents, letter.sub, *letter.sups))
     words = [word for word in re.findall(r"\w+", said) if word not in TYPEFACE_NAMES]
     arguments = [word.strip("\\") for word in letter.arguments.split() if word.strip("\\") not in TYPEFACE_NAMES]
-    return "_".join(words) + primes + (f"({' '.join(arguments)})" if arguments else "")
+    return ("_".join(words) or letter.base) + primes + (f"({' '.join(arguments)})" if arguments else "")

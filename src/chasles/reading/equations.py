@@ -139,7 +139,15 @@ def segments(marks: Tokens) -> list[tuple[Tokens, bool]]:
             *before, last = cut(part, tuple(IMPLICATIONS))
             found += [(tuple(each), True) for each in before if each]
             found += [(tuple(last), condition)] if last else []
+    if not all(_is_membership(part) for part, _ in found):
+        found = [each for each in found if not _is_membership(each[0])]
     return [(full, condition) for part, condition in _joined_lists(found) for full in written_out(part)]
+
+
+def _is_membership(part: Tokens) -> bool:
+    """Whether it says of what kind something is, and nothing else."""
+    signs = [token.text for token in part if token.text in RELATIONS]
+    return signs == [r"\in"]
 
 
 def _side_by_side(line: list[Token]) -> list[tuple[list[Token], str]]:

@@ -20,7 +20,7 @@ from chasles.vocabulary import At, symbols_of
 from chasles.vocabulary.partial import PartialDerivative
 from chasles.vocabulary.spelling import Precedence
 
-__all__ = ["factors"]
+__all__ = ["factors", "operators_of"]
 
 BACKSLASH = "\\"
 
@@ -45,7 +45,7 @@ def factors(items: tuple[Atom, ...], start: int, ctx: FittingContext) -> Iterato
     if (makes := spellings.subscripted.get(name)) and atom.sub:
         yield start + 1, list(made_of(makes, [[fit] for fit in of_tokens(atom.sub, ctx)], atom, ctx))
         return
-    if (operators := _operators(atom, ctx)) and start + 1 < len(items):
+    if (operators := operators_of(atom, ctx)) and start + 1 < len(items):
         for end in range(start + 2, len(items) + 1):
             inner = [[fit] for fit in ctx.product(items[start + 1 : end])]
             yield end, list(made_of(operators, inner, None, ctx))
@@ -81,7 +81,7 @@ def _is_argument(atom: Atom) -> bool:
     return len(row) == 1 and isinstance(row[0], Atom) and row[0].text == "t" and not row[0].sub
 
 
-def _operators(atom: Atom, ctx: FittingContext) -> list[Make]:
+def operators_of(atom: Atom, ctx: FittingContext) -> list[Make]:
     """What d/dt, or a partial derivative without what it is of, makes of what stands behind it."""
     if atom.kind != "COMMAND_OF_TWO" or "frac" not in atom.text:
         return []

@@ -58,8 +58,13 @@ def _unstyled(text: str) -> str:
 
 def said_of(marks: Tokens) -> str:
     """The tokens as one text: without braces, bold in one way, upright names as one word."""
-    words = (NAME.sub(r"\1", BOLD.get(token.text, token.text)) for token in marks)
+    words = (_named(BOLD.get(token.text, token.text)) for token in marks)
     return " ".join(word for word in words if word not in ("{", "}"))
+
+
+def _named(text: str) -> str:
+    """A name as one word."""
+    return NAME.sub(lambda found: found[1].replace(" ", "~"), text)
 
 
 def only_atom(chain: Chain) -> Atom | None:
@@ -91,7 +96,7 @@ def _text(atom: Atom) -> str:
         case "GRID":
             return r"\begin"
         case _:
-            return NAME.sub(r"\1", atom.text)
+            return _named(atom.text)
 
 
 def text_of(terms: Terms) -> str:
@@ -197,7 +202,10 @@ def in_latex(text: str) -> str:
             continue
         if word in (",", "/"):
             found, scripts = [*found, "}" * scripts], 0
-        said = rf"\mathrm{{{word}}}" if word.isalpha() and len(word) > 1 else word
+        is_name = len(word) > 1 and word[0] != "\\" and not re.fullmatch(r"[\d.]+|.*[#|].*", word)
+        said = (
+            word if not is_name else rf"\mathrm{{{word}}}" if word.isalpha() else rf"\text{{{word.replace('~', ' ')}}}"
+        )
         for style in reversed(styles):
             said = (r"\boldsymbol" if style == r"\mathbf" and said[:1] == "\\" else style) + f"{{{said}}}"
         styles = []

@@ -38,6 +38,8 @@ USUAL = {
     "vee": [r"#^\vee"],
     "quaternion_product": [r"# \otimes #"],
     "outer_product": [r"# \otimes #"],
+    "exp": [r"\operatorname{Exp}(#)"],
+    "quantity": [r"#^\circ"],
 }
 """Spellings that a file need not name; those that it names come first."""
 

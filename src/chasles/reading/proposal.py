@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
@@ -26,7 +27,8 @@ __all__ = ["proposed"]
 TRANSPOSES, INVERSES = ("T", r"\top"), ("- 1", "- T", r"- \top")
 RATES = (r"\dot", r"\ddot", r"\dddot")
 NO_LETTERS = frozenset([*WITHOUT_WORD, r"\partial", ".", "!"])
-BARE = ("d", r"\pi", "e", "0", "I", r"\mathbf I", r"\mathbf 0", r"\mathbf 1", r"\mathrm d")
+DIFFERENTIAL = re.compile(r"\\o?int\b|\bd t\b|\\mathrm \{ d \}")
+BARE = (r"\pi", "e", "0", "I", r"\mathbf I", r"\mathbf 0", r"\mathbf 1", r"\mathrm d")
 """What is no letter of the page where it has no subscript."""
 KINDS = {(True, True): ("matrix", "vector"), (True, False): ("vector", "matrix"),
          (False, True): ("matrix", "scalar", "vector"), (False, False): ("scalar", "vector")}  # fmt: skip
@@ -54,13 +56,17 @@ def proposed(equations: Sequence[PrintedEquation]) -> str:
     """
     usual = load_notation("")
     uses: dict[Glyph, _Use] = {}
+    has_differentials = False
     for place, equation in enumerate(equations):
         try:
+            has_differentials |= bool(DIFFERENTIAL.search(" ".join(token.text for token in equation.tokens)))
             for line, _ in segments(equation.tokens):
                 for side in formula(line).sides:
                     _note(side, "", uses, usual, place)
         except (Unread, BadPage):
             continue
+    if has_differentials:
+        uses.pop(Glyph("d"), None)
     uses = dict(sorted(uses.items(), key=lambda each: spelled(each[0])))
     are_bold = sum(_looks(stem)[0] for stem in uses) >= MANY
     for stem, use in uses.items():
@@ -147,7 +153,9 @@ def _note(terms: Terms | None, within: str, uses: dict[Glyph, _Use], usual: Page
                 before = name
                 continue
             for inner in terms_in(piece):
-                _note(inner, piece.text if piece.text in (r"\|\|", "||") else before, uses, usual, at)
+                _note(
+                    inner, piece.text if piece.text in (r"\|\|", "||", r"\lfloor\rfloor") else before, uses, usual, at
+                )
             if piece.kind == "LETTER" or piece.text in TYPEFACES or piece.text in MARKS:
                 _note_letter(letter_of(piece), around, uses, at)
             before = within
@@ -187,7 +195,7 @@ def _kind(stem: Glyph, use: _Use, are_bold: bool) -> tuple[str, str]:
     letter = stem.base.split()[-1]
     bold, large = _looks(stem)
     square = any(f"^{sup}" in use.signs for sup in INVERSES) or bool(use.signs & {r"\det", "tr", r"\tr"})
-    vector = bool(use.signs & {r"\times", r"\cdot", r"\|\|", r"\tilde", r"^\wedge"})
+    vector = bool(use.signs & {r"\times", r"\cdot", r"\|\|", r"\lfloor\rfloor", r"\tilde", r"^\wedge"})
     transposed = any(f"^{sup}" in use.signs for sup in TRANSPOSES)
     if large and (bold or square or transposed):
         return ("rotation", "matrix") if letter in ("R", "Q", "C") else ("matrix", "")
@@ -206,6 +214,7 @@ def _operators(uses: dict[Glyph, _Use]) -> list[str]:
     signs = set().union(*(use.signs for use in uses.values()))
     skew = [form for sign, form in ((r"\tilde", r"\tilde{#}"), (r"^\wedge", r"#^\wedge")) if sign in signs]
     transposes = [f"#^{sup}" for sup in TRANSPOSES if f"^{sup}" in signs] or ["#^T"]
+    skew += [r"\lfloor # \rfloor"] if r"\lfloor\rfloor" in signs else []
     lines = ["skew = [" + ", ".join(f"'{form}'" for form in (*skew, r"[#]_\times")) + "]"] if skew else []
     lines += ["transpose = [" + ", ".join(f"'{form}'" for form in transposes) + "]"]
     return [*lines, r"identity = ['\mathbf{1}', '\mathbf{I}', 'I']  # ? what of these is a letter of its own"]

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+from chasles.reading.applying import made_of
 from chasles.reading.context import FittingContext
-from chasles.reading.factors import factors
+from chasles.reading.factors import factors, operators_of
 from chasles.reading.fits import UNUSUAL, Fit, kept, made
 from chasles.reading.glyphs import joined, letter_of
 from chasles.reading.grammar import Atom, FlatRow
@@ -30,7 +31,7 @@ def row_fits(row: FlatRow, ctx: FittingContext) -> list[Fit]:
 
 
 def _signed(pieces: Pieces, ctx: FittingContext) -> list[Fit]:
-    signs = TOTALS[: 1 if ctx.notation.integral else None]
+    signs = TOTALS[: 2 if ctx.notation.integral else None]
     for place, piece in enumerate(pieces):
         if isinstance(piece, Atom) and piece.text in signs:
             return _with_total(pieces, place, ctx)
@@ -71,6 +72,9 @@ def _with_total(pieces: Pieces, place: int, ctx: FittingContext) -> list[Fit]:
     if inside[end:]:
         found = [each for one in found for other in _signed(inside[end:], ctx) for each in _times(one, other, ctx)]
     cut = max((k for k, piece in enumerate(before) if isinstance(piece, Token)), default=-1)
+    last = before[-1] if before else None
+    if isinstance(last, Atom) and (operators := operators_of(last, ctx)):
+        found, before = list(made_of(operators, [[fit] for fit in found], None, ctx)), before[:-1]
     if before[cut + 1 :]:
         factors = _signed(before[cut + 1 :], ctx)
         found = [each for one in factors for other in found for each in _times(one, other, ctx)]

@@ -16,12 +16,13 @@ from chasles.vocabulary.fitting import measured
 __all__ = ["TOTALS", "end_of_total", "totals"]
 
 Pieces = tuple[Atom | Token, ...]
-TOTALS = (r"\sum", r"\int", r"\oint")
+TOTALS = (r"\sum", r"\lim", r"\int", r"\oint")
+OPEN = TOTALS[:2]
 
 
 def totals(sign: Atom, inside: Pieces, read: Callable[[Pieces], list[Fit]], ctx: FittingContext) -> list[Fit]:
     """The sum or integral of all that stands inside, differentials included; none, and a note why, if it is none."""
-    end = len(inside) - 2 * (sign.text != r"\sum")
+    end = len(inside) - 2 * (sign.text not in OPEN)
     tail = [piece for piece in inside[max(end, 0) :] if isinstance(piece, Atom)]
     if end < 0 or not inside or (tail and has_units(ctx.notation.home)):
         ctx.note(f"no word for {sign.text} here", sign.place)
@@ -39,7 +40,7 @@ def totals(sign: Atom, inside: Pieces, read: Callable[[Pieces], list[Fit]], ctx:
 
 def end_of_total(sign: Atom, inside: Pieces) -> int:
     """Where what the sign is put before ends: behind the last differential, or at the end of a sum."""
-    if sign.text == r"\sum":
+    if sign.text in OPEN:
         return len(inside)
     return max((k + 2 for k in range(len(inside) - 1) if _is_differential(inside[k], inside[k + 1])), default=0)
 
