@@ -122,14 +122,21 @@ static int find_strides(const chasles_loop *loop, const ptrdiff_t *core, Stride 
     return dense;
 }
 
-/* Whether the items of each operand lie one after the other. */
-static int is_packed(const chasles_loop *loop, const ptrdiff_t *steps)
+/* What lies one after the other: nothing more is to be done, some inputs are to be gathered, or items have gaps. */
+enum { PACKED, NEARLY_PACKED, WITH_GAPS };
+
+/* Nearly packed are items of which inputs alone are apart, and no more than half of the numbers. */
+static int packing_of(const chasles_loop *loop, const ptrdiff_t *steps)
 {
-    int packed = 1;
+    ptrdiff_t all = 0, apart = 0;
+    int outputs = 0;
     for (int k = 0; k < loop->operands; k++) {
-        packed &= steps[k] == size_of(loop, k);
+        const int lies_apart = steps[k] != size_of(loop, k);
+        all += size_of(loop, k);
+        apart += lies_apart ? size_of(loop, k) : 0;
+        outputs |= lies_apart && k >= loop->inputs;
     }
-    return packed;
+    return apart == 0 ? PACKED : !outputs && 2 * apart <= all ? NEARLY_PACKED : WITH_GAPS;
 }
 
 /* The first byte of operand k and the one after its last. */
@@ -481,10 +488,13 @@ void chasles_run(
     Run run;
     int in_place_each[CHASLES_OPERANDS];
     const int dense = find_strides(loop, core, strides), over = overlaps(loop, count, at, steps, strides);
-    const int lies_well = dense && !over;
     const int fills = count >> shift_of(loop, level) > 0;
-    if (level == 2 && !loop->gaps && (!fills || (lies_well && !is_packed(loop, steps)))) {
-        level = 1;
+    int lies_well = dense && !over;
+    if (level == 2 && !loop->gaps) {
+        /* Such blocks take items without gaps; by narrower registers few items are computed, and what has gaps. */
+        const int packing = packing_of(loop, steps);
+        level = !fills || (lies_well && packing == WITH_GAPS) ? 1 : 2;
+        lies_well = lies_well && (level == 1 || packing == PACKED);
     }
     for (int k = 0; k < loop->operands; k++) {
         in_place_each[k] = strides[k].dense && (level < 2 || loop->gaps || steps[k] == size_of(loop, k));
