@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 import chasles
 from chasles.reading.equations import read_equations
 from chasles.reading.glyphs import letter_in, spelled
 from chasles.reading.notation_file import load_notation
-from chasles.reading.pages import Kind, displayed
+from chasles.reading.pages import Kind, displayed, kind_of
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.proposal import proposed
 from chasles.vocabulary import latex
@@ -243,3 +245,16 @@ def test_a_sign_that_is_repeated_where_a_line_breaks_is_one(text: str, expected:
 def test_numbers_degrees_units_and_kinds(text: str, expected: str) -> None:
     (found,) = readings(text)
     assert found.startswith(expected)
+
+
+EXCERPTS = sorted(
+    each for each in (Path(__file__).parents[1] / "benchmarks" / "reading").iterdir() if each.suffix in (".tex", ".rst")
+)
+
+
+@pytest.mark.parametrize("path", EXCERPTS, ids=lambda path: path.name)
+def test_excerpts_are_read_whole_and_three_quarters_of_them_with_what_is_proposed(path: Path) -> None:
+    printed = displayed(path.read_text("utf-8"), kind_of(path.name))
+    assert [each.why for each in read_equations(printed, load_notation(path.with_suffix(".toml"))) if each.why] == []
+    read = read_equations(printed, load_notation(proposed(printed)))
+    assert sum(bool(each.readings) for each in read) >= 0.75 * len(read)

@@ -38,6 +38,7 @@ def in_document(body: str, head: str = "") -> tuple[PrintedEquation, ...]:
         (r"\begin{align*} a &= b \\ &= c \\ &\quad + d \end{align*}", ["a=b=c+d"]),
         (r"\begin{align} a &= b \\ &= c \end{align}", ["a=b", "b=c"]),
         (r"\begin{align} a &= b, c \\ &= d \end{align}", ["a=b,c=d"]),
+        (r"\begin{align} a &= b \\ , \\ \quad . \\ c &= d \end{align}", ["a=b", "c=d"]),
         (r"\begin{align} a ={}& b \nonumber\\ & - c \end{align}", ["a=b-c"]),
         (r"\begin{align} a &= (b \\ & + c) \\ -d &= e \end{align}", ["a=(b+c)", "-d=e"]),
         (r"\begin{align} a &= b \\ &\vdots \\ c &= d \end{align}", ["a=b", "c=d"]),

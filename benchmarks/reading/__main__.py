@@ -14,8 +14,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from chasles.pages.page import Page, read_page
+from chasles.reading.equations import read_equations
 from chasles.reading.notation_file import load_notation
 from chasles.reading.pages import displayed, kind_of
+from chasles.reading.proposal import proposed
 
 HERE = Path(__file__).parent
 WRONG = ("fails", "ill-formed")
@@ -26,6 +28,13 @@ SLIPS = ((r" \+ ", " - "), (r" - ", " + "), (r"\^\\transpose", ""), (r"\^T", "")
 def page_of(path: Path, text: str) -> Page:
     """The page decided with the notation beside it."""
     return read_page(displayed(text, kind_of(path.name), file=path.name), load_notation(path.with_suffix(".toml")))
+
+
+def read_as_proposed(path: Path, text: str) -> int:
+    """How many equalities are read with the notation that --propose writes, uncorrected."""
+    printed = displayed(text, kind_of(path.name))
+    read = read_equations(printed, load_notation(proposed(printed)))
+    return sum(len(each.readings[0].parts) for each in read if each.readings)
 
 
 def slips(text: str) -> Iterator[str]:
@@ -43,7 +52,8 @@ def main() -> None:
         text = path.read_text("utf-8")
         start = time.process_time()
         page = page_of(path, text)
-        print(f"{path.name}: {page.summary}; {time.process_time() - start:.1f} s")
+        taken = time.process_time() - start
+        print(f"{path.name}: {page.summary}; {read_as_proposed(path, text)} read with what is proposed; {taken:.1f} s")
         for each in page.equations:
             if each.verdict in WRONG:
                 print(f"  line {each.printed.line}, part {each.place}: {each.verdict}")

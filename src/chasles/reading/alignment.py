@@ -101,8 +101,9 @@ def equations_of(
         for line, is_paired in _lines(whole, environment):
             tokens, own = _trailing_number(_without_alignment(line, is_paired))
             number = own or printed or row.tag or counted
-            if {token.text for token in tokens} - DOTS:
-                kept, is_ended = without_layout(tokens), tokens[-1].text in ",.;"
+            kept = without_layout(tokens)
+            if {token.text for token in kept} - DOTS:
+                is_ended = tokens[-1].text in ",.;"
                 new = DisplayedEquation(kept, row.raw, number, row.label, is_ended, place=tokens[0])
                 found = _added(found, new, line)
     if len(rows) > 1 or len({equation.number for equation in found}) > 1:
@@ -146,7 +147,7 @@ def _added(found: list[DisplayedEquation], new: DisplayedEquation, line: list[To
 
 def _continued(before: list[Token], after: list[Token]) -> list[Token]:
     """The tokens of two lines; a sign that ends the one and begins the other is one, and + says no more than -."""
-    end, start = before[-1].text, after[0].text if after else ""
+    end, start = before[-1].text, after[0].text
     if end == start and end != "-" and end in commands.RELATIONS | commands.OPERATORS:
         return [*before[:-1], *after]
     if end == "+" and start == "-":
