@@ -58,10 +58,10 @@ class Differentiation:
     def of_polynomial(self, polynomial: Polynomial) -> Ratio:
         """The time derivative of a polynomial in the variables, by the chain rule."""
         total = self.field.constant(0)
-        for place in range(len(self.variables)):
-            partial = self.field.ring.derivative(polynomial, place)
-            if partial != 0:
-                total = total + self.field.ratio(partial) * self._of_variable(place)
+        ring = self.field.ring
+        for place, degree in enumerate(ring.degrees(polynomial)):
+            if degree > 0:
+                total = total + self.field.ratio(ring.derivative(polynomial, place)) * self._of_variable(place)
         return total
 
     def _of_variable(self, place: int) -> Ratio:
