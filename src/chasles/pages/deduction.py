@@ -21,6 +21,7 @@ from dataclasses import dataclass, field
 from dataclasses import replace as with_fields
 
 from chasles.decisions.session import Session
+from chasles.pages.attempts import MOST_POSED, attempts, named, sides_of, with_everything, with_premises
 from chasles.pages.bounded_proofs import proof_of, verdict_on
 from chasles.pages.facts import divisors
 from chasles.pages.named_hypotheses import as_hypothesis
@@ -28,7 +29,6 @@ from chasles.pages.premises import (
     PosedEquation,
     Premises,
     Quantity,
-    Rules,
     chosen_rules,
     free_quantities,
     quantities,
@@ -40,7 +40,7 @@ from chasles.reading.fits import OF_ITS_OWN
 from chasles.reading.reading import Part, Reading
 from chasles.repairs.repair import Repair
 from chasles.statements import Claim, Definition, Statement, problem_of
-from chasles.verdict import Defined, Fails, IllFormed, Undecided, Verdict
+from chasles.verdict import Defined, Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
 from chasles.vocabulary import At, Misfit, Node, plain
 from chasles.vocabulary.families import indices_of
 
@@ -50,8 +50,6 @@ DEFINING = (r"\equiv", ":=", r"\triangleq", r"\coloneqq", r"\doteq", "≡")
 """The signs by which something is defined."""
 WORK = 3e5
 """The work that one attempt at a proof may take, in products of terms."""
-MOST_POSED = 4
-"""So many posed equations, the last ones, are tried together for a proof."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,6 +152,14 @@ class Deduction:
                 return key, turned
         return None
 
+    def _said_to_be(self, claim: Claim) -> tuple[Quantity, bool] | None:
+        """The symbol that an open equation says to be something else, and whether on its right side."""
+        for side, other, turned in ((*claim.printed, False), (*claim.printed[::-1], True)):
+            key = quantity(side)
+            if key is not None and key[0] not in {symbol for symbol, _ in quantities(other)}:
+                return key, turned
+        return None
+
     def _is_new(self, claim: Claim, key: Quantity) -> bool:
         """Whether nothing needs to be decided before a symbol is taken to be defined."""
         is_spoken = any(symbol == key[0] for symbol, _ in self.premises.spoken)
@@ -178,26 +184,28 @@ class Deduction:
         return len(self._foretold) > before
 
     def _defined(self, claim: Claim, key: Quantity, turned: bool) -> PageFinding:
-        left, right = (claim.right, claim.left) if turned else claim.printed
-        made = Definition(claim.number, left, right, part=claim.part, sign=claim.sign, assuming=divisors((right,)))
+        made = _definition(claim, turned)
         known = self.premises.definitions.setdefault(
             key, [None] if any(q[0] == key[0] for q in self.premises.spoken) else []
         )
         known.insert(0, made)
         self.premises.proved.pop(key, None)
+        self.premises.opened.pop(key, None)
         return PageFinding("definition", Defined(), made)
 
     def _posed(self, claim: Claim, is_open: bool, verdict: Verdict) -> PageFinding:
-        name = claim.number if claim.part == 1 else f"{claim.number}/{claim.part}"
         if not any(map(indices_of, claim.printed)):
-            said = as_hypothesis(f"({name})", *claim.printed, self.session)
-            self.premises.posed.append(PosedEquation(said, claim.left, claim.right, is_open))
+            said = as_hypothesis(named(claim), *claim.printed, self.session)
+            key = self._said_to_be(claim) if is_open else None
+            if key is not None:
+                self.premises.opened[key[0]] = _definition(claim, key[1])
+            self.premises.posed.append(PosedEquation(said, claim.left, claim.right, is_open, key is not None))
         return PageFinding("condition", verdict, claim, open=is_open)
 
     def _satisfied(self, claim: Claim) -> Verdict:
         """The verdict on a condition: posed if a point satisfies it with all that the page has said of its symbols."""
         said = as_hypothesis(f"({claim.number})", *claim.printed, self.session)
-        known = self._with_everything(claim, 0)
+        known = with_everything(claim, self.premises, 0)
         try:
             return pose(
                 problem_of(with_fields(known, assuming=(*known.assuming, said)), "printed", self.session.accepted)
@@ -207,10 +215,10 @@ class Deduction:
 
     def _proof(self, claim: Claim) -> PageFinding | None:
         """The finding on a claim that follows from what the page has said; None for any other."""
-        for attempt in self._attempts(claim):
+        for attempt, opened in attempts(claim, self.premises):
             verdict = proof_of(attempt, self.session)
             if verdict is not None:
-                return self._proved(attempt, verdict)
+                return self._proved(attempt, _resting_on(opened, verdict))
         return None
 
     def _proved(self, claim: Claim, verdict: Verdict) -> PageFinding:
@@ -222,43 +230,10 @@ class Deduction:
             self.premises.proved[key] = least
         return PageFinding("claim", verdict, least)
 
-    def _attempts(self, claim: Claim) -> Iterator[Claim]:
-        """The claim with ever more premises, each set once."""
-        seen: set[tuple[frozenset[int], frozenset[str]]] = set()
-        for rules, posed in self._premise_sets(claim):
-            attempt = self._with(claim, rules, posed)
-            key = (frozenset(map(id, attempt.given)), frozenset(h.text for h in attempt.assuming))
-            if key not in seen:
-                seen.add(key)
-                yield attempt
-
-    def _premise_sets(self, claim: Claim) -> Iterator[tuple[Rules, tuple[PosedEquation, ...]]]:
-        """Rules to apply and equations to assume: nothing, what is said of what occurs, all that this rests on."""
-        premises, sides = self.premises, claim.printed
-        defined = [premises.defined(generation) for generation in range(premises.generations)]
-        tables = [table for each in defined for table in ({**each, **premises.proved}, each)]
-        yield {}, ()
-        yield chosen_rules(sides, tables[0], deep=False), ()
-        for table in tables:
-            yield chosen_rules(sides, table), ()
-        for table in tables[:2]:
-            rules = chosen_rules(sides, table)
-            posed = premises.restricting(free_quantities(sides, rules), rules)[-MOST_POSED:]
-            if posed:
-                yield chosen_rules(_sides(claim, posed), table), posed
-
-    def _with(self, claim: Claim, rules: Rules, posed: tuple[PosedEquation, ...], everything: bool = False) -> Claim:
-        """The claim with rules, posed equations, and what is known of the symbols in them."""
-        said = _sides(claim, posed)
-        found = free_quantities(said, rules)
-        facts = self.premises.assumed(found, rules, everything)
-        assuming = dict.fromkeys((*facts, *divisors(said), *(each.hypothesis for each in posed)))
-        return with_fields(claim, given=tuple(rules.values()), assuming=tuple(assuming), sic=False)
-
     def _refuted(self, claim: Claim, told: bool) -> PageFinding:
         """The finding on a claim that is not proved: it fails, or is open."""
         rules = chosen_rules(claim.printed, self.premises.defined())
-        verdict = verdict_on(self._with(claim, rules, ()), self.session)
+        verdict = verdict_on(with_premises(claim, self.premises, rules, ()), self.session)
         of_its_own = any(symbol.meaning == OF_ITS_OWN for symbol, _ in free_quantities(claim.printed, rules))
         is_asked = isinstance(verdict, Fails) and not _is_defining(claim) and not of_its_own
         instead = self._instead(claim) if is_asked else None
@@ -266,7 +241,7 @@ class Deduction:
             return PageFinding("claim", verdict, claim, open=True)
         refuted: list[tuple[Claim, Verdict]] = []
         for generation in range(self.premises.generations):
-            everything = self._with_everything(claim, generation)
+            everything = with_everything(claim, self.premises, generation)
             found = verdict_on(everything, self.session)
             if not isinstance(found, Fails):
                 return PageFinding("claim", found, claim, open=True)
@@ -275,13 +250,6 @@ class Deduction:
         against = (*(given.number for given in refuted_claim.given), *(h.text for h in refuted_claim.assuming))
         return PageFinding("claim", first, refuted_claim, instead=instead, against=against)
 
-    def _with_everything(self, claim: Claim, generation: int) -> Claim:
-        """The claim with all that the page says of its symbols, open equations among it."""
-        rules = chosen_rules(claim.printed, self.premises.defined(generation))
-        posed = self.premises.relevant_to(free_quantities(claim.printed, rules))
-        rules = chosen_rules(_sides(claim, posed), self.premises.defined(generation))
-        return self._with(claim, rules, posed, everything=True)
-
     def _instead(self, claim: Claim) -> Repair | None:
         """A true equation but for one slip, under what the page says of the claim's symbols and does not leave open."""
         rules = self.premises.defined()
@@ -289,13 +257,21 @@ class Deduction:
         shallow = chosen_rules(claim.printed, {**rules, **self.premises.proved}, deep=False)
         known = self.premises.restricting(free_quantities(claim.printed, deep), deep)
         posed = tuple(each for each in known if not each.open)[-MOST_POSED:]
-        sets = [(shallow, ()), (deep, ()), (chosen_rules(_sides(claim, posed), rules), posed)]
-        attempts = [self._with(claim, *each) for each in sets[shallow == deep : 3 if posed else 2]]
+        sets = [(shallow, ()), (deep, ()), (chosen_rules(sides_of(claim, posed), rules), posed)]
+        attempts = [with_premises(claim, self.premises, *each) for each in sets[shallow == deep : 3 if posed else 2]]
         return next(true_but_for_a_slip(claim, attempts, self.premises, self.session), None)
 
 
-def _sides(claim: Claim, posed: Iterable[PosedEquation]) -> tuple[Node, ...]:
-    return (*claim.printed, *(side for each in posed for side in (each.left, each.right)))
+def _definition(claim: Claim, turned: bool) -> Definition:
+    left, right = (claim.right, claim.left) if turned else claim.printed
+    return Definition(claim.number, left, right, part=claim.part, sign=claim.sign, assuming=divisors((right,)))
+
+
+def _resting_on(opened: tuple[str, ...], verdict: Verdict) -> Verdict:
+    """The verdict with the open equations that it rests on among what it needs."""
+    if not opened or not isinstance(verdict, Holds | HoldsUnder):
+        return verdict
+    return HoldsUnder((*verdict.needs, *opened), verdict.certificate, verdict.witness, verdict.unused)
 
 
 def _is_defining(claim: Claim) -> bool:

@@ -21,12 +21,16 @@ Rules = Mapping[Quantity, Statement]
 
 @dataclass(frozen=True, slots=True)
 class PosedEquation:
-    """An equation that nothing proves: a condition or a law, or `open` where that is not known."""
+    """An equation that nothing proves: a condition or a law, or `open` where that is not known.
+
+    One that `is_rule` is open, and says what a symbol is.
+    """
 
     hypothesis: Hypothesis
     left: Node
     right: Node
     open: bool
+    is_rule: bool = False
 
 
 @dataclass(slots=True)
@@ -34,19 +38,22 @@ class Premises:
     """What is known of symbols before an equation: `facts` come from the notation, all else from the page.
 
     `definitions` has for each quantity what the page has said it to be, the last first, and None at the end if it was
-    used before; `proved` the last claim proved of it; `spoken` is what has occurred.
+    used before; `proved` the last claim proved of it, `opened` the last open equation that says what it is; `spoken`
+    is what has occurred.
     """
 
     facts: Callable[[Symbol], tuple[Hypothesis, ...]]
     definitions: dict[Quantity, list[Statement | None]] = field(default_factory=dict)
     proved: dict[Quantity, Statement] = field(default_factory=dict)
+    opened: dict[Quantity, Statement] = field(default_factory=dict)
     posed: list[PosedEquation] = field(default_factory=list)
     spoken: set[Quantity] = field(default_factory=set)
 
     def copy(self) -> Premises:
         """The same, to which something else may be added."""
         definitions = {q: list(known) for q, known in self.definitions.items()}
-        return Premises(self.facts, definitions, dict(self.proved), list(self.posed), set(self.spoken))
+        rules = dict(self.proved), dict(self.opened)
+        return Premises(self.facts, definitions, *rules, list(self.posed), set(self.spoken))
 
     def defined(self, generation: int = 0) -> Rules:
         """The rules of the definitions; of an older `generation` those before them, or none for what was free then."""

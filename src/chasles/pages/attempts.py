@@ -1,0 +1,80 @@
+"""The premises with which a proof of a claim is tried, few before many, and all that the page says of it.
+
+What the page leaves open is tried last: as a rule where it says what a symbol is, else as a hypothesis.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import replace as with_fields
+
+from chasles.pages.facts import divisors
+from chasles.pages.premises import PosedEquation, Premises, Rules, chosen_rules, free_quantities
+from chasles.statements import Claim, Statement
+from chasles.vocabulary import Node
+
+__all__ = ["MOST_POSED", "attempts", "named", "sides_of", "with_everything", "with_premises"]
+
+MOST_POSED = 4
+"""So many posed equations, the last ones, are tried together for a proof."""
+
+
+def attempts(claim: Claim, premises: Premises) -> Iterator[tuple[Claim, tuple[str, ...]]]:
+    """The claim with ever more premises, each set once, and the names of the open equations that are rules in it."""
+    seen: set[tuple[frozenset[int], frozenset[str]]] = set()
+    opened = {id(each): named(each) for each in premises.opened.values()}
+    for rules, posed in _premise_sets(claim, premises):
+        attempt = with_premises(claim, premises, rules, posed)
+        key = (frozenset(map(id, attempt.given)), frozenset(h.text for h in attempt.assuming))
+        if key not in seen:
+            seen.add(key)
+            yield attempt, tuple(opened[id(each)] for each in attempt.given if id(each) in opened)
+
+
+def _premise_sets(claim: Claim, premises: Premises) -> Iterator[tuple[Rules, tuple[PosedEquation, ...]]]:
+    """Rules to apply and equations to assume: nothing, what is said of what occurs, all that this rests on."""
+    sides = claim.printed
+    defined = [premises.defined(generation) for generation in range(premises.generations)]
+    tables = [table for each in defined for table in ({**each, **premises.proved}, each)]
+    yield {}, ()
+    yield chosen_rules(sides, tables[0], deep=False), ()
+    for table in tables:
+        yield chosen_rules(sides, table), ()
+    with_open = {**tables[0], **premises.opened}
+    yield chosen_rules(sides, with_open, deep=False), ()
+    yield chosen_rules(sides, with_open), ()
+    for table in (with_open, *tables[:2]):
+        rules = chosen_rules(sides, table)
+        known = premises.restricting(free_quantities(sides, rules), rules)
+        posed = tuple(each for each in known if not each.is_rule)[-MOST_POSED:]
+        if posed:
+            yield chosen_rules(sides_of(claim, posed), table), posed
+
+
+def with_premises(
+    claim: Claim, premises: Premises, rules: Rules, posed: tuple[PosedEquation, ...], everything: bool = False
+) -> Claim:
+    """The claim with rules, posed equations, and what is known of the symbols in them."""
+    said = sides_of(claim, posed)
+    found = free_quantities(said, rules)
+    facts = premises.assumed(found, rules, everything)
+    assuming = dict.fromkeys((*facts, *divisors(said), *(each.hypothesis for each in posed)))
+    return with_fields(claim, given=tuple(rules.values()), assuming=tuple(assuming), sic=False)
+
+
+def with_everything(claim: Claim, premises: Premises, generation: int) -> Claim:
+    """The claim with all that the page says of its symbols, open equations among it."""
+    rules = chosen_rules(claim.printed, premises.defined(generation))
+    posed = premises.relevant_to(free_quantities(claim.printed, rules))
+    rules = chosen_rules(sides_of(claim, posed), premises.defined(generation))
+    return with_premises(claim, premises, rules, posed, everything=True)
+
+
+def sides_of(claim: Claim, posed: Iterable[PosedEquation]) -> tuple[Node, ...]:
+    """The sides of the claim, and those of posed equations."""
+    return (*claim.printed, *(side for each in posed for side in (each.left, each.right)))
+
+
+def named(statement: Statement) -> str:
+    """The number under which what a statement says is assumed, and its part."""
+    return f"({statement.number})" if statement.part == 1 else f"({statement.number}/{statement.part})"
