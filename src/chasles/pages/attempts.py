@@ -7,9 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace as with_fields
+from itertools import islice
 
 from chasles.pages.facts import divisors
-from chasles.pages.premises import PosedEquation, Premises, Rules, chosen_rules, free_quantities
+from chasles.pages.premises import PosedEquation, Premises, Rules, balancing, chosen_rules, free_quantities
 from chasles.statements import Claim, Statement
 from chasles.vocabulary import Node
 
@@ -17,6 +18,10 @@ __all__ = ["MOST_POSED", "attempts", "named", "sides_of", "with_everything", "wi
 
 MOST_POSED = 4
 """So many posed equations, the last ones, are tried together for a proof."""
+
+
+MOST_BALANCED = 8
+"""So many rules for what occurs on one side only are tried together."""
 
 
 def attempts(claim: Claim, premises: Premises) -> Iterator[tuple[Claim, tuple[str, ...]]]:
@@ -37,18 +42,25 @@ def _premise_sets(claim: Claim, premises: Premises) -> Iterator[tuple[Rules, tup
     defined = [premises.defined(generation) for generation in range(premises.generations)]
     tables = [table for each in defined for table in ({**each, **premises.proved}, each)]
     yield {}, ()
-    yield chosen_rules(sides, tables[0], deep=False), ()
-    for table in tables:
-        yield chosen_rules(sides, table), ()
+    shallow = chosen_rules(sides, tables[0], deep=False)
+    yield shallow, ()
+    found: list[Rules] = [shallow]
+    place = {id(each): k for k, each in enumerate(premises.said)}
     with_open = {**tables[0], **premises.opened}
+    for table in (tables[0], with_open):
+        last: Rules = {}
+        for rules in islice(balancing(*sides, table, place), MOST_BALANCED):
+            yield rules, ()
+            last = rules
+        found.append(last)
     yield chosen_rules(sides, with_open, deep=False), ()
-    yield chosen_rules(sides, with_open), ()
-    for table in (with_open, *tables[:2]):
-        rules = chosen_rules(sides, table)
+    for table in (*tables, with_open):
+        yield chosen_rules(sides, table), ()
+    for rules in ({}, *found):
         known = premises.restricting(free_quantities(sides, rules), rules)
         posed = tuple(each for each in known if not each.is_rule)[-MOST_POSED:]
         if posed:
-            yield chosen_rules(sides_of(claim, posed), table), posed
+            yield rules, posed
 
 
 def with_premises(

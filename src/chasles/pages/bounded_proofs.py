@@ -37,6 +37,8 @@ class _Unproved(Exception):
 class _FewTerms(DeclaredPoints):
     """Points, for what is not long."""
 
+    attempts = 24
+
     def likely_vanish(self, context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnprovedPart]) -> bool:
         _require_few_terms(context, suspects)
         return super().likely_vanish(context, solved, suspects)

@@ -48,7 +48,7 @@ __all__ = ["DEFINING", "Deduction", "PageFinding"]
 
 DEFINING = (r"\equiv", ":=", r"\triangleq", r"\coloneqq", r"\doteq", "≡")
 """The signs by which something is defined."""
-WORK = 3e5
+WORK = 1.5e5
 """The work that one attempt at a proof may take, in products of terms."""
 
 
@@ -189,6 +189,7 @@ class Deduction:
             key, [None] if any(q[0] == key[0] for q in self.premises.spoken) else []
         )
         known.insert(0, made)
+        self.premises.said.append(made)
         self.premises.proved.pop(key, None)
         self.premises.opened.pop(key, None)
         return PageFinding("definition", Defined(), made)
@@ -199,6 +200,7 @@ class Deduction:
             key = self._said_to_be(claim) if is_open else None
             if key is not None:
                 self.premises.opened[key[0]] = _definition(claim, key[1])
+                self.premises.said.append(self.premises.opened[key[0]])
             self.premises.posed.append(PosedEquation(said, claim.left, claim.right, is_open, key is not None))
         return PageFinding("condition", verdict, claim, open=is_open)
 
@@ -228,6 +230,7 @@ class Deduction:
         behind = free_quantities((claim.right,), chosen_rules((claim.right,), self.premises.defined()))
         if key is not None and not any(symbol == key[0] for symbol, _ in behind):
             self.premises.proved[key] = least
+            self.premises.said.append(least)
         return PageFinding("claim", verdict, least)
 
     def _refuted(self, claim: Claim, told: bool) -> PageFinding:

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from dataclasses import replace as with_fields
 
+from chasles.problems.scanning import differs
 from chasles.statements import Hypothesis, Statement
 from chasles.statements.statement import bare
-from chasles.vocabulary import Negative, Node, Rate, Sum, Symbol, undotted
+from chasles.vocabulary import Integral, Negative, Node, Rate, Sum, Symbol, undotted, walk
 from chasles.vocabulary.families import Member
 
-__all__ = ["PosedEquation", "Premises", "Quantity", "Rules", "chosen_rules", "free_quantities", "quantities",
+__all__ = ["PosedEquation", "Premises", "Quantity", "Rules", "balancing", "chosen_rules", "free_quantities", "quantities",
            "quantity"]  # fmt: skip
 
 Quantity = tuple[Symbol, int]
@@ -38,14 +40,15 @@ class Premises:
     """What is known of symbols before an equation: `facts` come from the notation, all else from the page.
 
     `definitions` has for each quantity what the page has said it to be, the last first, and None at the end if it was
-    used before; `proved` the last claim proved of it, `opened` the last open equation that says what it is; `spoken`
-    is what has occurred.
+    used before; `proved` the last claim proved of it, `opened` the last open equation that says what it is; `said` are
+    all of these in their order, and `spoken` is what has occurred.
     """
 
     facts: Callable[[Symbol], tuple[Hypothesis, ...]]
     definitions: dict[Quantity, list[Statement | None]] = field(default_factory=dict)
     proved: dict[Quantity, Statement] = field(default_factory=dict)
     opened: dict[Quantity, Statement] = field(default_factory=dict)
+    said: list[Statement] = field(default_factory=list)
     posed: list[PosedEquation] = field(default_factory=list)
     spoken: set[Quantity] = field(default_factory=set)
 
@@ -53,7 +56,7 @@ class Premises:
         """The same, to which something else may be added."""
         definitions = {q: list(known) for q, known in self.definitions.items()}
         rules = dict(self.proved), dict(self.opened)
-        return Premises(self.facts, definitions, *rules, list(self.posed), set(self.spoken))
+        return Premises(self.facts, definitions, *rules, list(self.said), list(self.posed), set(self.spoken))
 
     def defined(self, generation: int = 0) -> Rules:
         """The rules of the definitions; of an older `generation` those before them, or none for what was free then."""
@@ -74,16 +77,24 @@ class Premises:
         return (*facts, *said)
 
     def restricting(self, found: Iterable[Quantity], rules: Rules) -> tuple[PosedEquation, ...]:
-        """The posed equations on symbols found; of those that the notation knows only where it knows all."""
+        """The posed equations on symbols found; of those that the notation knows only where it knows all.
+
+        An equation with a symbol that stands nowhere else says what that symbol is, and restricts no other.
+        """
         ruled = {symbol for symbol, _ in rules}
         symbols = {symbol for symbol, _ in found if symbol not in ruled}
         unknown = {symbol for symbol in symbols if not self.facts(symbol)}
-        chosen = []
-        for each in self.posed:
+        chosen: dict[int, set[Symbol]] = {}
+        for place, each in enumerate(self.posed):
             free = _free(each, rules)
             if free & (unknown if any(not self.facts(symbol) for symbol in free) else symbols):
-                chosen.append(each)
-        return tuple(chosen)
+                chosen[place] = free
+        while True:
+            occurring = Counter(symbol for free in chosen.values() for symbol in free)
+            kept = {k: free for k, free in chosen.items() if all(s in symbols or occurring[s] > 1 for s in free)}
+            if len(kept) == len(chosen):
+                return tuple(self.posed[place] for place in chosen)
+            chosen = kept
 
     def relevant_to(self, found: Iterable[Quantity]) -> tuple[PosedEquation, ...]:
         """The posed equations that share symbols with those found, or with equations that do."""
@@ -141,29 +152,91 @@ def rule_for(found: Quantity, rules: Rules) -> Quantity | None:
 
 
 def chosen_rules(sides: Iterable[Node], rules: Rules, deep: bool = True) -> dict[Quantity, Statement]:
-    """The rules for what occurs in the sides and, if `deep`, in what they say; none that leads back to itself."""
+    """The rules for what occurs in the sides and, if `deep`, in what they say.
+
+    None leads back to itself, or makes something the same for all elements of a body that an integral is taken over.
+    """
+    sides = tuple(sides)
+    while True:
+        chosen = _reached(sides, rules, deep)
+        same = _same_for_all_elements(sides, chosen)
+        if not same:
+            return chosen
+        rules = {key: rule for key, rule in rules.items() if key not in same}
+
+
+def balancing(left: Node, right: Node, rules: Rules, place: Mapping[int, int]) -> Iterator[dict[Quantity, Statement]]:
+    """Ever more rules, each for a quantity that occurs on one side only: of several the one that was said last.
+
+    `place` is that of each statement, by its identity.
+    """
+    chosen: dict[Quantity, Statement] = {}
+    refused: set[Quantity] = set()
+    while True:
+        one, other = (_remaining(side, chosen) for side in (left, right))
+        keys = {rule_for(each, rules) for each in one ^ other} - {None} - chosen.keys() - refused
+        if not keys:
+            return
+        key = max(keys, key=lambda each: place.get(id(rules[each]), -1))
+        more = chosen_rules((left, right), {**chosen, key: rules[key]})
+        if key in more and chosen.keys() <= more.keys():
+            yield (chosen := more)
+        else:
+            refused.add(key)
+
+
+def _remaining(side: Node, chosen: Rules) -> set[Quantity]:
+    """The quantities in a side once rules are applied."""
+    found: set[Quantity] = set()
+    waiting = list(quantities(side))
+    while waiting:
+        each = waiting.pop()
+        key = rule_for(each, chosen)
+        if key is None:
+            found.add(each)
+        else:
+            waiting += quantities(chosen[key].right, each[1] - key[1])
+    return found
+
+
+def _same_for_all_elements(sides: Iterable[Node], chosen: Rules) -> set[Quantity]:
+    """The rules that say of what an integral is taken over that it is the same for all elements."""
+    behind = (*sides, *(rule.right for rule in chosen.values()))
+    integrals = [part for side in behind for part in walk(side) if isinstance(part, Integral)]
+    ruled = {symbol: rule.right for (symbol, order), rule in chosen.items() if not order}
+    return {
+        (symbol, 0)
+        for integral in integrals
+        for symbol in integral.running & ruled.keys()
+        if not differs(ruled[symbol], integral.running, ruled)
+    }
+
+
+def _reached(sides: Iterable[Node], rules: Rules, deep: bool) -> dict[Quantity, Statement]:
     chosen: dict[Quantity, Statement] = {}
     visiting: set[Quantity] = set()
     done: set[Quantity] = set()
+    circular: set[Quantity] = set()
 
     def is_circular(found: Quantity) -> bool:
         key = rule_for(found, rules)
-        if key is None or key in done:
-            return False
         if key in visiting:
             return True
+        if key is None or found in done:
+            return False
         visiting.add(key)
         below = quantities(rules[key].right, found[1] - key[1]) if deep else ()
         leads_back = [is_circular(each) for each in dict.fromkeys(below)]
         visiting.discard(key)
-        done.add(key)
-        if not any(leads_back):
-            chosen[key] = rules[key]
+        done.add(found)
+        if any(leads_back):
+            circular.add(key)
+        chosen[key] = rules[key]
         return False
 
     for found in dict.fromkeys(q for side in sides for q in quantities(side)):
         is_circular(found)
-    return chosen
+    return {key: rule for key, rule in chosen.items() if key not in circular}
 
 
 def free_quantities(sides: Iterable[Node], chosen: Rules) -> dict[Quantity, None]:

@@ -23,7 +23,7 @@ from chasles.points.simple_random import SimpleRandom
 from chasles.problems.context import Context
 from chasles.vocabulary import Symbol
 
-__all__ = ["Point", "evaluate", "plain", "ratio_at", "sample", "satisfies"]
+__all__ = ["ATTEMPTS", "Point", "evaluate", "plain", "ratio_at", "sample", "satisfies"]
 
 ATTEMPTS = 400
 SIMPLE_ATTEMPTS = 8
@@ -31,14 +31,18 @@ QUARTERS = tuple((Fraction(c), Fraction(s)) for c, s in ((1, 0), (0, 1), (-1, 0)
 
 
 def sample(
-    context: Context, solved: dict[str, tuple[Polynomial, Polynomial]], *, simple: bool = True
+    context: Context,
+    solved: dict[str, tuple[Polynomial, Polynomial]],
+    *,
+    simple: bool = True,
+    attempts: int = ATTEMPTS,
 ) -> Iterator[Point]:
-    """Points that satisfy the hypotheses, the norms and the conditions, simple ones first, until a number of attempts.
+    """Points that satisfy the hypotheses, the norms and the conditions, simple ones first, in so many attempts.
 
     `solved` gives numerator and denominator of each variable that the conditions determine.
     """
     draw = Random(0)
-    for attempt in range(0 if simple else SIMPLE_ATTEMPTS, ATTEMPTS):
+    for attempt in range(0 if simple else SIMPLE_ATTEMPTS, attempts):
         point = _try(context, solved, draw, attempt)
         if point is not None and (satisfies(context, point) or (not solved and adjusted(context, point))):
             yield point

@@ -49,6 +49,8 @@ class DeclaredPoints:
     """Points of what is declared, drawn so that they satisfy its hypotheses."""
 
     write = None
+    attempts = points.ATTEMPTS
+    """So often a point is drawn at which the entries are looked at."""
 
     def refute(self, context: Context, solved: tuple[Solved, ...], suspects: Suspects) -> Counterexample | None:
         """The counterexample that is easiest to evaluate by hand."""
@@ -60,7 +62,8 @@ class DeclaredPoints:
 
     def likely_vanish(self, context: Context, solved: tuple[Solved, ...], suspects: Suspects) -> bool:
         """Whether the entries vanish at a few rich points: then they likely vanish everywhere."""
-        few = islice(points.sample(context, solved_ratios(context, solved), simple=False), 3)
+        ratios = solved_ratios(context, solved)
+        few = islice(points.sample(context, ratios, simple=False, attempts=self.attempts), 3)
         return all(is_zero(points.ratio_at(context, e.ratio, point) or {}) for point in few for e in suspects)
 
     def witness(self, context: Context, solved: tuple[Solved, ...]) -> points.Point | None:
