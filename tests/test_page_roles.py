@@ -8,12 +8,13 @@ import pytest
 
 from chasles.pages.deduction import Deduction
 from chasles.pages.facts import divisors, facts_of, kind_in_meaning
-from chasles.pages.premises import Premises
-from chasles.statements import rotation, unit
+from chasles.pages.premises import Premises, balancing, chosen_rules
+from chasles.statements import Definition, Statement, rotation, unit
 from chasles.vocabulary import (
     CPM,
     FREQUENCY,
     Identity,
+    Integral,
     Node,
     Symbol,
     Zero,
@@ -86,6 +87,8 @@ PAGES: dict[str, tuple[list[Equation], list[str]]] = {
     "a line, which is a condition": (
         [eq(cross(b - a, p - a), Zero(3, 1)), eq(cross(b - a, p) + cross(a, b - a), Zero(3, 1))],
         ["open", "holds-under"]),
+    "an open equation is a rule": (
+        [eq(c, b - a), eq(d, r - p), eq(c, d), eq(c, r - p)], ["defined", "defined", "open", "holds-under"]),
     "a screw axis, which is a condition": (
         [eq(Q, turn), eq(d, b - a), eq(x, e.T @ d), eq(c, x * e), eq(e.T @ p, number(0)),
          eq(c, d + (Q - one) @ (p - a))],
@@ -157,3 +160,32 @@ LOST: list[tuple[Equation, Equation]] = [
 def test_one_mark_is_found(right: Equation, wrong: Equation) -> None:
     assert said([right])[0] in ("holds", "holds-under")
     assert said([wrong]) == ["fails"]
+
+
+def rules_of(*definitions: Definition) -> dict[tuple[Symbol, int], Statement]:
+    return {(each.left, 0): each for each in definitions if isinstance(each.left, Symbol)}
+
+
+def test_what_stands_on_one_side_is_said_otherwise_the_last_first() -> None:
+    first, second = Definition("1", d, cross(a, b)), Definition("2", c, p)
+    third = Definition("3", s, dot(p, d))
+    place = {id(each): k for k, each in enumerate((first, second, third))}
+    rules = rules_of(first, second, third)
+    found = [[each.number for each in some.values()] for some in balancing(s, dot(c, d), rules, place)]
+    assert found == [["3"], ["3", "2"]], "d stands on both sides, and stays"
+
+
+def test_no_rule_makes_the_same_for_all_elements_what_an_integral_is_over() -> None:
+    density = scalar("rho", r"\rho", "density", constant=True)
+    body = Integral(density * p, density, (p,))
+    assert not chosen_rules((body, c), rules_of(Definition("1", p, a)))
+    assert chosen_rules((body, c), rules_of(Definition("1", p, p_0 := r + a), Definition("2", c, p_0))).keys() == {
+        (c, 0)
+    }
+
+
+def test_rules_for_rates_do_not_lead_in_circles() -> None:
+    """x says what y is, and the rate of y what the rate of x is."""
+    there, back = Definition("1", p, cross(a, r)), Definition("2", rate(r), rate(p))
+    rules: dict[tuple[Symbol, int], Statement] = {(p, 0): there, (r, 1): back}
+    assert len(chosen_rules((p, rate(r), rate(p)), rules)) == 1

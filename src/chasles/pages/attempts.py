@@ -42,22 +42,21 @@ def _premise_sets(claim: Claim, premises: Premises) -> Iterator[tuple[Rules, tup
     defined = [premises.defined(generation) for generation in range(premises.generations)]
     tables = [table for each in defined for table in ({**each, **premises.proved}, each)]
     yield {}, ()
-    shallow = chosen_rules(sides, tables[0], deep=False)
+    shallow: Rules = chosen_rules(sides, tables[0], deep=False)
     yield shallow, ()
     found: list[Rules] = [shallow]
     place = {id(each): k for k, each in enumerate(premises.said)}
     with_open = {**tables[0], **premises.opened}
     for table in (tables[0], with_open):
         last: Rules = {}
-        for rules in islice(balancing(*sides, table, place), MOST_BALANCED):
-            yield rules, ()
-            last = rules
+        for last in islice(balancing(*sides, table, place), MOST_BALANCED):
+            yield last, ()
         found.append(last)
     yield chosen_rules(sides, with_open, deep=False), ()
     for table in (*tables, with_open):
         yield chosen_rules(sides, table), ()
-    for rules in ({}, *found):
-        known = premises.restricting(free_quantities(sides, rules), rules)
+    for rules, tied in (*((rules, True) for rules in ({}, *found)), (shallow, False)):
+        known = premises.restricting(free_quantities(sides, rules), rules, tied)
         posed = tuple(each for each in known if not each.is_rule)[-MOST_POSED:]
         if posed:
             yield rules, posed

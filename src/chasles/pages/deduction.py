@@ -156,7 +156,7 @@ class Deduction:
         """The symbol that an open equation says to be something else, and whether on its right side."""
         for side, other, turned in ((*claim.printed, False), (*claim.printed[::-1], True)):
             key = quantity(side)
-            if key is not None and key[0] not in {symbol for symbol, _ in quantities(other)}:
+            if key is not None and not any(each[0] == key[0] and each[1] >= key[1] for each in quantities(other)):
                 return key, turned
         return None
 

@@ -13,8 +13,8 @@ from chasles.statements.statement import bare
 from chasles.vocabulary import Integral, Negative, Node, Rate, Sum, Symbol, undotted, walk
 from chasles.vocabulary.families import Member
 
-__all__ = ["PosedEquation", "Premises", "Quantity", "Rules", "balancing", "chosen_rules", "free_quantities", "quantities",
-           "quantity"]  # fmt: skip
+__all__ = ["PosedEquation", "Premises", "Quantity", "Rules", "balancing", "chosen_rules", "free_quantities",
+           "quantities", "quantity"]  # fmt: skip
 
 Quantity = tuple[Symbol, int]
 """A symbol and how often it is dotted."""
@@ -76,10 +76,10 @@ class Premises:
         said = [_restated(fact) for symbol in symbols if everything and symbol in ruled for fact in self.facts(symbol)]
         return (*facts, *said)
 
-    def restricting(self, found: Iterable[Quantity], rules: Rules) -> tuple[PosedEquation, ...]:
+    def restricting(self, found: Iterable[Quantity], rules: Rules, tied: bool = False) -> tuple[PosedEquation, ...]:
         """The posed equations on symbols found; of those that the notation knows only where it knows all.
 
-        An equation with a symbol that stands nowhere else says what that symbol is, and restricts no other.
+        If they are to be `tied`, none has a symbol that stands nowhere else: mostly it says what that symbol is.
         """
         ruled = {symbol for symbol, _ in rules}
         symbols = {symbol for symbol, _ in found if symbol not in ruled}
@@ -89,12 +89,12 @@ class Premises:
             free = _free(each, rules)
             if free & (unknown if any(not self.facts(symbol) for symbol in free) else symbols):
                 chosen[place] = free
-        while True:
+        while tied:
             occurring = Counter(symbol for free in chosen.values() for symbol in free)
             kept = {k: free for k, free in chosen.items() if all(s in symbols or occurring[s] > 1 for s in free)}
-            if len(kept) == len(chosen):
-                return tuple(self.posed[place] for place in chosen)
+            tied = len(kept) < len(chosen)
             chosen = kept
+        return tuple(self.posed[place] for place in chosen)
 
     def relevant_to(self, found: Iterable[Quantity]) -> tuple[PosedEquation, ...]:
         """The posed equations that share symbols with those found, or with equations that do."""
@@ -174,7 +174,8 @@ def balancing(left: Node, right: Node, rules: Rules, place: Mapping[int, int]) -
     refused: set[Quantity] = set()
     while True:
         one, other = (_remaining(side, chosen) for side in (left, right))
-        keys = {rule_for(each, rules) for each in one ^ other} - {None} - chosen.keys() - refused
+        behind = (rule_for(each, rules) for each in one ^ other)
+        keys = {key for key in behind if key is not None and key not in chosen and key not in refused}
         if not keys:
             return
         key = max(keys, key=lambda each: place.get(id(rules[each]), -1))
@@ -203,12 +204,12 @@ def _same_for_all_elements(sides: Iterable[Node], chosen: Rules) -> set[Quantity
     """The rules that say of what an integral is taken over that it is the same for all elements."""
     behind = (*sides, *(rule.right for rule in chosen.values()))
     integrals = [part for side in behind for part in walk(side) if isinstance(part, Integral)]
-    ruled = {symbol: rule.right for (symbol, order), rule in chosen.items() if not order}
+    ruled: dict[Node, Node] = {symbol: rule.right for (symbol, order), rule in chosen.items() if not order}
     return {
         (symbol, 0)
         for integral in integrals
-        for symbol in integral.running & ruled.keys()
-        if not differs(ruled[symbol], integral.running, ruled)
+        for symbol in integral.running
+        if symbol in ruled and not differs(ruled[symbol], integral.running, ruled)
     }
 
 
