@@ -111,6 +111,63 @@ def test_lengths_neither_overflow_nor_vanish(lengths, number, scale):
     assert lengths(*point)[number] == pytest.approx(wanted, rel=2e-15)
 
 
+FORMS = [
+    *(sp.sqrt(x**2 - y**2), x / sp.sqrt(x**2 - y**2), x * y / (x**2 - y**2), sp.sqrt(y**2 - 4 * x * z)),
+    *(x**2 / (x**2 + 2 * x * y - y**2), x * y * z / (x**3 - y**3), (x**2 + y**2) / (x**2 - y**2)),
+    *(sp.sqrt(1 + x**2), x / sp.sqrt(1 + x**2 + 4 * y**2), sp.sqrt(3 + 2 * (x - y) ** 2) / z),
+    *(sp.log(x**2), sp.sqrt(1 + x**2) * sp.sqrt(1 + z**2) / x),
+]
+
+
+@pytest.fixture(scope="module")
+def forms():
+    return chasles.compile(sp.Matrix(FORMS), [x, y, z])
+
+
+@pytest.mark.parametrize("scale", [1e200, 1e155, 1.0, 1e-154, 1e-162, 1e-200])
+@pytest.mark.parametrize("number", range(len(FORMS)), ids=lambda number: str(FORMS[number]))
+def test_forms_of_any_sign_and_with_constants_are_in_range(forms, number, scale):
+    point = [scale * value for value in (3.0, 2.0, -1.0)]
+    with mpmath.workdps(50):
+        wanted = sp.lambdify([x, y, z], FORMS[number], "mpmath")(*map(mpmath.mpf, point))
+    assert forms(*point)[number] == pytest.approx(float(wanted), rel=4e-15)
+
+
+def test_a_form_that_is_zero_is_not_divided_by():
+    """Neither where its scale is one of the inputs, nor where all are small."""
+    kernel = chasles.compile(x / (x**2 - 9 * y**2), [x, y])
+    with np.errstate(invalid="ignore"):
+        assert all(math.isnan(kernel(3 * a, a)) for a in (1.0, 2.0**-500, 2.0**500, 0.0))
+
+
+def test_beside_a_constant_infinity_stays():
+    kernel = chasles.compile(sp.sqrt(1 + x**2), [x])
+    assert kernel(-math.inf) == math.inf
+    assert math.isnan(kernel(math.nan))
+    assert kernel(0.75) == 1.25
+
+
+@pytest.mark.parametrize("of", [x, -x, 2 * x], ids=str)
+def test_what_is_left_has_the_sign_of_the_divisor(of):
+    divided = chasles.compile([sp.Mod(of, 3), sp.Mod(of, -3), sp.Mod(of, y)], [x, y])
+    for way in (divided, divided.array_api):
+        for at in (0.0, -0.0, 3.0, -3.0, 1.25, -1.25, 6.0, 1e300):
+            for by in (3.0, -3.0):
+                value = float(of.subs(x, 1)) * at
+                wanted = [value % 3.0, value % -3.0, value % by]
+                assert [math.copysign(1, each) for each in way(at, by)] == [math.copysign(1, w) for w in wanted]
+                assert list(way(at, by)) == wanted
+
+
+def test_near_one_the_inverse_secant_keeps_its_digits():
+    kernel = chasles.compile(sp.asech(x), [x])
+    for at in (1 - 2.0**-53, 1 - 1e-9, 0.5, 1e-300, 5e-324):
+        with mpmath.workdps(60):
+            assert kernel(at) == pytest.approx(float(mpmath.asech(at)), rel=4e-16)
+    with np.errstate(invalid="ignore"):
+        assert math.isnan(kernel(1.5))
+
+
 @pytest.mark.parametrize(
     "expression", [sp.Abs(x), sp.sqrt(x**2), sp.Max(sp.Abs(x), 0), sp.Abs(-x), sp.Abs(3 * x)], ids=str
 )

@@ -70,7 +70,7 @@ def functions_by_class(build: Builder) -> dict[type, Callable[..., int]]:
         sympy.sech: lambda a: over(build.function("cosh", a)),
         sympy.csch: lambda a: over(build.function("sinh", a)),
         sympy.acoth: lambda a: build.function("atanh", over(a)),
-        sympy.asech: lambda a: build.function("acosh", over(a)),
+        sympy.asech: partial(_inverse_hyperbolic_secant, build),
         sympy.acsch: lambda a: build.function("asinh", over(a)),
         sympy.polygamma: partial(_polygamma, build),
         sympy.loggamma: lambda a: _where_nonnegative(build, a, build.function("lgamma", a)),
@@ -164,10 +164,22 @@ def _unit_step(build: Builder, a: int, at_zero: int) -> int:
 
 
 def _remainder(build: Builder, a: int, b: int) -> int:
-    """What is left of a once multiples of b are taken away, with the sign of b."""
+    """What is left of a once multiples of b are taken away, with the sign of b, that of a zero too."""
     rest = build.function("fmod", a, b)
-    other = build.less(build.multiply(_sign(build, rest), b), build.zero)
-    return build.select(other, build.add(rest, b), rest)
+    # A zero plus a positive zero is positive.
+    zero = build.subtract(rest, rest)
+    positive = build.select(build.less(rest, build.zero), build.add(rest, b), build.add(rest, zero))
+    negative = build.select(build.less(build.zero, rest), build.add(rest, b), build.negate(build.subtract(zero, rest)))
+    value = build.value(b)
+    if value is not None:
+        return negative if value < 0 else positive
+    return build.select(build.less(b, build.zero), negative, positive)
+
+
+def _inverse_hyperbolic_secant(build: Builder, a: int) -> int:
+    """By half of it: 1/a has no more digits than a, and near 1 those that count are lost."""
+    half = build.divide(build.square_root(build.subtract(build.one, a)), build.square_root(build.add(a, a)))
+    return build.multiply(build.constant(2), build.function("asinh", half))
 
 
 def _extreme(build: Builder, many: Iterable[int], *, largest: bool) -> int:

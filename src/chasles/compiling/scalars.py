@@ -117,7 +117,13 @@ class Scalars:
         return reduce(self.build.add, rest, first)
 
     def _logarithm(self, of: sympy.Expr) -> int:
-        """The logarithm; that of 1 + x is a function of its own, which loses nothing near one."""
+        """The logarithm; that of 1 + x is a function of its own, which loses nothing near one.
+
+        That of a whole power is a multiple, which is in range where the power is not.
+        """
+        if isinstance(of, sympy.Pow) and of.exp.is_Integer and of.exp > 0:
+            base = sympy.Abs(of.base) if of.exp.is_even else of.base
+            return self.build.multiply(self.of(of.exp), self._logarithm(base))
         if isinstance(of, sympy.Add) and sympy.S.One in of.args:
             return self.build.function("log1p", self._sum([term for term in of.args if term is not sympy.S.One]))
         return self.build.function("log", self.of(of))

@@ -8,20 +8,36 @@ come out: a scale is read as any positive number.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 
 from chasles.lowering.builder import Builder
 from chasles.lowering.program import Op, Step
 
-__all__ = ["is_scale", "scale_of"]
+__all__ = ["is_scale", "large_scale_of", "scale_of"]
+
+LARGE = Fraction(2**60)
+"""From here on squares can be out of range in single precision, and 1 is nothing beside them in double."""
 
 
 def scale_of(build: Builder, numbers: Sequence[int]) -> int:
     """The step that holds the scale of the numbers; NaN where the first of them is, or all before it are infinite."""
+    most = _most(build, numbers)
+    return build.select(build.equal(most, build.zero), build.one, most)
+
+
+def large_scale_of(build: Builder, numbers: Sequence[int]) -> int:
+    """The step that holds the scale of large numbers, and 1 where they are not large, or infinite, or none."""
+    most = _most(build, numbers)
+    held = build.select(build.equal(build.subtract(most, most), build.zero), most, build.one)
+    return build.select(build.less(build.constant(LARGE), most), held, build.one)
+
+
+def _most(build: Builder, numbers: Sequence[int]) -> int:
     most = _size(build, numbers[0])
     for number in numbers[1:]:
         size = _size(build, number)
         most = build.select(build.less(most, size), size, most)
-    return build.select(build.equal(most, build.zero), build.one, most)
+    return most
 
 
 def _size(build: Builder, number: int) -> int:
@@ -34,6 +50,8 @@ def is_scale(steps: Sequence[Step], number: int) -> bool:
     if step.op is not Op.SELECT:
         return False
     test, one, most = step.operands
+    if steps[test].op is Op.LESS and _is_constant(steps[most], 1) and steps[one].op is Op.SELECT:
+        return _is_constant(steps[steps[test].operands[0]], LARGE) and _is_large(steps, one, steps[test].operands[1])
     return (
         steps[test].op is Op.EQUAL
         and most in steps[test].operands
@@ -41,6 +59,12 @@ def is_scale(steps: Sequence[Step], number: int) -> bool:
         and _is_constant(steps[one], 1)
         and _is_size(steps, most)
     )
+
+
+def _is_large(steps: Sequence[Step], number: int, most: int) -> bool:
+    """Whether a step is the largest of some sizes, or 1."""
+    _, one, other = steps[number].operands
+    return one == most and _is_size(steps, most) and _is_constant(steps[other], 1)
 
 
 def _is_size(steps: Sequence[Step], number: int) -> bool:
@@ -55,5 +79,5 @@ def _is_size(steps: Sequence[Step], number: int) -> bool:
     return _is_size(steps, one) and _is_size(steps, other)
 
 
-def _is_constant(step: Step, value: int) -> bool:
+def _is_constant(step: Step, value: Fraction | int) -> bool:
     return step.op is Op.CONSTANT and step.value == value
