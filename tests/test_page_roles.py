@@ -8,6 +8,7 @@ import pytest
 
 from chasles.pages.deduction import Deduction
 from chasles.pages.facts import divisors, facts_of, kind_in_meaning
+from chasles.pages.notes import EquationNote
 from chasles.pages.premises import Premises, balancing, chosen_rules
 from chasles.statements import Definition, Statement, rotation, unit
 from chasles.vocabulary import (
@@ -57,7 +58,7 @@ def said(equations: Sequence[Equation], roles: Sequence[str] = ()) -> list[str]:
     found = []
     for number_, (left, sign, right) in enumerate(equations, 1):
         role = roles[number_ - 1] if number_ <= len(roles) else ""
-        finding = deduction.say(str(number_), 1, left, sign, right, role)
+        finding = deduction.say(str(number_), 1, left, sign, right, EquationNote(role))
         found.append("open" if finding.open else finding.verdict.name)
     return found
 

@@ -21,10 +21,12 @@ from dataclasses import dataclass, field
 from dataclasses import replace as with_fields
 
 from chasles.decisions.session import Session
-from chasles.pages.attempts import MOST_POSED, attempts, named, sides_of, with_everything, with_premises
+from chasles.pages.attempts import attempts, named, with_everything, with_premises
 from chasles.pages.bounded_proofs import proof_of, verdict_on
 from chasles.pages.facts import divisors
+from chasles.pages.finding import PageFinding
 from chasles.pages.named_hypotheses import as_hypothesis
+from chasles.pages.notes import DEFINING, NOTHING, EquationNote, is_defining
 from chasles.pages.premises import (
     PosedEquation,
     Premises,
@@ -34,38 +36,18 @@ from chasles.pages.premises import (
     quantities,
     quantity,
 )
-from chasles.pages.slips import true_but_for_a_slip
+from chasles.pages.refutation import refuted
 from chasles.prover.decide import pose
-from chasles.reading.fits import OF_ITS_OWN
 from chasles.reading.reading import Part, Reading
-from chasles.repairs.repair import Repair
 from chasles.statements import Claim, Definition, Statement, problem_of
-from chasles.verdict import Defined, Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
-from chasles.vocabulary import At, Misfit, Node, plain
+from chasles.verdict import Contradictory, Defined, Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
+from chasles.vocabulary import Misfit, Node, plain
 from chasles.vocabulary.families import indices_of
 
-__all__ = ["DEFINING", "Deduction", "PageFinding"]
+__all__ = ["Deduction"]
 
-DEFINING = (r"\equiv", ":=", r"\triangleq", r"\coloneqq", r"\doteq", "≡")
-"""The signs by which something is defined."""
 WORK = 1.5e5
 """The work that one attempt at a proof may take, in products of terms."""
-
-
-@dataclass(frozen=True, slots=True)
-class PageFinding:
-    """What was made of one relation: its role, its verdict, and the statement, with the premises that it needs.
-
-    `against` are the premises of a refutation; `instead` is what is true in place of what fails. The verdict of an
-    `open` one says why it was not proved.
-    """
-
-    role: str
-    verdict: Verdict
-    statement: Statement | None = None
-    open: bool = False
-    instead: Repair | None = None
-    against: tuple[str, ...] = ()
 
 
 @dataclass
@@ -109,7 +91,14 @@ class Deduction:
             self.premises.posed.append(PosedEquation(said, left, right, False))
 
     def say(
-        self, number: str, part: int, left: Node, sign: str, right: Node, role: str = "", ahead: Iterable[Claim] = ()
+        self,
+        number: str,
+        part: int,
+        left: Node,
+        sign: str,
+        right: Node,
+        note: EquationNote = NOTHING,
+        ahead: Iterable[Claim] = (),
     ) -> PageFinding:
         """The finding on the next equation of the page, which is a premise of what follows.
 
@@ -118,37 +107,42 @@ class Deduction:
         finding = self._foretold.pop((number, part), None)
         if finding is None:
             claim = Claim(number, left, right, part=part, sign=sign, sic=True)
-            finding = self._found(claim, role, tuple(ahead))
+            finding = self._found(claim, note, tuple(ahead))
         self.premises.spoken.update(q for side in (left, right) for q in quantities(side))
         return finding
 
-    def _found(self, claim: Claim, role: str, ahead: tuple[Claim, ...]) -> PageFinding:
+    def _found(self, claim: Claim, note: EquationNote, ahead: tuple[Claim, ...]) -> PageFinding:
+        role = note.role
         if claim.sign not in ("=", *DEFINING):
             return PageFinding("claim", Undecided(f"relations such as {claim.sign} are not decided"), claim, open=True)
         if claim.fault:
             return PageFinding("claim", IllFormed(claim.fault), claim)
         if role in ("condition", "law"):
             return self._posed(claim, False, self._satisfied(claim))
-        meant = self._meant(claim) if role != "claim" else None
+        if note.given is not None and role != "definition":
+            return self._under(claim, note.given)
+        meant = self._meant(claim, note.of) if role != "claim" else None
         if meant and (role == "definition" or self._is_new(claim, meant[0])):
             return self._defined(claim, *meant)
         finding = self._proof(claim)
         if finding is None and self._foretell(claim, ahead):
             finding = self._proof(claim)
         if finding is None:
-            finding = self._refuted(claim, told=role == "claim")
+            finding = refuted(claim, self.premises, self.session, told=role == "claim")
         if not finding.open:
             return finding
         return self._defined(claim, *meant) if meant else self._posed(claim, True, finding.verdict)
 
-    def _meant(self, claim: Claim) -> tuple[Quantity, bool] | None:
-        """What an equation may define, and whether on its right side; None for a claim."""
+    def _meant(self, claim: Claim, of: Quantity | None = None) -> tuple[Quantity, bool] | None:
+        """What an equation may define, and whether on its right side; None for a claim. A person may say `of` what."""
         for side, other, turned in ((*claim.printed, False), (*claim.printed[::-1], True)):
             key = quantity(side)
             rules = chosen_rules((other,), self.premises.defined())
             if key is None or any(symbol == key[0] for symbol, _ in free_quantities((other,), rules)):
                 continue
-            if (_is_defining(claim) and not turned) or self._is_free(key):
+            if of == key:
+                return key, turned
+            if of is None and ((is_defining(claim) and not turned) or self._is_free(key)):
                 return key, turned
         return None
 
@@ -163,7 +157,7 @@ class Deduction:
     def _is_new(self, claim: Claim, key: Quantity) -> bool:
         """Whether nothing needs to be decided before a symbol is taken to be defined."""
         is_spoken = any(symbol == key[0] for symbol, _ in self.premises.spoken)
-        return key not in self.premises.definitions and (_is_defining(claim) or not is_spoken)
+        return key not in self.premises.definitions and (is_defining(claim) or not is_spoken)
 
     def _is_free(self, key: Quantity) -> bool:
         """Whether the page has only used a symbol so far, and said nothing of it."""
@@ -223,6 +217,29 @@ class Deduction:
                 return self._proved(attempt, _resting_on(opened, verdict))
         return None
 
+    def _under(self, claim: Claim, given: Iterable[tuple[str, Claim]]) -> PageFinding:
+        """The finding on a claim under the premises that a person gives, and no others of the page."""
+        rules: dict[Quantity, Statement] = {}
+        posed: list[PosedEquation] = []
+        told: list[str] = []
+        known = {named(each) for each in self.premises.said if each not in self.premises.opened.values()}
+        for name, each in given:
+            key = self._said_to_be(each)
+            if key is not None and key[0] not in rules:
+                rules[key[0]] = _definition(each, key[1])
+                told += [name] if name not in known else []
+            else:
+                said = as_hypothesis(name, each.left, each.right, self.session)
+                posed.append(PosedEquation(said, each.left, each.right, False))
+        attempt = with_premises(claim, self.premises, rules, tuple(posed))
+        verdict = proof_of(attempt, self.session)
+        if verdict is not None:
+            return self._proved(attempt, _resting_on(tuple(told), verdict))
+        verdict = verdict_on(attempt, self.session)
+        against = (*(rule.number for rule in rules.values()), *(h.text for h in attempt.assuming))
+        is_open = not isinstance(verdict, Fails | Contradictory)
+        return PageFinding("claim", verdict, attempt, open=is_open, against=against)
+
     def _proved(self, claim: Claim, verdict: Verdict) -> PageFinding:
         unused = getattr(verdict, "unused", ())
         least = with_fields(claim, assuming=tuple(h for h in claim.assuming if h.text not in unused))
@@ -232,37 +249,6 @@ class Deduction:
             self.premises.proved[key] = least
             self.premises.said.append(least)
         return PageFinding("claim", verdict, least)
-
-    def _refuted(self, claim: Claim, told: bool) -> PageFinding:
-        """The finding on a claim that is not proved: it fails, or is open."""
-        rules = chosen_rules(claim.printed, self.premises.defined())
-        verdict = verdict_on(with_premises(claim, self.premises, rules, ()), self.session)
-        of_its_own = any(symbol.meaning == OF_ITS_OWN for symbol, _ in free_quantities(claim.printed, rules))
-        is_asked = isinstance(verdict, Fails) and not _is_defining(claim) and not of_its_own
-        instead = self._instead(claim) if is_asked else None
-        if not isinstance(verdict, Fails) or (instead is None and not told) or of_its_own:
-            return PageFinding("claim", verdict, claim, open=True)
-        refuted: list[tuple[Claim, Verdict]] = []
-        for generation in range(self.premises.generations):
-            everything = with_everything(claim, self.premises, generation)
-            found = verdict_on(everything, self.session)
-            if not isinstance(found, Fails):
-                return PageFinding("claim", found, claim, open=True)
-            refuted.append((everything, found))
-        refuted_claim, first = refuted[0]
-        against = (*(given.number for given in refuted_claim.given), *(h.text for h in refuted_claim.assuming))
-        return PageFinding("claim", first, refuted_claim, instead=instead, against=against)
-
-    def _instead(self, claim: Claim) -> Repair | None:
-        """A true equation but for one slip, under what the page says of the claim's symbols and does not leave open."""
-        rules = self.premises.defined()
-        deep = chosen_rules(claim.printed, rules)
-        shallow = chosen_rules(claim.printed, {**rules, **self.premises.proved}, deep=False)
-        known = self.premises.restricting(free_quantities(claim.printed, deep), deep)
-        posed = tuple(each for each in known if not each.open)[-MOST_POSED:]
-        sets = [(shallow, ()), (deep, ()), (chosen_rules(sides_of(claim, posed), rules), posed)]
-        attempts = [with_premises(claim, self.premises, *each) for each in sets[shallow == deep : 3 if posed else 2]]
-        return next(true_but_for_a_slip(claim, attempts, self.premises, self.session), None)
 
 
 def _definition(claim: Claim, turned: bool) -> Definition:
@@ -275,8 +261,3 @@ def _resting_on(opened: tuple[str, ...], verdict: Verdict) -> Verdict:
     if not opened or not isinstance(verdict, Holds | HoldsUnder):
         return verdict
     return HoldsUnder((*verdict.needs, *opened), verdict.certificate, verdict.witness, verdict.unused)
-
-
-def _is_defining(claim: Claim) -> bool:
-    """Whether it is printed as definitions are: by its sign, or of a symbol with its argument."""
-    return claim.sign in DEFINING or isinstance(claim.left, At)

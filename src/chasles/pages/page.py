@@ -11,11 +11,13 @@ from types import ModuleType
 from typing import Any
 
 from chasles.display import Displayed
-from chasles.pages.deduction import DEFINING, Deduction, PageFinding
+from chasles.pages.deduction import Deduction
 from chasles.pages.facts import facts_of, kind_in_meaning
+from chasles.pages.finding import PageFinding
+from chasles.pages.notes import DEFINING, NOTHING, EquationNote, note_of, parts_of
 from chasles.pages.premises import Premises
 from chasles.reading.equations import read_equations
-from chasles.reading.notation_file import BadNotation, load_notation
+from chasles.reading.notation_file import load_notation
 from chasles.reading.page_notation import PageNotation
 from chasles.reading.pages import Kind, displayed
 from chasles.reading.printed import PrintedEquation
@@ -146,8 +148,9 @@ def read(text: str, notation: str | Path | ModuleType | Mapping[str, Any], kind:
 def read_page(printed: tuple[PrintedEquation, ...], notation: PageNotation, file: str = "") -> Page:
     """The page of these equations, decided in their order; raises `BadNotation` for what it cannot assume."""
     deduction = Deduction(Premises(lambda symbol: facts_of(symbol, kind_in_meaning(symbol))))
-    for part in _assumed(notation):
-        deduction.assume(part.left, part.right)
+    for said in notation.assuming:
+        for part in parts_of(said, notation, f"[page] assuming '{said}'"):
+            deduction.assume(part.left, part.right)
     equations = read_equations(printed, notation)
     names = [each.printed.number or each.printed.label or f"line {each.printed.line}" for each in equations]
     places: Counter[str] = Counter()
@@ -155,26 +158,18 @@ def read_page(printed: tuple[PrintedEquation, ...], notation: PageNotation, file
     for equation, name in zip(equations, names, strict=True):
         relations.append(_relations(equation.readings[0], name, places[name] + 1) if equation.readings else ())
         places[name] += len(relations[-1]) or 1
+    named: dict[str, list[Claim]] = {}
+    for name, claims in zip(names, relations, strict=True):
+        named.setdefault(name, []).extend(claims)
+    notes = {name: note_of(name, said, notation, named) for name, said in notation.notes.items() if name in named}
     found: list[PageEquation] = []
     for place, (equation, name) in enumerate(zip(equations, names, strict=True)):
         following = (claim for claims in relations[place + 1 : place + 1 + AHEAD] for claim in claims)
         ahead = tuple(claim for claim in following if claim.sign in ("=", *DEFINING))
-        role = notation.notes.get(name, {}).get("role", "")
+        note = notes.get(name, NOTHING)
         first = relations[place][0].part if relations[place] else 1
-        found += _decided(equation, name, first, role, deduction, ahead)
+        found += _decided(equation, name, first, note, deduction, ahead)
     return Page(tuple(found), file)
-
-
-def _assumed(notation: PageNotation) -> Iterator[Part]:
-    """What holds on the whole page; raises `BadNotation` for what is no equation that can be read."""
-    for each in read_equations(tuple(map(PrintedEquation, notation.assuming)), notation):
-        parts = each.readings[0].parts if each.readings else ()
-        faults = [part.fault for part in parts if part.fault]
-        relations = [f"{part.sign} is no sign of an equation" for part in parts if part.sign not in ("=", *DEFINING)]
-        why = [each.why] if not parts else [*relations, *faults]
-        if why:
-            raise BadNotation(f"[page] assuming '{each.printed.latex}': expected an equation, and {why[0]}")
-        yield from parts
 
 
 def _relations(reading: Reading, number: str, first: int) -> tuple[Claim, ...]:
@@ -185,7 +180,7 @@ def _relations(reading: Reading, number: str, first: int) -> tuple[Claim, ...]:
 
 
 def _decided(
-    equation: ReadEquation, number: str, first: int, role: str, deduction: Deduction, ahead: tuple[Claim, ...]
+    equation: ReadEquation, number: str, first: int, note: EquationNote, deduction: Deduction, ahead: tuple[Claim, ...]
 ) -> Iterator[PageEquation]:
     """The relations of an equation in its usual reading, and what differs in its other readings.
 
@@ -197,11 +192,11 @@ def _decided(
     news = [deduction.strange(reading) for reading in equation.readings]
     taken, *others = [each for each, new in zip(equation.readings, news, strict=True) if new == min(news)]
     forks = [(other, deduction.fork()) for other in others[: MOST_READINGS - 1]]
-    findings = list(_said(taken, number, first, role, deduction, ahead))
+    findings = list(_said(taken, number, first, note, deduction, ahead))
     usual = [_verdict(finding) for _, finding in findings]
     told = []
     for other, fork in () if _is_meant(usual) else forks:
-        verdicts = [_verdict(finding) for _, finding in _said(other, number, first, role, fork, ahead)]
+        verdicts = [_verdict(finding) for _, finding in _said(other, number, first, note, fork, ahead)]
         if verdicts != usual:
             told.append((", ".join(verdicts), _in_latex(other)))
     for place, (part, finding) in enumerate(findings, first):
@@ -214,13 +209,13 @@ def _is_meant(verdicts: list[str]) -> bool:
 
 
 def _said(
-    reading: Reading, number: str, first: int, role: str, deduction: Deduction, ahead: tuple[Claim, ...]
+    reading: Reading, number: str, first: int, note: EquationNote, deduction: Deduction, ahead: tuple[Claim, ...]
 ) -> Iterator[tuple[Part, PageFinding]]:
     claims = _relations(reading, number, first)
     with deduction.where(number, reading.given):
         for place, (part, claim) in enumerate(zip(reading.parts, claims, strict=True), 1):
             following = (*(each for each in claims[place:] if each.sign in ("=", *DEFINING)), *ahead)
-            yield part, deduction.say(number, claim.part, part.left, part.sign, part.right, role, following)
+            yield part, deduction.say(number, claim.part, part.left, part.sign, part.right, note, following)
 
 
 def _verdict(finding: PageFinding) -> str:

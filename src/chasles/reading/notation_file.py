@@ -27,10 +27,12 @@ from chasles.vocabulary.functions import PRINTED, FunctionOf
 from chasles.vocabulary.nodes import node_fields
 from chasles.vocabulary.notation import Notation
 
-__all__ = ["BadNotation", "load_notation"]
+__all__ = ["BadNotation", "load_notation", "noted"]
 
 TABLES = ("operators", "symbols", "page", "equations", "section")
 PAGE = ("units", "assuming", *CONVENTIONS)
+NOTES = ("role", "of", "given", "reading")
+ROLES = ("claim", "condition", "law", "definition")
 SHORT = {"exp": "rotation_by_vector", "vee": "vect", "abs": "norm", "adjoint": "adjoint_of_motion"}
 NOT_PRINTED = (Rate, Identity, Zero)
 USUAL = {
@@ -81,6 +83,34 @@ def _known(given: Mapping[str, Any], names: Sequence[str], where: str) -> None:
             raise BadNotation(f"{where} has no {name!r}{nearest(name, list(names))}: it takes {', '.join(names)}")
 
 
+def _alternatives(letters: str) -> list[str]:
+    """The letters between bars that stand in no braces."""
+    found, depth = [""], 0
+    for mark in letters:
+        depth += (mark == "{") - (mark == "}")
+        if mark == "|" and not depth and not found[-1].endswith("\\"):
+            found.append("")
+        else:
+            found[-1] += mark
+    return found if all(found) else [letters]
+
+
+def noted(said: Mapping[str, Any], where: str) -> dict[str, dict[str, Any]]:
+    """What is said of single equations; raises `BadNotation` for what cannot be said of one."""
+    for name, note in said.items():
+        if not isinstance(note, Mapping):
+            raise BadNotation(f"{where}'{name}': expected a table, such as {{ role = 'law' }}")
+        _known(note, NOTES, f"{where}'{name}'")
+        _known(dict.fromkeys([note["role"]] if note.get("role") else []), ROLES, f"{where}'{name}' role")
+        texts = note.get("given", [])
+        if not isinstance(texts, list) or not all(isinstance(each, str) for each in texts):
+            raise BadNotation(f"{where}'{name}' given: expected a list of numbers, or of equations in LaTeX")
+        for key in ("reading", "of"):
+            if not isinstance(note.get(key, ""), str):
+                raise BadNotation(f"{where}'{name}' {key}: expected LaTeX in quotes")
+    return {name: dict(note) for name, note in said.items()}
+
+
 class _Loading:
     """Reads the tables one after the other."""
 
@@ -90,7 +120,7 @@ class _Loading:
         self.notation = PageNotation()
         self.notation.home = _home(tables, bool(page.get("units", False)))
         self.notation.assuming = tuple(page.get("assuming", ()))
-        self.notation.notes = tables.get("equations", {})
+        self.notation.notes = noted(tables.get("equations", {}), "[equations] ")
         self.conventions = {name: bool(page[name]) for name in CONVENTIONS if name in page}
         usual_spellings(self.notation)
         forms: dict[Any, str] = {}
@@ -98,12 +128,14 @@ class _Loading:
             self._operator(name, spelled, forms)
         self.notation.forms = Notation(forms)
         sys.modules[self.notation.home].NOTATION = self.notation.forms  # type: ignore[attr-defined]
-        for letter, said in tables.get("symbols", {}).items():
-            declare_letter(self.notation, self.notation.letters, letter, said)
+        for letters, said in tables.get("symbols", {}).items():
+            for letter in _alternatives(letters):
+                declare_letter(self.notation, self.notation.letters, letter, said)
         for name, section in tables.get("section", {}).items():
             table = LetterTable()
-            for letter, said in section.get("symbols", {}).items():
-                declare_letter(self.notation, table, letter, said)
+            for letters, said in section.get("symbols", {}).items():
+                for letter in _alternatives(letters):
+                    declare_letter(self.notation, table, letter, said)
             self.notation.sections[name] = table
         for check in self.notation.checks:
             check()

@@ -76,12 +76,9 @@ def command(
     if out is not None and len(pages) > 1:
         raise click.UsageError("--out takes one page at a time")
     read = [_read(page, _printed(page, macros, inline, follow), notation, out) for page in pages]
-    found = [page for page, _ in read]
-    unmatched = [entry for entry in read[0][1] if all(entry in others for _, others in read)]
-    if unmatched and not is_quiet():
-        shown = [f"'{entry}'" for entry in unmatched[:MOST_NAMED]]
-        more = [f"{len(unmatched) - MOST_NAMED} more"] if len(unmatched) > MOST_NAMED else []
-        complain([f"{notation}: no letter of the page matches {', '.join(shown + more)}"])
+    found = [page for page, _, _ in read]
+    _tell_unmatched(f"{notation}: no letter of the page matches", [entries for _, entries, _ in read])
+    _tell_unmatched(f"{notation}: the page has no equation with the number", [numbers for _, _, numbers in read])
     if html:
         from chasles.report.read_page import read_page_as_html
 
@@ -89,6 +86,15 @@ def command(
     _show(found, quiet or github or is_quiet(), github, json)
     equations = [each for page in found for each in page.equations]
     return 0 if all(is_fine(each) if strict else each.is_decided for each in equations) else FAILED
+
+
+def _tell_unmatched(said: str, entries: Sequence[Sequence[str]]) -> None:
+    """Say which entries of a notation nothing on any of the pages matches."""
+    unmatched = [entry for entry in entries[0] if all(entry in others for others in entries)]
+    if unmatched and not is_quiet():
+        shown = [f"'{entry}'" for entry in unmatched[:MOST_NAMED]]
+        more = [f"{len(unmatched) - MOST_NAMED} more"] if len(unmatched) > MOST_NAMED else []
+        complain([f"{said} {', '.join(shown + more)}"])
 
 
 def _show(found: Sequence[Page], is_short: bool, github: bool, json: bool) -> None:
@@ -133,22 +139,23 @@ def _printed(page: Path, macros: Path | None, inline: bool, follow: bool) -> tup
 
 def _read(
     page: Path, printed: tuple[PrintedEquation, ...], name: str, out: Path | None
-) -> tuple[Page, tuple[str, ...]]:
-    """The page decided, with what a person has answered, and the letters of the notation that it does not have.
+) -> tuple[Page, tuple[str, ...], tuple[str, ...]]:
+    """The page decided, with what a person has answered, and the letters and numbers of the notation that it lacks.
 
     What came of it is written to the folder.
     """
     from chasles.pages.folder import QUESTIONS, answers, files_of
     from chasles.pages.page import read_page
-    from chasles.reading.notation_file import BadNotation
+    from chasles.reading.notation_file import BadNotation, noted
 
     try:
         notation = _notation(name)
         if out is None:
-            return read_page(printed, notation, str(page)), notation.unmatched
+            return _with_what_it_lacks(read_page(printed, notation, str(page)), notation)
         asked = out / QUESTIONS
         given = answers(text_of_file(asked)) if asked.exists() else {}
-        notes = {each: {**notation.notes.get(each, {}), **given.get(each, {})} for each in {**notation.notes, **given}}
+        told = noted(given, f"{asked}: ")
+        notes = {each: {**notation.notes.get(each, {}), **told.get(each, {})} for each in {**notation.notes, **told}}
         found = read_page(printed, replace(notation, notes=notes), str(page))
         out.mkdir(parents=True, exist_ok=True)
         replace_whole({out / file: text for file, text in files_of(found, given).items()})
@@ -158,7 +165,12 @@ def _read(
         raise Failure(f"cannot write {out}: {error.strerror}", BAD_INPUT) from error
     except ValueError as error:
         raise Failure(f"{out}: {QUESTIONS}: {error}", BAD_INPUT) from error
-    return found, notation.unmatched
+    return _with_what_it_lacks(found, notation)
+
+
+def _with_what_it_lacks(page: Page, notation: PageNotation) -> tuple[Page, tuple[str, ...], tuple[str, ...]]:
+    numbers = {each.number for each in page.equations}
+    return page, notation.unmatched, tuple(name for name in notation.notes if name not in numbers)
 
 
 def _notation(name: str) -> PageNotation:

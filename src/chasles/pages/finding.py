@@ -1,0 +1,27 @@
+"""What was made of one relation of a page."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from chasles.repairs.repair import Repair
+from chasles.statements import Statement
+from chasles.verdict import Verdict
+
+__all__ = ["PageFinding"]
+
+
+@dataclass(frozen=True, slots=True)
+class PageFinding:
+    """What was made of one relation: its role, its verdict, and the statement, with the premises that it needs.
+
+    `against` are the premises of a refutation; `instead` is what is true in place of what fails. The verdict of an
+    `open` one says why it was not proved.
+    """
+
+    role: str
+    verdict: Verdict
+    statement: Statement | None = None
+    open: bool = False
+    instead: Repair | None = None
+    against: tuple[str, ...] = ()

@@ -1,0 +1,100 @@
+"""What a person says of single equations of a page: their roles, what they define, and what they follow from."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from chasles.pages.attempts import named
+from chasles.pages.premises import Quantity, quantity
+from chasles.reading.equations import expressions, read_equations
+from chasles.reading.grouping import Unread
+from chasles.reading.notation_file import BadNotation
+from chasles.reading.page_notation import PageNotation
+from chasles.reading.printed import PrintedEquation
+from chasles.reading.reading import Part
+from chasles.reading.tokens import BadPage
+from chasles.statements import Claim
+from chasles.vocabulary import At, plain
+
+__all__ = ["DEFINING", "NOTHING", "EquationNote", "is_defining", "note_of", "parts_of"]
+
+DEFINING = (r"\equiv", ":=", r"\triangleq", r"\coloneqq", r"\doteq", "≡")
+"""The signs by which something is defined."""
+EQUAL = ("=", *DEFINING)
+Given = tuple[str, Claim]
+"""A premise, and how it is told."""
+
+
+@dataclass(frozen=True, slots=True)
+class EquationNote:
+    """The `role` of an equation, what it is a definition `of`, and its premises; where none are given, the page's."""
+
+    role: str = ""
+    of: Quantity | None = None
+    given: tuple[Given, ...] | None = None
+
+
+NOTHING = EquationNote()
+"""Nothing is said of an equation."""
+
+
+def note_of(
+    name: str, said: Mapping[str, Any], notation: PageNotation, relations: Mapping[str, Sequence[Claim]]
+) -> EquationNote:
+    """What is said of the equation of a name; `relations` are those of the page, by the names of its equations.
+
+    Raises `BadNotation` for what is given and neither stands on the page nor can be read.
+    """
+    given = said.get("given")
+    if "of" in said and said.get("role") != "definition":
+        raise BadNotation(f"[equations] '{name}' of: only a definition is of something: say role = 'definition'")
+    return EquationNote(
+        said.get("role", ""),
+        _defined(name, said["of"], notation, relations[name]) if "of" in said else None,
+        None if given is None else tuple(each for text in given for each in _given(name, text, notation, relations)),
+    )
+
+
+def _given(name: str, text: str, notation: PageNotation, relations: Mapping[str, Sequence[Claim]]) -> Iterator[Given]:
+    number, _, part = text.partition("/")
+    if text in relations:
+        yield from ((named(claim), claim) for claim in relations[text])
+    elif number in relations and any(str(claim.part) == part for claim in relations[number]):
+        yield from ((named(claim), claim) for claim in relations[number] if str(claim.part) == part)
+    else:
+        where = f"[equations] '{name}' given '{text}'"
+        for said in parts_of(text, notation, where):
+            told = f"{plain(said.left)} = {plain(said.right)}"
+            yield told, Claim(told, said.left, said.right, sic=True)
+
+
+def parts_of(text: str, notation: PageNotation, where: str) -> tuple[Part, ...]:
+    """The equations that a notation says in LaTeX; raises `BadNotation` for what is none that can be read."""
+    (found,) = read_equations((PrintedEquation(text),), notation)
+    parts = found.readings[0].parts if found.readings else ()
+    relations = [f"{part.sign} is no sign of an equation" for part in parts if part.sign not in EQUAL]
+    why = [found.why] if not parts else [*relations, *(part.fault for part in parts if part.fault)]
+    if why:
+        raise BadNotation(f"{where}: expected an equation, and {why[0]}")
+    return parts
+
+
+def _defined(name: str, letter: str, notation: PageNotation, relations: Sequence[Claim]) -> Quantity:
+    """The quantity that a letter is, which stands alone on a side of a relation."""
+    try:
+        found = [key for node in expressions(letter, notation) if (key := quantity(node)) is not None]
+    except (Unread, BadPage) as problem:
+        raise BadNotation(f"[equations] '{name}' of '{letter}': {problem}") from None
+    if not found:
+        raise BadNotation(f"[equations] '{name}' of '{letter}': expected a letter alone")
+    alone = [key for claim in relations for side in claim.printed if (key := quantity(side)) in found]
+    if not alone:
+        raise BadNotation(f"[equations] '{name}' of '{letter}': it stands alone on no side")
+    return alone[0]
+
+
+def is_defining(claim: Claim) -> bool:
+    """Whether it is printed as definitions are: by its sign, or of a symbol with its argument."""
+    return claim.sign in DEFINING or isinstance(claim.left, At)

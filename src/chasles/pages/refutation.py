@@ -1,0 +1,50 @@
+"""What does not follow from a page: it fails, if one slip away from it something true is said, or it is open."""
+
+from __future__ import annotations
+
+from chasles.decisions.session import Session
+from chasles.pages.attempts import MOST_POSED, sides_of, with_everything, with_premises
+from chasles.pages.bounded_proofs import verdict_on
+from chasles.pages.finding import PageFinding
+from chasles.pages.notes import is_defining
+from chasles.pages.premises import Premises, chosen_rules, free_quantities
+from chasles.pages.slips import true_but_for_a_slip
+from chasles.reading.fits import OF_ITS_OWN
+from chasles.repairs.repair import Repair
+from chasles.statements import Claim
+from chasles.verdict import Fails, Verdict
+
+__all__ = ["refuted"]
+
+
+def refuted(claim: Claim, premises: Premises, session: Session, told: bool) -> PageFinding:
+    """The finding on a claim that is not proved: it fails, or is open."""
+    rules = chosen_rules(claim.printed, premises.defined())
+    verdict = verdict_on(with_premises(claim, premises, rules, ()), session)
+    of_its_own = any(symbol.meaning == OF_ITS_OWN for symbol, _ in free_quantities(claim.printed, rules))
+    is_asked = isinstance(verdict, Fails) and not is_defining(claim) and not of_its_own
+    instead = _instead(claim, premises, session) if is_asked else None
+    if not isinstance(verdict, Fails) or (instead is None and not told) or of_its_own:
+        return PageFinding("claim", verdict, claim, open=True)
+    everywhere: list[tuple[Claim, Verdict]] = []
+    for generation in range(premises.generations):
+        everything = with_everything(claim, premises, generation)
+        found = verdict_on(everything, session)
+        if not isinstance(found, Fails):
+            return PageFinding("claim", found, claim, open=True)
+        everywhere.append((everything, found))
+    refuted_claim, first = everywhere[0]
+    against = (*(given.number for given in refuted_claim.given), *(h.text for h in refuted_claim.assuming))
+    return PageFinding("claim", first, refuted_claim, instead=instead, against=against)
+
+
+def _instead(claim: Claim, premises: Premises, session: Session) -> Repair | None:
+    """A true equation but for one slip, under what the page says of the claim's symbols and does not leave open."""
+    rules = premises.defined()
+    deep = chosen_rules(claim.printed, rules)
+    shallow = chosen_rules(claim.printed, {**rules, **premises.proved}, deep=False)
+    known = premises.restricting(free_quantities(claim.printed, deep), deep)
+    posed = tuple(each for each in known if not each.open)[-MOST_POSED:]
+    sets = [(shallow, ()), (deep, ()), (chosen_rules(sides_of(claim, posed), rules), posed)]
+    attempts = [with_premises(claim, premises, *each) for each in sets[shallow == deep : 3 if posed else 2]]
+    return next(true_but_for_a_slip(claim, attempts, premises, session), None)
