@@ -161,6 +161,18 @@ def test_of_what_letters_may_be_that_is_proposed_with_which_more_is_read() -> No
     assert [each.status for each in read_equations(equations, load_notation(text))] == ["read"] * 4
 
 
+def test_what_a_letter_is_set_equal_to_says_its_shape() -> None:
+    page = [r"x = \begin{bmatrix} \mathbf{v} \\ \mathbf{w} \end{bmatrix}", r"\mathbf{v} = \mathbf{w} \times \mathbf{p}",
+            r"\dot{q} = \frac{1}{2} q \otimes \begin{bmatrix} 0 \\ \mathbf{w} \end{bmatrix}",
+            r"r = \arctan2(y, h)"]  # fmt: skip
+    equations = [PrintedEquation(text) for text in page]
+    lines = proposed(equations).splitlines()
+    assert "'x' = { is = \"matrix\", shape = [6, 1] }" in lines
+    assert any(line.startswith("'q' = { is = \"quaternion\" }") for line in lines)
+    read = read_equations(equations, load_notation("\n".join(lines)))
+    assert [bool(each.readings) and not each.readings[0].parts[0].fault for each in read] == [True] * 4
+
+
 @pytest.mark.parametrize(
     ("text", "expected"),
     [

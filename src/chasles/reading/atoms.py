@@ -166,6 +166,9 @@ class _Respelling:
             return [PrintedAtom([token._replace(text=text), *first, *braced(self.argument(token), token)])]
         if text == r"\begin":
             return self.environment(token)
+        if text == r"\arctan" and self.ahead() == "2" and self.ahead(1) in ("(", *commands.DELIMITER_SIZES):
+            self.at += 1
+            return [PrintedAtom([token._replace(text=r"\operatorname{arctan2}")])]
         if text in (r"\pmatrix", r"\matrix", r"\cases") and self.peek() == "{":
             begin, end = (token._replace(text=rf"\{side}{{{text[1:]}}}") for side in ("begin", "end"))
             return [PrintedAtom([begin, *flat(self.group()), end])]

@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
+from typing import Any
 
 from chasles.reading.commands import MARKS
 from chasles.reading.declared_letters import declare_letter
@@ -19,8 +20,11 @@ from chasles.reading.marks import WITHOUT_WORD
 from chasles.reading.notation_file import load_notation
 from chasles.reading.page_notation import PageNotation
 from chasles.reading.printed import PrintedEquation
+from chasles.reading.reading import ReadEquation
 from chasles.reading.spellings import called
 from chasles.reading.tokens import BadPage, Token
+from chasles.vocabulary import At, Rate, Symbol
+from chasles.vocabulary.measure import Extent
 
 __all__ = ["proposed"]
 
@@ -47,6 +51,7 @@ class _Use:
     places: dict[int, None] = field(default_factory=dict)
     kind: str = ""
     other: str = ""
+    shape: tuple[Extent, ...] = ()
 
 
 def proposed(equations: Sequence[PrintedEquation]) -> str:
@@ -78,6 +83,7 @@ def proposed(equations: Sequence[PrintedEquation]) -> str:
         question = f"  # ? or {use.other}" if use.other else ""
         for glyph, said in _declared(stem, use):
             of = f", of = {_quoted(said['of'])}" if "of" in said else ""
+            of += f", shape = {said['shape']}" if "shape" in said else ""
             known = _is_one_letter(glyph)
             entry = f'{_quoted(spelled(glyph))} = {{ is = "{said["is"]}"{of} }}{"" if of else question}'
             lines.append(entry if known else f"# {spelled(glyph)}: several letters in one; say what it is")
@@ -90,37 +96,55 @@ def _choose_kinds(uses: dict[Glyph, _Use], operators: PageNotation, equations: S
         for stem, use in sorted(uses.items(), key=lambda each: len(_kinds(each[0])), reverse=True):
             having = [equations[place] for place in use.places if len(equations[place].tokens) < LONGEST]
             tried = sorted(having, key=lambda equation: len(equation.tokens))[:MOST_TRIED]
-            best = _count_read(tried, uses, operators)
-            if best >= len(tried):
-                continue
-            for kind in _kinds(stem):
-                before, use.kind = use.kind, kind
-                count = _count_read(tried, uses, operators)
+            read = _read(tried, uses, operators)
+            best = sum(map(_is_well_formed, read))
+            kinds = [(kind, ()) for kind in (*_kinds(stem), *(("quaternion",) if r"\otimes" in use.signs else ()))]
+            wanted = dict.fromkeys(shape for each in read for shape in _shapes_wanted(each, use))
+            for kind, shape in (*kinds, *(("matrix", shape) for shape in wanted)) if best < len(tried) else ():
+                before = use.kind, use.shape
+                use.kind, use.shape = kind, shape
+                count = sum(map(_is_well_formed, _read(tried, uses, operators)))
                 if count > best:
                     best, use.other = count, ""
                 else:
-                    use.kind = before
+                    use.kind, use.shape = before
 
 
-def _count_read(tried: Sequence[PrintedEquation], uses: dict[Glyph, _Use], operators: PageNotation) -> int:
-    """How many of the equations can be read, and are well formed, when the letters are what is proposed."""
+def _is_well_formed(each: ReadEquation) -> bool:
+    return bool(each.readings) and not any(part.fault for part in each.readings[0].parts)
+
+
+def _shapes_wanted(each: ReadEquation, use: _Use) -> Iterator[tuple[Extent, ...]]:
+    """What shape the letter has where it is set equal to something else."""
+    letters = set(map(spelled, use.letters))
+    for part in each.readings[0].parts if each.readings else ():
+        for one, other in ((part.left, part.right), (part.right, part.left)) if part.fault else ():
+            of = one.below[0] if isinstance(one, Rate | At) else one
+            if isinstance(of, Symbol) and of.letter in letters and other.measure:
+                yield other.shape
+
+
+def _read(
+    tried: Sequence[PrintedEquation], uses: dict[Glyph, _Use], operators: PageNotation
+) -> tuple[ReadEquation, ...]:
+    """What is read of the equations when the letters are what is proposed."""
     notation = replace(operators, letters=LetterTable().before(operators.letters), matched={})
     for stem, use in uses.items():
         for glyph, said in _declared(stem, use):
             if _is_one_letter(glyph):
                 declare_letter(notation, notation.letters, spelled(glyph), said)
-    read = read_equations(tried, notation)
-    return sum(bool(each.readings) and not any(part.fault for part in each.readings[0].parts) for each in read)
+    return read_equations(tried, notation)
 
 
-def _declared(stem: Glyph, use: _Use) -> Iterator[tuple[Glyph, Mapping[str, str]]]:
+def _declared(stem: Glyph, use: _Use) -> Iterator[tuple[Glyph, Mapping[str, Any]]]:
     """What is said of a letter: with its subscripts, by a pattern for many of them, and of a vector's components."""
     components = [glyph for glyph in use.letters if glyph.sub in ("x", "y", "z")]
     are_parts = use.kind == "vector" and stem in use.letters and bool(components)
     glyphs = [glyph for glyph in use.letters if not (are_parts and glyph in components)]
     if len(glyphs) > 3 and all(glyph.sub for glyph in glyphs):
         glyphs = [replace(stem, sub="##")]
-    yield from ((glyph, {"is": use.kind}) for glyph in glyphs)
+    shape = {"shape": list(use.shape)} if use.shape else {}
+    yield from ((glyph, {"is": use.kind, **shape}) for glyph in glyphs)
     if are_parts:
         yield replace(stem, sub="x|y|z"), {"is": "component", "of": spelled(stem)}
 
