@@ -8,8 +8,11 @@ import mpmath
 import numpy as np
 import pytest
 import sympy as sp
+from sympy.codegen import cfunctions
 
 import chasles
+from chasles.bounds.model import precision
+from chasles.lowering.program import Op
 
 x, y = sp.symbols("x y", real=True)
 third = sp.Rational(1, 3)
@@ -93,3 +96,43 @@ def test_a_truth_value_is_one_or_zero(relation):
     kernel = chasles.compile(relation, [x, y])
     assert kernel(1.0, 2.0) == 1.0
     assert kernel(1.0, 0.5) == 0.0
+
+
+SUPPOSED = {
+    "exp": (sp.exp(x), np.exp, -80, 80),
+    "expm1": (sp.exp(x) - 1, np.expm1, -5, 20),
+    "log": (sp.log(x), np.log, 1e-5, 1e5),
+    "log1p": (sp.log(1 + x), np.log1p, -0.9, 10),
+    "cbrt": (cfunctions.Cbrt(x), np.cbrt, -1e3, 1e3),
+    "sinh": (sp.sinh(x), np.sinh, -20, 20),
+    "cosh": (sp.cosh(x), np.cosh, -20, 20),
+    "tanh": (sp.tanh(x), np.tanh, -5, 5),
+    "asinh": (sp.asinh(x), np.arcsinh, -20, 20),
+    "acosh": (sp.acosh(x), np.arccosh, 1, 20),
+    "atanh": (sp.atanh(x), np.arctanh, -1, 1),
+    "sine": (sp.sin(x), np.sin, -20, 20),
+    "cosine": (sp.cos(x), np.cos, -20, 20),
+    "arctangent2": (sp.atan2(x, 1), lambda a: np.arctan2(a, type(a[0])(1)), -20, 20),
+}
+
+
+@pytest.mark.skipif(np.finfo(np.longdouble).nmant < 63, reason="needs numbers of more digits")
+@pytest.mark.parametrize("name", SUPPOSED)
+def test_functions_are_within_what_error_bounds_suppose(name):
+    """Compiled, and in NumPy, in both precisions."""
+    expression, function, low, high = SUPPOSED[name]
+    kernel = chasles.compile(expression, [x])
+    draw = np.random.default_rng(1)
+    points = np.concatenate([draw.uniform(low, high, 50_000), low + (high - low) * draw.uniform(0, 1, 20_000) ** 8])
+    for kind, wider in ((np.float64, np.longdouble), (np.float32, np.float64)):
+        given = points.astype(kind)
+        wanted = function(given.astype(wider))
+        plain = np.isfinite(wanted) & (abs(wanted) > np.finfo(kind).tiny)
+        unit = np.spacing(abs(wanted[plain]).astype(kind)).astype(wider)
+        for way, in_numpy in ((kernel, False), (kernel.array_api, True)):
+            model, _ = precision(kind, in_numpy=in_numpy)
+            is_operation = name in [op.value for op in Op]
+            within = model._within(Op(name) if is_operation else Op.FUNCTION, name)
+            with np.errstate(all="ignore"):
+                found = way(given)
+            assert (abs(found[plain].astype(wider) - wanted[plain]) / unit).max() <= float(within) + 1e-3

@@ -70,19 +70,21 @@ class BoxBound:
         return "\n".join([*lines, f"for {self.box}; u = 2^{round(np.log2(self.roundoff))}"])
 
 
-def bound_of_program(program: Program, box: Mapping[str, Any], dtype: Any = np.float64) -> BoxBound:
+def bound_of_program(
+    program: Program, box: Mapping[str, Any], dtype: Any = np.float64, *, in_numpy: bool = False
+) -> BoxBound:
     """How far the program's results are from their exact values for all floats of a box, in float64 or float32.
 
     The box gives each argument, by name, a number or a pair (low, high); the ends of an array's entries are numbers or
     arrays of its shape. The rounding model is that of `chasles.bounds`, with gradual underflow. Where results are not a
-    number nothing is said.
+    number nothing is said. Functions are those of the C library, or what is in NumPy.
 
     Raises:
         ValueError: for a box that does not fit the program (NoBound where no bound can be proved over it: a divisor
             that may be zero, a root of what may be negative, numbers beyond the precision).
         ModuleNotFoundError: for a program with sines, cosines, arctangents or functions of libm, without python-flint.
     """
-    model, largest = precision(dtype)
+    model, largest = precision(dtype, in_numpy=in_numpy)
     low, high = _ends(program, box)
     program = expanded_in_series(program, most=2)
     try:

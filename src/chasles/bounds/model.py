@@ -6,7 +6,7 @@ It is the standard model of floating-point arithmetic: Higham, Accuracy and Stab
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
@@ -15,7 +15,10 @@ import numpy as np
 from chasles.bounds.functions import ENCLOSED
 from chasles.lowering.program import Op
 
-__all__ = ["DOUBLE", "SINGLE", "Model", "precision"]
+__all__ = ["DOUBLE", "IN_NUMPY", "SINGLE", "Model", "precision"]
+
+IN_NUMPY = 4
+"""Units in the last place within which NumPy holds its functions of vectors, as its own tests of accuracy have it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,16 +26,18 @@ class Model:
     """Each operation returns its exact result times 1 + d, |d| <= `roundoff`.
 
     Sine and cosine are within `ulps` units in the last place, the arctangent within `directions`, what else libm has
-    within what its manual says: they are what rounding to nearest makes of something within that less one half. A unit
-    in the last place is at most twice the roundoff of the value. A contracted a b + c rounds once where the model lets
-    it round twice, so that contraction is allowed and never needed. Nothing overflows, and nothing underflows but where
-    `least` says by how much a result below the smallest normal number is rounded.
+    within what is known of it, or within `others` where that is more: they are what rounding to nearest makes of
+    something within that less one half. A unit in the last place is at most twice the roundoff of the value. A
+    contracted a b + c rounds once where the model lets it round twice, so that contraction is allowed and never needed.
+    Nothing overflows, and nothing underflows but where `least` says by how much a result below the smallest normal
+    number is rounded.
     """
 
     roundoff: Fraction
     ulps: Fraction = Fraction(4, 5)
     directions: Fraction = Fraction(1)
     least: Fraction = Fraction(0)
+    others: int = 0
 
     def __post_init__(self) -> None:
         if not 0 < self.roundoff <= Fraction(1, 2**10):
@@ -57,7 +62,7 @@ class Model:
         if op in (Op.SINE, Op.COSINE):
             return self.ulps
         if op is Op.FUNCTION:
-            return Fraction(ENCLOSED[function].ulps)
+            return Fraction(max(ENCLOSED[function].ulps, self.others))
         return self.directions if op is Op.ARCTANGENT2 else Fraction(1, 2)
 
     def in_words(self, operations: Collection[Op]) -> str:
@@ -69,7 +74,7 @@ class Model:
         if Op.ARCTANGENT2 in operations:
             said.append(f"arctangent within {float(self.directions):g} ulp")
         if Op.FUNCTION in operations:
-            said.append("other functions within what the GNU C library's manual says")
+            said.append("other functions within what is known of the GNU C library's")
         return ", ".join(said)
 
     def is_exact(self, value: Fraction) -> bool:
@@ -84,8 +89,11 @@ SINGLE = Model(Fraction(1, 2**24))
 """What is proved here holds in double precision too: a bound in units of the roundoff grows with the roundoff."""
 
 
-def precision(dtype: Any) -> tuple[Model, float]:
-    """The model of float64 or float32 with gradual underflow, and the largest number. Raises ValueError for others."""
+def precision(dtype: Any, *, in_numpy: bool = False) -> tuple[Model, float]:
+    """The model of float64 or float32 with gradual underflow, and the largest number.
+
+    Functions are those of the C library, or what is in NumPy. Raises ValueError for other types.
+    """
     try:
         wanted = np.dtype(dtype)
     except TypeError:
@@ -95,4 +103,7 @@ def precision(dtype: Any) -> tuple[Model, float]:
     limits = np.finfo(wanted)
     unit = DOUBLE.roundoff if wanted == np.float64 else SINGLE.roundoff
     # Half of the smallest number is none in double precision: the whole of it stands for it.
-    return Model(unit, least=Fraction(float(limits.smallest_subnormal))), float(limits.max)
+    model = Model(unit, least=Fraction(float(limits.smallest_subnormal)))
+    if in_numpy:
+        model = replace(model, ulps=Fraction(IN_NUMPY), directions=Fraction(IN_NUMPY), others=IN_NUMPY)
+    return model, float(limits.max)

@@ -11,13 +11,13 @@ from chasles.lowering.program import Program
 __all__ = ["error_bound"]
 
 
-def error_bound(program: Program, box: Mapping[str, Any], dtype: Any) -> BoxBound:
+def error_bound(program: Program, box: Mapping[str, Any], dtype: Any, *, in_numpy: bool = False) -> BoxBound:
     """The bound that `chasles.bounds.bound_of_program` proves.
 
     Raises ModuleNotFoundError, which says what to install, where that needs python-flint.
     """
     try:
-        return bound_of_program(program, box, dtype)
+        return bound_of_program(program, box, dtype, in_numpy=in_numpy)
     except ModuleNotFoundError as error:
         if error.name != "flint":
             raise

@@ -135,7 +135,7 @@ class CompiledKernel(Displayed):
         """
         from chasles.compiling.bound import error_bound
 
-        return error_bound(self.program, box, dtype)
+        return error_bound(self.program, box, dtype, in_numpy=self.backend == "numpy")
 
     def write(
         self,
@@ -157,11 +157,12 @@ class CompiledKernel(Displayed):
             ValueError: for a target that there is not or that cannot spell the kernel, and as `error_bound` does.
             OSError: where a file cannot be written; then none is.
         """
+        from chasles.compiling.bound import error_bound
         from chasles.compiling.sources import target_kernel
         from chasles.compiling.written import written
 
         precisions = (numpy.float64, numpy.float32) if box is not None else ()
-        bounds = tuple(self.error_bound(box or {}, precision) for precision in precisions)
+        bounds = tuple(error_bound(self.program, box or {}, precision) for precision in precisions)
         return written(replace(target_kernel(self.program), box_bounds=bounds), Path(folder), targets, license)
 
     def __repr__(self) -> str:
