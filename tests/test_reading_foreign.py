@@ -270,3 +270,22 @@ def test_excerpts_are_read_whole_and_three_quarters_of_them_with_what_is_propose
     assert [each.why for each in read_equations(printed, load_notation(path.with_suffix(".toml"))) if each.why] == []
     read = read_equations(printed, load_notation(proposed(printed)))
     assert sum(bool(each.readings) for each in read) >= 0.75 * len(read)
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        (r"r = \mathbf{a}^2", r"\mathbf{a} is 3 x 1: \mathbf{a}^{2} has no meaning"),
+        (r"r = \tilde{r}", r"\tilde has no meaning in the notation"),
+        (r"r = k_{\text{rot}}", r"the notation does not say what k_{\mathrm{rot}} is"),
+    ],
+)
+def test_marks_that_do_not_fit_a_letter_are_told(text: str, why: str) -> None:
+    assert readings(text) == [why]
+
+
+def test_what_is_proposed_for_inverses_and_for_primes_behind_brackets() -> None:
+    page = [r"\foo^{-1} = \mathbf{v} \mathbf{w}^T", r"\mathbf{v} = [\foo]'' \mathbf{w}"]
+    lines = proposed([PrintedEquation(text) for text in page]).splitlines()
+    assert "quantity = [\"#''\"]  # ? what these marks make of an expression" in lines
+    assert any(line.startswith("'\\foo' = { is = \"matrix\"") for line in lines)

@@ -25,6 +25,7 @@ from chasles.vocabulary import (
     Symbol,
     Transpose,
     Zero,
+    latex,
 )
 from chasles.vocabulary.families import Entry, Kronecker
 
@@ -47,17 +48,18 @@ def atom_fits(atom: Atom, ctx: FittingContext) -> list[Fit]:
         found = _constant(letter, ctx) or _nucleus(atom, letter, ctx)
     if found:
         del ctx.problems[problems:]
-    elif len(ctx.problems) == problems and atom.kind in ("LETTER", "COMMAND") and not _is_known(letter, ctx):
-        why = WITHOUT_WORD.get(atom.text) or f"the notation does not say what {spelled(letter)} is"
-        ctx.note(why, atom.place)
+    elif len(ctx.problems) == problems and atom.kind in ("LETTER", "COMMAND"):
+        ctx.note(WITHOUT_WORD.get(atom.text) or _unknown(letter, ctx), atom.place)
     return kept(found)
 
 
-def _is_known(letter: Glyph, ctx: FittingContext) -> bool:
-    """Whether it is a letter of the notation with marks that are words, though they do not fit it."""
-    meanings = ctx.notation.letters.meanings(letter)
-    scripts = ctx.notation.spellings.scripts
-    return any(not rest.accents and not rest.sub and all(sup in scripts for sup in rest.sups) for _, rest in meanings)
+def _unknown(letter: Glyph, ctx: FittingContext) -> str:
+    """Why it is no letter, or one whose marks do not fit what it is."""
+    for node, rest in ctx.notation.letters.meanings(letter):
+        if replace(rest, base="") != Glyph(""):
+            size = "a scalar" if node.is_scalar else " x ".join(map(str, node.shape))
+            return f"{latex(node)} is {size}: {spelled(letter)} has no meaning"
+    return f"the notation does not say what {spelled(letter)} is"
 
 
 def letter_fits(letter: Glyph, ctx: FittingContext, is_function: bool = False) -> list[Fit]:

@@ -32,6 +32,7 @@ TRANSPOSES, INVERSES = ("T", r"\top"), ("- 1", "- T", r"- \top")
 RATES = (r"\dot", r"\ddot", r"\dddot")
 NO_LETTERS = frozenset([*WITHOUT_WORD, r"\partial", ".", "!"])
 DIFFERENTIAL = re.compile(r"\\o?int\b|\bd t\b|\\mathrm \{ d \}")
+PRIMED = re.compile(r"[])] ('(?: ')*)")
 BARE = (r"\pi", "e", "0", "I", r"\mathbf I", r"\mathbf 0", r"\mathbf 1", r"\mathrm d")
 """What is no letter of the page where it has no subscript."""
 KINDS = {(True, True): ("matrix", "vector"), (True, False): ("vector", "matrix"),
@@ -61,10 +62,12 @@ def proposed(equations: Sequence[PrintedEquation]) -> str:
     """
     usual = load_notation("")
     uses: dict[Glyph, _Use] = {}
-    has_differentials = False
+    has_differentials, primes = False, set[str]()
     for place, equation in enumerate(equations):
         try:
-            has_differentials |= bool(DIFFERENTIAL.search(" ".join(token.text for token in equation.tokens)))
+            text = " ".join(token.text for token in equation.tokens)
+            has_differentials |= bool(DIFFERENTIAL.search(text))
+            primes.update(PRIMED.findall(text))
             for line, _ in segments(equation.tokens):
                 for side in formula(line).sides:
                     _note(side, "", uses, usual, place)
@@ -76,7 +79,9 @@ def proposed(equations: Sequence[PrintedEquation]) -> str:
     are_bold = sum(_looks(stem)[0] for stem in uses) >= MANY
     for stem, use in uses.items():
         use.kind, use.other = _kind(stem, use, are_bold)
-    operators = "\n".join(["[operators]", *_operators(uses)])
+    signs = ", ".join(f'"#{each.replace(" ", "")}"' for each in sorted(primes))
+    quantity = [f"quantity = [{signs}]  # ? what these marks make of an expression"] if primes else []
+    operators = "\n".join(["[operators]", *_operators(uses), *quantity])
     _choose_kinds(uses, load_notation(operators), equations)
     lines = [operators, "", "[symbols]"]
     for stem, use in uses.items():
@@ -93,12 +98,12 @@ def proposed(equations: Sequence[PrintedEquation]) -> str:
 def _choose_kinds(uses: dict[Glyph, _Use], operators: PageNotation, equations: Sequence[PrintedEquation]) -> None:
     """Let each letter be that with which most of the shortest equations that have it can be read."""
     for _ in range(ROUNDS):
-        for stem, use in sorted(uses.items(), key=lambda each: len(_kinds(each[0])), reverse=True):
+        for stem, use in sorted(uses.items(), key=lambda each: -len(KINDS[_looks(each[0])])):
             having = [equations[place] for place in use.places if len(equations[place].tokens) < LONGEST]
             tried = sorted(having, key=lambda equation: len(equation.tokens))[:MOST_TRIED]
             read = _read(tried, uses, operators)
             best = sum(map(_is_well_formed, read))
-            kinds = [(kind, ()) for kind in (*_kinds(stem), *(("quaternion",) if r"\otimes" in use.signs else ()))]
+            kinds = [(kind, ()) for kind in _kinds(stem, use)]
             wanted = dict.fromkeys(shape for each in read for shape in _shapes_wanted(each, use))
             for kind, shape in (*kinds, *(("matrix", shape) for shape in wanted)) if best < len(tried) else ():
                 before = use.kind, use.shape
@@ -210,8 +215,11 @@ def _looks(stem: Glyph) -> tuple[bool, bool]:
     return r"\mathbf" in stem.base or r"\vec" in stem.base or accented, letter.strip("\\")[:1].isupper()
 
 
-def _kinds(stem: Glyph) -> tuple[str, ...]:
-    return KINDS[_looks(stem)]
+def _kinds(stem: Glyph, use: _Use) -> dict[str, None]:
+    """What the letter may be: also a quaternion or a matrix where it is used as those are."""
+    quaternion = ["quaternion"] if r"\otimes" in use.signs else []
+    matrix = ["matrix"] if any(f"^{sup}" in use.signs for sup in (*TRANSPOSES, *INVERSES)) else []
+    return dict.fromkeys((*KINDS[_looks(stem)], *quaternion, *matrix))
 
 
 def _kind(stem: Glyph, use: _Use, are_bold: bool) -> tuple[str, str]:
