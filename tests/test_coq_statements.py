@@ -12,11 +12,15 @@ import pytest
 
 from chasles import vocabulary as w
 from chasles.coq.expressions import Unsaid
+from chasles.coq.quantifiers import cover_and_proof, theorem_and_proof
 from chasles.coq.sentences import failing, holding, satisfiable
 from chasles.coq.statement import CoqStatement
-from chasles.statements import Inverse, load, problem_of
-from chasles.statements.inversion import problems_of_inverse
-from chasles.statements.problem import Problem
+from chasles.decisions.decision import Decision
+from chasles.statements import Inverse, Theorem, load, problem_of
+from chasles.statements.forms import Always, Form, Iff, Minimum
+from chasles.statements.inversion import COVER, problems_of_inverse
+from chasles.statements.problem import Goal, Problem
+from chasles.verdict import Holds, HoldsUnder
 
 from .decided import chapter_session
 
@@ -215,11 +219,17 @@ HYPOTHESES = {"unit": "unit_vector", "symmetric": "symmetric", "definite": "defi
 
 def equations_of(text: str) -> tuple[list[Tree], list[Tree], list[Tree]]:
     """The equations that a statement assumes, those that it claims, and the words of which something is assumed."""
+    assumed, claims, words = parts_of(text)
+    return assumed, [equation(each) for each in claims], words
+
+
+def parts_of(text: str) -> tuple[list[Tree], list[str], list[Tree]]:
+    """The same, the claims as they are written."""
     body = re.sub(r"^Definition .*?:=\n(?:  forall .*?,\n)?", "", text, flags=re.DOTALL).rstrip().removesuffix(".")
     *premises, claim = body.split(" ->\n")
     assumed, words = assumed_in(premises)
     claim = re.sub(r"^  during T \(fun t =>\s*(.*)\)$", r"\1", claim, flags=re.DOTALL)
-    return assumed, [equation(each) for each in claim.split(" /\\\n")], words
+    return assumed, claim.split(" /\\\n"), words
 
 
 def assumed_in(premises: list[str]) -> tuple[list[Tree], list[Tree]]:
@@ -295,6 +305,73 @@ def test_what_is_assumed_is_what_there_is_said_to_be() -> None:
         whole, _, words = equations_of(holding("statement", said))
         assert assumed_in(body.split(" /\\\n")) == (whole, words), number
         assert bound_in(text, "exists") == said.binders, number
+
+
+def decided(kind: type) -> list[tuple[str, Decision]]:
+    found = [(entry.number, chapter_session().decide(entry.statement)) for entry in load()]
+    return [(number, decision) for number, decision in found if isinstance(decision.statement, kind)]
+
+
+def form_expected(form: Form, goals: list[Goal], expected: Expected) -> Tree:
+    """What a form of a theorem says, as a tree."""
+
+    def vanishing(node: w.Node) -> Tree:
+        return ("=", expected.side(node), "0" if node.is_scalar else expected.matrix(w.Zero(*node.shape)))
+
+    match form:
+        case Always(left, right):
+            return ("=", expected.side(left), expected.side(right))
+        case Iff():
+            return ("<->", vanishing(goals[1].left), vanishing(goals[0].left))
+        case Minimum(over=over, at=at):
+            of = goals[0].left
+            assert isinstance(of, w.Sum)
+            least, value = of.terms
+            assert isinstance(value, w.Negative)
+            function: Tree = ("fun", expected.names.symbols[over], expected.number(least))
+            return ("least", function, expected.number(value.term), expected.side(at))
+    raise AssertionError(form)
+
+
+def form_read(text: str) -> Tree:
+    if found := re.fullmatch(r"\s*\((.*) <-> (.*)\)", text):
+        return ("<->", equation(found[1]), equation(found[2]))
+    return Reader(text).sum() if text.strip().startswith("least") else equation(text)
+
+
+def test_theorems_read_back_say_what_is_declared() -> None:
+    read = 0
+    for number, decision in decided(Theorem):
+        assert isinstance(decision.statement, Theorem)
+        assert isinstance(decision.verdict, HoldsUnder | Holds)
+        problem = problem_of(decision.statement, "printed", decision.accepted)
+        said = CoqStatement(problem)
+        try:
+            text, _ = theorem_and_proof("statement", decision.statement, said, decision.verdict.certificate)
+        except Unsaid:
+            continue
+        assumed, claims, words = parts_of(text)
+        whole, _, others = equations_of(holding("statement", said))
+        assert (assumed, words) == (whole, others), number
+        assert bound_in(text, "forall") == said.binders
+        goals = iter(problem.goals)
+        for form, claim in zip(decision.statement.forms, claims, strict=True):
+            its = [next(goals) for _ in form.equations()]
+            assert form_read(claim) == form_expected(form, its, Expected(said)), number
+        read += 1
+    assert read >= 10
+
+
+def test_of_cases_one_is_said_to_apply() -> None:
+    for number, decision in decided(Inverse):
+        assert isinstance(decision.statement, Inverse)
+        problem = dict(problems_of_inverse(decision.statement, decision.accepted))[COVER]
+        said = CoqStatement(problem)
+        text, _ = cover_and_proof("statement", said, decision.verdict.certificate["branches"][COVER])  # type: ignore[attr-defined]
+        _, [claim], _ = parts_of(text)
+        cases = [Reader(each.removesuffix(" <> 0")).sum() for each in claim.strip().split(" \\/ ")]
+        assert all(each.endswith(" <> 0") for each in claim.strip().split(" \\/ "))
+        assert cases == [Expected(said).number(branch.where) for branch in decision.statement.branches], number
 
 
 def bound_in(text: str, word: str) -> list[tuple[str, str]]:

@@ -44,7 +44,7 @@ class Chunk:
             for claim in self.claims
             if claim.name in chosen
         ]
-        return f"{HEAD}From Chasles Require Import Points {self.statements}.\n\n" + "\n".join(parts)
+        return f"{HEAD}From Chasles Require Import Forms {self.statements}.\n\n" + "\n".join(parts)
 
 
 def chunks(claims: Sequence[Claimed]) -> list[Chunk]:

@@ -10,7 +10,7 @@ from chasles import vocabulary as w
 
 __all__ = ["THEORIES", "CoqNames", "identifier", "theory"]
 
-THEORIES = ("Words", "Hypotheses", "Steps", "Motion", "Bodies", "Points")
+THEORIES = ("Words", "Hypotheses", "Steps", "Motion", "Bodies", "Points", "Forms")
 """The files that come with every folder, each requiring those before it."""
 BINDERS = ("T", "t", "B", "b", "integral")
 """Instants, one of them, the elements of a body, one of them, the integral over them."""
@@ -38,22 +38,26 @@ def identifier(name: str) -> str:
 
 
 class CoqNames:
-    """What each symbol, and the rate of each expression, is called in one statement."""
+    """What each symbol, and the rate of each expression, is called in one statement; as in others it is `like`."""
 
-    def __init__(self) -> None:
+    def __init__(self, like: CoqNames | None = None) -> None:
+        self._like = like
         self.symbols: dict[w.Symbol, str] = {}
         self.rates: dict[w.Rate, str] = {}
 
     def symbol(self, symbol: w.Symbol) -> str:
         """The name of a symbol."""
         if symbol not in self.symbols:
-            self.symbols[symbol] = self.fresh(identifier(symbol.name))
+            known = self._like.symbols.get(symbol) if self._like else None
+            self.symbols[symbol] = known or self.fresh(identifier(symbol.name))
         return self.symbols[symbol]
 
     def rate(self, node: w.Rate) -> str:
         """The name of the function that is the rate of an expression."""
         of = bare_of(node.of)
         key = w.Rate(of)
+        if self._like and key in self._like.rates:
+            self.rates[key] = self._like.rates[key]
         if key not in self.rates:
             match of:
                 case w.Symbol():

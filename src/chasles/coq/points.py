@@ -13,6 +13,7 @@ from typing import Any
 from chasles import vocabulary as w
 from chasles.coq.expressions import Spelling, Unsaid
 from chasles.coq.polynomials import multiple
+from chasles.coq.proof import theorem
 from chasles.coq.sentences import assumed
 from chasles.coq.statement import CoqStatement, Premise
 from chasles.coq.values import Angle, PointValues, rational
@@ -31,7 +32,7 @@ KNOWN = "pose proof now' as known'; unfold T in known'; decompose [and] known'; 
 def refutation(name: str, said: CoqStatement, found: Counterexample) -> str:
     """The theorem that a statement fails, which is said under that name. Raises `Unsaid` where no proof is known."""
     point = _CoqPoint(said, PointValues(said, found.at))
-    return _theorem(name, ["intro claim'.", *point.steps(), *point.contradiction(found)])
+    return theorem(name, ["intro claim'.", *point.steps(), *point.contradiction(found)])
 
 
 def existence(name: str, said: CoqStatement, witness: Mapping[str, Any]) -> str:
@@ -41,7 +42,7 @@ def existence(name: str, said: CoqStatement, witness: Mapping[str, Any]) -> str:
         raise Unsaid("nothing is assumed")
     *others, last = [each.name for each in said.premises]
     proof = "".join(f"conj {each} (" for each in others) + last + ")" * len(others)
-    return _theorem(name, [*point.steps(), f"exists {point.arguments.replace(' ', ', ')}.", f"exact ({proof})."])
+    return theorem(name, [*point.steps(), f"exists {point.arguments.replace(' ', ', ')}.", f"exact ({proof})."])
 
 
 class _CoqPoint:
@@ -198,11 +199,6 @@ def _lemma(kind: str) -> str:
 def _nested(size: int) -> str:
     """The pattern that tells so many places apart from all others."""
     return "?" if not size else f"[|{_nested(size - 1)}]"
-
-
-def _theorem(name: str, steps: list[str]) -> str:
-    lines = "\n".join(f"  {step}" for step in (f"unfold {name}.", *steps))
-    return f"Theorem {name}_holds : {name}.\nProof.\n{lines}\nQed.\n"
 
 
 def _quarters(turns: Fraction) -> str:

@@ -6,7 +6,7 @@ put in and matrices taken apart; then every entry is a combination of what vanis
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from chasles import vocabulary as w
@@ -21,24 +21,34 @@ from chasles.coq.statement import CoqStatement
 from chasles.statements import Problem
 from chasles.statements.spins import with_spins
 
-__all__ = ["proof_of"]
+__all__ = ["proof_of", "steps_of", "theorem"]
 
 
 def proof_of(name: str, said: CoqStatement, certificate: Mapping[str, Any]) -> str:
     """The theorem that a statement, written under its name, holds. Raises `Unsaid` where no proof is known."""
+    return theorem(name, steps_of(said, certificate))
+
+
+def theorem(name: str, steps: Iterable[str]) -> str:
+    """The theorem that what is defined under a name holds, by these steps."""
+    lines = "\n".join(f"  {step}" for step in (f"unfold {name}.", *steps))
+    return f"Theorem {name}_holds : {name}.\nProof.\n{lines}\nQed.\n"
+
+
+def steps_of(said: CoqStatement, certificate: Mapping[str, Any]) -> list[str]:
+    """The steps that show a statement."""
     if other := {"scalars", "words", "squares"} & certificate.keys():
         raise Unsaid(f"a certificate of {', '.join(sorted(other))}")
     try:
         problem = with_spins(said.problem) if certificate.get("spins") else said.problem
-        steps = "\n".join(f"  {step}" for step in _Proof(name, said, problem, certificate).steps())
+        return list(_Proof(said, problem, certificate).steps())
     except Rejected as error:
         raise Unsaid(str(error)) from error
-    return f"Theorem {name}_holds : {name}.\nProof.\n{steps}\nQed.\n"
 
 
 class _Proof:
-    def __init__(self, name: str, said: CoqStatement, problem: Problem, certificate: Mapping[str, Any]) -> None:
-        self.name, self.said = name, said
+    def __init__(self, said: CoqStatement, problem: Problem, certificate: Mapping[str, Any]) -> None:
+        self.said = said
         self.reading = ProofReading(problem, certificate["witness"], said.nodes)
         self.spell = Polynomials(said, self.reading)
         sources = self.reading.sources(_labels(certificate))
@@ -58,7 +68,8 @@ class _Proof:
     def steps(self) -> Iterator[str]:
         """All steps."""
         said = self.said
-        yield f"unfold {self.name}{', during' if said.timed else ''}."
+        if said.timed:
+            yield "unfold during."
         yield from self.instant.steps()
         yield from self._named_words()
         if premises := [*self.facts.names_of_words, *self.instant.premises]:

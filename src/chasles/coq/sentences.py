@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import groupby
 
 from chasles.coq.statement import CoqStatement, Premise
 
-__all__ = ["assumed", "failing", "holding", "satisfiable"]
+__all__ = ["assumed", "equations", "failing", "for_all", "holding", "satisfiable"]
 
 
 def holding(name: str, said: CoqStatement) -> str:
     """The definition of the statement, under its name."""
-    return f"Definition {name} : Prop :=\n{_for_all(said)}.\n"
+    return f"Definition {name} : Prop :=\n{for_all(said, equations(said))}.\n"
 
 
 def failing(name: str, said: CoqStatement) -> str:
     """The definition of its negation."""
-    return f"Definition {name} : Prop := ~ (\n{_for_all(said)}).\n"
+    return f"Definition {name} : Prop := ~ (\n{for_all(said, equations(said))}).\n"
 
 
 def satisfiable(name: str, said: CoqStatement) -> str:
@@ -25,9 +26,14 @@ def satisfiable(name: str, said: CoqStatement) -> str:
     return f"Definition {name} : Prop :=\n{bound}  " + " /\\\n  ".join(map(assumed, said.premises)) + ".\n"
 
 
-def _for_all(said: CoqStatement) -> str:
+def equations(said: CoqStatement) -> list[str]:
+    """What the goals say."""
+    return [said.spelling.equation(goal.left, goal.right) for goal in said.problem.goals]
+
+
+def for_all(said: CoqStatement, goals: Sequence[str]) -> str:
+    """The claim that these follow from the premises."""
     premises = [f"  {assumed(each)} ->" for each in said.premises]
-    goals = [said.spelling.equation(goal.left, goal.right) for goal in said.problem.goals]
     claim = f" /\\\n{'      ' if said.timed else '  '}".join(goals)
     claim = f"  during T (fun t =>\n      {claim})" if said.timed else f"  {claim}"
     bound = [f"  forall {_bound(said)},"] if said.binders else []

@@ -38,9 +38,9 @@ class Premise:
 class CoqStatement:
     """The statement of a problem. Raises `Unsaid` where the theories have no words for it."""
 
-    def __init__(self, problem: Problem) -> None:
+    def __init__(self, problem: Problem, like: CoqNames | None = None) -> None:
         self.problem = problem
-        self.names = CoqNames()
+        self.names = CoqNames(like)
         self.spelling = Spelling(self.names, self.applied)
         self.rules = {bare_rate(left): right for left, right in problem.rules}
         self.nodes = list(self._nodes())

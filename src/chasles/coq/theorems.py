@@ -5,17 +5,19 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 from chasles.coq.expressions import Unsaid
 from chasles.coq.misfits import misfit
 from chasles.coq.points import existence, refutation
 from chasles.coq.proof import proof_of
+from chasles.coq.quantifiers import cover_and_proof, theorem_and_proof
 from chasles.coq.sentences import failing, holding, satisfiable
 from chasles.coq.statement import CoqStatement
 from chasles.decisions.decision import HOW, Decision, Sentence, key_of
 from chasles.statements import Inverse, Problem, Statement, Theorem, problem_of
-from chasles.statements.inversion import problems_of_inverse
+from chasles.statements.inversion import COVER, problems_of_inverse
 from chasles.verdict import Contradictory, Fails, IllFormed, Verdict
 
 __all__ = ["Claimed", "claims_of"]
@@ -90,14 +92,18 @@ def _claims(decision: Decision, form: str, verdict: Verdict, sentence: Sentence,
         return
     elif isinstance(sentence, Inverse):
         for count, (says, problem) in enumerate(problems_of_inverse(sentence, decision.accepted)):
-            claim = Claimed(key, HOW[form], _fresh(f"{stem}_case_{count + 1}", taken), says, whole=False)
-            yield from _claimed(claim, problem, certificate["branches"][says])
+            claim = Claimed(key, HOW[form], _fresh(f"{stem}_case_{count + 1}", taken), says)
+            first, *others = _claimed(claim, problem, certificate["branches"][says])
+            if says == COVER:
+                first = _said_by(first, cover_and_proof, problem, certificate["branches"][says])
+            yield from (first, *others)
     else:
         problem = problem_of(sentence, "printed", decision.accepted)
-        whole = not isinstance(sentence, Theorem)
-        yield from _claimed(
-            Claimed(key, HOW[form], _fresh(stem, taken), sentence.says, whole=whole), problem, certificate
-        )
+        claim = Claimed(key, HOW[form], _fresh(stem, taken), sentence.says)
+        if isinstance(sentence, Theorem):
+            yield from _theorem(claim, sentence, problem, certificate)
+        else:
+            yield from _claimed(claim, problem, certificate)
 
 
 def _fault(verdict: Verdict) -> str:
@@ -111,6 +117,24 @@ def _claimed(claim: Claimed, problem: Problem, certificate: Mapping[str, Any]) -
     witness = _written(found, problem, satisfiable, lambda said: existence(found.name, said, certificate["witness"]))
     if witness.proof:
         yield witness
+
+
+def _theorem(claim: Claimed, sentence: Theorem, problem: Problem, certificate: Mapping[str, Any]) -> Iterator[Claimed]:
+    """What a theorem says; of forms for which there are no words, the equations."""
+    first, *others = _claimed(claim, problem, certificate)
+    yield _said_by(first, partial(theorem_and_proof, sentence=sentence), problem, certificate)
+    yield from others
+
+
+def _said_by(
+    claim: Claimed, says: Callable[..., tuple[str, str]], problem: Problem, certificate: Mapping[str, Any]
+) -> Claimed:
+    """A claim as it is said with its quantifiers; if there are no words for it, as its equations."""
+    try:
+        text, proof = says(claim.name, said=CoqStatement(problem), certificate=certificate)
+        return replace(claim, said=text, proof=proof, why_not="")
+    except Unsaid:
+        return replace(claim, whole=False)
 
 
 def _written(

@@ -27,3 +27,6 @@ Definition integrated {B : Type} (integral : (B -> R) -> R) {m n} (f : B -> M m 
 Definition differentiable_under {B : Type} (integral : (B -> R) -> R) : Prop :=
   forall (f g : B -> R -> R) t, (forall b, derivable_pt_lim (f b) t (g b t)) ->
   derivable_pt_lim (fun s => integral (fun b => f b s)) t (integral (fun b => g b t)).
+
+(* What theorems say. *)
+Definition least {A : Type} (f : A -> R) (value : R) (place : A) : Prop := f place = value /\ forall x, value <= f x.
