@@ -45,7 +45,7 @@ class Theorems:
             if witnesses := len(found) - len(accepted):
                 yield f"of {witnesses} of them also that there is what satisfies all that they assume"
             if parts := sum(not claim.whole for claim in accepted):
-                yield f"of {parts} of them, theorems and inverses, the equations, one by one"
+                yield f"of {parts} of them, theorems, the equations that prove them"
 
     @property
     def record(self) -> dict[str, Any]:
