@@ -29,7 +29,7 @@ from chasles.vocabulary import (
 )
 from chasles.vocabulary.families import Entry, Kronecker
 
-__all__ = ["WITHOUT_WORD", "atom_fits", "letter_fits"]
+__all__ = ["SIZE", "WITHOUT_WORD", "atom_fits", "letter_fits"]
 
 GROUPS = {"()": "()", "[]": "[]", r"\{\}": "{}"}
 SIZE = re.compile(r"(\d+)(?: \\times (\d+))?")

@@ -16,7 +16,7 @@ from chasles.reading.glyphs import Glyph, letter_in, letter_of, spelled
 from chasles.reading.grammar import Terms, formula, terms_in
 from chasles.reading.grouping import TYPEFACES, Unread
 from chasles.reading.letter_table import LetterTable
-from chasles.reading.marks import WITHOUT_WORD
+from chasles.reading.marks import SIZE, WITHOUT_WORD
 from chasles.reading.notation_file import load_notation
 from chasles.reading.page_notation import PageNotation
 from chasles.reading.printed import PrintedEquation
@@ -105,7 +105,11 @@ def _choose_kinds(uses: dict[Glyph, _Use], operators: PageNotation, equations: S
             best = sum(map(_is_well_formed, read))
             kinds = [(kind, ()) for kind in _kinds(stem, use)]
             wanted = dict.fromkeys(shape for each in read for shape in _shapes_wanted(each, use))
-            for kind, shape in (*kinds, *(("matrix", shape) for shape in wanted)) if best < len(tried) else ():
+            for kind, shape in (
+                (*kinds, *(("matrix", shape) if shape != (1, 1) else ("scalar", ()) for shape in wanted))
+                if best < len(tried)
+                else ()
+            ):
                 before = use.kind, use.shape
                 use.kind, use.shape = kind, shape
                 count = sum(map(_is_well_formed, _read(tried, uses, operators)))
@@ -191,15 +195,12 @@ def _note(terms: Terms | None, within: str, uses: dict[Glyph, _Use], usual: Page
 
 
 def _note_letter(letter: Glyph, around: set[str], uses: dict[Glyph, _Use], at: int) -> None:
-    is_bare = (
-        letter.base in BARE
-        and (letter.base != "e" or bool(letter.sups))
-        and not letter.sub
-        and not set(letter.accents) - {*RATES}
-    )
+    is_bare = letter.base in BARE and (letter.base != "e" or bool(letter.sups))
+    is_bare = is_bare and (not letter.sub or bool(SIZE.fullmatch(letter.sub))) and not {*letter.accents} - {*RATES}
     if is_bare or letter.base in NO_LETTERS or " , " in letter.base or letter.base.startswith(("[", "(", r"\begin")):
         return
-    scripts = {sup for sup in letter.sups if sup in (*TRANSPOSES, *INVERSES, "2", "3", r"\wedge", r"\vee")}
+    words = (*TRANSPOSES, *INVERSES, r"\wedge", r"\vee")
+    scripts = {sup for sup in letter.sups if sup in words or sup.isdigit()}
     accents = tuple(accent for accent in letter.accents if accent not in (*RATES, r"\tilde"))
     own = Glyph(letter.base, accents, letter.sub, letter.primes, tuple(set(letter.sups) - scripts), letter.before)
     stem = replace(own, sub="")
