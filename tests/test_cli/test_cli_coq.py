@@ -20,6 +20,7 @@ from chasles.coq.proof import proof_of
 from chasles.coq.sentences import failing, holding
 from chasles.coq.statement import CoqStatement
 from chasles.coq.theorems import Claimed, claims_of
+from chasles.decisions.session import Session
 from chasles.statements import Inverse, Problem, Theorem, load, problem_of
 from chasles.statements.problem import Goal
 from chasles.verdict import Fails
@@ -209,6 +210,20 @@ def test_a_certificate_of_another_statement_makes_no_proof() -> None:
         for mutant in mutants(problem):
             with pytest.raises(Unsaid):
                 proof_of("mutant", CoqStatement(mutant), certificate)
+
+
+def test_what_there_are_no_words_for_gets_a_reason() -> None:
+    session = Session(book=load("chasles.rotations"))
+    for entry in session._chapter.select(("1.42", "10.40")):  # type: ignore[union-attr]
+        decision = session.decide(entry.statement)
+        assert decision.verdict.true
+        assert [(bool(claim.proof), bool(claim.why_not)) for claim in claims_of([decision])] == [(False, True)]
+        problem = problem_of(decision.statement, "printed", decision.accepted)  # type: ignore[arg-type]
+        for mutant in mutants(problem):
+            verdict = session.verdict_on(mutant)
+            if isinstance(verdict, Fails):
+                with pytest.raises(Unsaid):
+                    refutation("mutant", CoqStatement(mutant), verdict.counterexample)
 
 
 def test_files_name_each_other() -> None:

@@ -113,6 +113,8 @@ def _fault(verdict: Verdict) -> str:
 def _claimed(claim: Claimed, problem: Problem, certificate: Mapping[str, Any]) -> Iterator[Claimed]:
     """The statement, and that there is what satisfies all that it assumes."""
     yield _written(claim, problem, holding, lambda said: proof_of(claim.name, said, certificate))
+    if "witness" not in certificate:  # of scalars or matrices of any size, which Coq is not told of
+        return
     found = replace(claim, name=f"{claim.name}_assumes", form=f"what it assumes, {claim.form}", is_witness=True)
     witness = _written(found, problem, satisfiable, lambda said: existence(found.name, said, certificate["witness"]))
     if witness.proof:

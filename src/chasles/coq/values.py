@@ -31,7 +31,10 @@ class PointValues:
     def __init__(self, said: CoqStatement, at: Mapping[str, Any], at_rest: bool = False) -> None:
         if said.integrals:
             raise Unsaid("a point with a body")
-        self.reading = reading = Reading(said.problem, at)
+        try:
+            self.reading = reading = Reading(said.problem, at)
+        except Rejected as reason:
+            raise Unsaid(str(reason)) from reason
         self.nodes: dict[str, w.Node] = {name: node for node, name in said.names.symbols.items()}
         self.nodes |= {name: node for node, name in said.names.rates.items()}
         words = (node for node in said.nodes if isinstance(node, w.Call | w.Norm))
