@@ -126,7 +126,8 @@ def test_functions_are_within_what_error_bounds_suppose(name):
     points = np.concatenate([draw.uniform(low, high, 50_000), low + (high - low) * draw.uniform(0, 1, 20_000) ** 8])
     for kind, wider in ((np.float64, np.longdouble), (np.float32, np.float64)):
         given = points.astype(kind)
-        wanted = function(given.astype(wider))
+        with np.errstate(all="ignore"):
+            wanted = function(given.astype(wider))
         plain = np.isfinite(wanted) & (abs(wanted) > np.finfo(kind).tiny)
         unit = np.spacing(abs(wanted[plain]).astype(kind)).astype(wider)
         for way, in_numpy in ((kernel, False), (kernel.array_api, True)):

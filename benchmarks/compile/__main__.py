@@ -34,7 +34,7 @@ BATCH = 10_000
 POINTS = 12
 DIGITS = 50
 PATIENCE = 300.0
-"""Seconds after which chasles is given up in a new process."""
+"""Seconds after which a tool is given up in a new process."""
 LONG = 60.0
 """A peer that took so many seconds is not asked for what is larger."""
 SIZES = (1, 2, 4, 8, 16, 36, 70, 180, 350, 700, 1050)
@@ -94,8 +94,10 @@ def measured(model: Model, modules: Mapping[str, Any], rounds: int) -> dict[str,
             making["backend"] = kernel.backend
     for name, module in modules.items():
         row["tools"][name] = tool = {}
+        with tempfile.TemporaryDirectory() as room:
+            tool["cold"] = in_new_process(model, room, PATIENCE, name)
         try:
-            made, tool["cold"] = timed(lambda module=module: module.make([formula])["model"])
+            made = module.make([formula])["model"]
         except Exception as failure:
             tool["cold"] = f"{type(failure).__name__}: {failure}"[:200]
             continue

@@ -1,19 +1,22 @@
-"""Seconds that `chasles.compile` takes in a new process; run by the benchmark, with a pickled model.
+"""Seconds that a tool takes in a new process; run by the benchmark, with a pickled model and the tool's name.
 
-Processor time, of the compiler too, in all of its threads and processes.
+Processor time, of the compiler too, in all of its threads and processes, and of what the tool imports besides SymPy.
 """
 
 from __future__ import annotations
 
+import logging
 import os
 import pickle
 import subprocess
 import sys
 from collections.abc import Callable
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 import sympy as sp
+from benchmarks.compile.formula import Formula
 from benchmarks.compile.models import Model
 
 __all__ = ["compiled", "in_new_process", "timed"]
@@ -40,12 +43,12 @@ def compiled(model: Model) -> Any:
     return chasles.compile(sp.Matrix(model.entries), inputs, name="model")
 
 
-def in_new_process(model: Model, cache: str, limit: float) -> float | str:
-    """Seconds in a new process with this cache; the last line of what it says where it fails."""
+def in_new_process(model: Model, cache: str, limit: float, tool: str = "chasles") -> float | str:
+    """Seconds of a tool in a new process with this cache; the last line of what it says where it fails."""
     held = Path(cache) / "model.pickle"
     held.parent.mkdir(parents=True, exist_ok=True)
     held.write_bytes(pickle.dumps(model))
-    command = [sys.executable, "-m", "benchmarks.compile.making", str(held)]
+    command = [sys.executable, "-m", "benchmarks.compile.making", str(held), tool]
     try:
         done = subprocess.run(
             command,
@@ -64,4 +67,11 @@ if __name__ == "__main__":
     sys.setrecursionlimit(100_000)
     held = pickle.loads(Path(sys.argv[1]).read_bytes())
 
-    print(timed(lambda: compiled(held))[1])
+    def made() -> object:
+        """The tool's kernel, with what it imports."""
+        if sys.argv[2] == "chasles":
+            return compiled(held)
+        return import_module(f"benchmarks.peers.{sys.argv[2]}").make([Formula(held)])
+
+    logging.disable(logging.WARNING)
+    print(timed(made)[1])

@@ -20,10 +20,11 @@ HEAD = """# Expressions compiled
 
 `python -m benchmarks.compile [MODELS] [--curve] [--methods]` measures and rewrites this page and
 `../evidence/compile.json`; the models are in `models.py`. Each peer gets the same expression in its own words; what
-it writes is compiled with `-O3 -march=native` and bound as a generalised ufunc. Making is processor time from the
-expression to the kernel, of the C compiler too, in all threads; chasles' is taken in a new process, cold with an
-empty cache and warm with the cache that the first one left. A peer whose files are kept by hand starts warm in no
-time. A batch has 10,000 elements, with `out=`; times of calls are medians of interleaved rounds, in processor time.
+it writes is compiled with `-O3 -march=native` and bound as a generalised ufunc. Making is processor time in a new
+process that has SymPy and the expression, from there to the kernel: of what the tool imports, and of the C compiler
+too, in all threads; chasles' cold with an empty cache and warm with the cache that the first process left. A peer whose
+files are kept by hand starts warm in no time.
+A batch has 10,000 elements, with `out=`; times of calls are medians of interleaved rounds, in processor time.
 Errors are the largest at 12 points, against {digits} digits, in 2^-53 of the largest entry. The best peer is that of
 those that compile, lambdify left out. Bold is what is not as it should be: more than twice the making of the best
 peer, or slower than it.
