@@ -146,10 +146,13 @@ class _Scaling:
 
     def _over_scale(self, number: int) -> int:
         """The number over the scale; by one that is mostly 1 it is divided once, and its reciprocal multiplied by."""
-        build = self._build
         if not self._divisor.constants:
-            return build.divide(number, self._scale)
-        return build.multiply(build.divide(build.one, self._scale), number)
+            return self._build.divide(number, self._scale)
+        return self._build.multiply(self._inverse, number)
+
+    @property
+    def _inverse(self) -> int:
+        return self._build.divide(self._build.one, self._scale)
 
     def _place_all(self, number: int) -> None:
         """Place a step before its turn, with all that it needs."""
@@ -168,7 +171,12 @@ class _Scaling:
         if number not in self._place:
             power, held = self._forms[number]
             for _ in range(abs(power)):
-                held = self._build.multiply(self._scale, held) if power > 0 else self._over_scale(held)
+                if power > 0:
+                    held = self._build.multiply(self._scale, held)
+                elif self._among_others:
+                    held = self._build.multiply(self._inverse, held)
+                else:
+                    held = self._build.divide(held, self._scale)
             self._place[number] = held
         return self._place[number]
 
