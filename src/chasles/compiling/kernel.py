@@ -36,6 +36,8 @@ MANY_SINGLES = 2**20
 class CompiledKernel(Displayed):
     """A function of arrays: core axes come last, batch axes before them broadcast; float32 stays float32.
 
+    The first million results in float32 are rounded from double; then single precision is compiled, too.
+
     Attributes:
         name: what it is called.
         signature: its core shapes, as NumPy writes them.
