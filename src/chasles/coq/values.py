@@ -11,6 +11,7 @@ from chasles import vocabulary as w
 from chasles.checker.reading import Reading
 from chasles.checker.refutation import Value, bound_in, completed, quotient_at
 from chasles.checker.sparse import Polynomial, Rejected, variable
+from chasles.checker.witness import value_at
 from chasles.coq.expressions import Unsaid
 from chasles.coq.functions import Function, MotionThrough
 from chasles.coq.polynomials import literal, multiple, spelled
@@ -54,6 +55,9 @@ class PointValues:
         self.motion = MotionThrough(reading, self.point)
         if at_rest and any(self.motion(entry) for node in said.names.rates for row in reading(node) for entry in row):
             raise Unsaid("a point through which something moves")
+        stated = (each for each in reading.vanishing.values() if each.places <= self.point.keys())
+        if at_rest and any(value_at(each, self.point) for each in stated):
+            raise Unsaid("a point at which something is determined by what moves")
 
     def _is_rate(self, place: int) -> bool:
         what = self.reading.variables[place]
