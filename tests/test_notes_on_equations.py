@@ -68,6 +68,10 @@ def test_what_nothing_satisfies_proves_nothing() -> None:
     assert verdicts(r"'4' = { given = ['x = 1', 'x = 0'] }")["4"] in ("open", "contradictory")
 
 
+def test_a_law_on_no_letter_is_one_that_nothing_satisfies() -> None:
+    assert verdicts("'1' = { role = 'law' }", "$$2 + 2 = 5 \\quad (1)$$")["1"] in ("contradictory", "undecided")
+
+
 def test_a_person_says_what_is_defined() -> None:
     page = r"""$$a = b \quad (1)$$ $$b \times a = 0 \quad (2)$$"""
     for letter in ("a", "b"):

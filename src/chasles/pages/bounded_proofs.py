@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 
+from chasles.algebra.work_limit import OutOfTime, within
 from chasles.checker.any_size.at_sizes import sizes_in
 from chasles.deciding import decided
 from chasles.decisions.kept_answers import verdict_stands
@@ -17,14 +18,14 @@ from chasles.points.sampling import Point
 from chasles.problems.context import Context
 from chasles.prover.conditions import Solved
 from chasles.prover.counterexample import UnprovedPart
-from chasles.prover.decide import decide_problem
+from chasles.prover.decide import decide_problem, pose
 from chasles.prover.sources import DeclaredPoints
 from chasles.statements import Claim, Hypothesis, Problem, problem_of
 from chasles.statements.spins import with_spins
 from chasles.verdict import Contradictory, Counterexample, Fails, Holds, HoldsUnder, Undecided, Verdict
 from chasles.vocabulary import Misfit
 
-__all__ = ["proof_of", "verdict_on"]
+__all__ = ["posed_on", "proof_of", "verdict_on"]
 
 MOST_TERMS = 500
 """Points are not drawn where hypotheses and sides have more terms than this: each point takes too long."""
@@ -34,10 +35,14 @@ class _Unproved(Exception):
     """An entry does not vanish, or is not seen to."""
 
 
+ATTEMPTS = 24
+"""So often a point is drawn."""
+
+
 class _FewTerms(DeclaredPoints):
     """Points, for what is not long."""
 
-    attempts = 24
+    attempts = ATTEMPTS
 
     def likely_vanish(self, context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnprovedPart]) -> bool:
         _require_few_terms(context, suspects)
@@ -89,6 +94,15 @@ def proof_of(claim: Claim, session: Session) -> Verdict | None:
 def verdict_on(claim: Claim, session: Session) -> Verdict:
     """The verdict on a claim under its premises; undecided where that takes too long."""
     return _answer(claim, session, FEW_TERMS)
+
+
+def posed_on(claim: Claim, session: Session) -> Verdict:
+    """The verdict on what is assumed: posed where a point satisfies it; undecided where that takes too long."""
+    try:
+        with within(session.budget):
+            return pose(problem_of(claim, "printed", session.accepted), ATTEMPTS)
+    except (Misfit, TypeError, OutOfTime) as error:
+        return Undecided(str(error))
 
 
 def _answer(claim: Claim, session: Session, source: DeclaredPoints) -> Verdict:

@@ -22,7 +22,7 @@ from dataclasses import replace as with_fields
 
 from chasles.decisions.session import Session
 from chasles.pages.attempts import attempts, named, with_everything, with_premises
-from chasles.pages.bounded_proofs import proof_of, verdict_on
+from chasles.pages.bounded_proofs import posed_on, proof_of, verdict_on
 from chasles.pages.facts import divisors
 from chasles.pages.finding import PageFinding
 from chasles.pages.named_hypotheses import as_hypothesis
@@ -37,11 +37,10 @@ from chasles.pages.premises import (
     quantity,
 )
 from chasles.pages.refutation import refuted
-from chasles.prover.decide import pose
 from chasles.reading.reading import Part, Reading
-from chasles.statements import Claim, Definition, Statement, problem_of
+from chasles.statements import Claim, Definition, Statement
 from chasles.verdict import Contradictory, Defined, Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
-from chasles.vocabulary import Misfit, Node, plain
+from chasles.vocabulary import Node, plain
 from chasles.vocabulary.families import indices_of
 
 __all__ = ["Deduction"]
@@ -199,15 +198,17 @@ class Deduction:
         return PageFinding("condition", verdict, claim, open=is_open)
 
     def _satisfied(self, claim: Claim) -> Verdict:
-        """The verdict on a condition: posed if a point satisfies it with all that the page has said of its symbols."""
-        said = as_hypothesis(f"({claim.number})", *claim.printed, self.session)
-        known = with_everything(claim, self.premises, 0)
-        try:
-            return pose(
-                problem_of(with_fields(known, assuming=(*known.assuming, said)), "printed", self.session.accepted)
-            )
-        except (Misfit, TypeError) as error:
-            return Undecided(str(error))
+        """The verdict on a condition: posed if a point satisfies it with all that the page has said of its symbols.
+
+        Where that takes too long, with what the notation says of them.
+        """
+        said = as_hypothesis(named(claim), *claim.printed, self.session)
+        verdict: Verdict = Undecided("no point was looked for")
+        for known in (with_everything(claim, self.premises, 0), with_premises(claim, self.premises, {}, ())):
+            verdict = posed_on(with_fields(known, assuming=(*known.assuming, said)), self.session)
+            if not isinstance(verdict, Undecided):
+                break
+        return verdict
 
     def _proof(self, claim: Claim) -> PageFinding | None:
         """The finding on a claim that follows from what the page has said; None for any other."""

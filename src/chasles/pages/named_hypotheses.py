@@ -40,8 +40,9 @@ def _candidates(symbols: Sequence[Symbol]) -> Iterator[Hypothesis]:
             for order in permutations(symbols):
                 with suppress(Misfit, TypeError):
                     yield kind(*order)
-    with suppress(Misfit, TypeError):
-        yield unit_column(*symbols)
+    if symbols:
+        with suppress(Misfit, TypeError):
+            yield unit_column(*symbols)
 
 
 def _is_same(one: tuple[Node, Node], other: tuple[Node, Node], session: Session) -> bool:

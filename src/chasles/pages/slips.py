@@ -11,6 +11,7 @@ from dataclasses import replace as with_fields
 from fractions import Fraction
 from itertools import islice
 
+from chasles.algebra.work_limit import OutOfTime, within
 from chasles.decisions.session import Session
 from chasles.pages.bounded_proofs import proof_of
 from chasles.pages.edited_marks import one_mark_away
@@ -54,11 +55,17 @@ def true_but_for_a_slip(
 def _likely(
     claim: Claim, edits: Iterable[tuple[Node, Node, str]], session: Session
 ) -> Iterator[tuple[Node, Node, str]]:
-    """The edits that agree at random points where the premises hold; all of them where there are no such points."""
+    """The edits that agree at random points where the premises hold; all of them where there are no such points.
+
+    None where it takes too long to write the premises out.
+    """
     try:
-        test = modular_test(claim, *claim.printed, session.accepted)
+        with within(EFFORT):
+            test = modular_test(claim, *claim.printed, session.accepted)
     except REFUSED:
         test = None
+    except OutOfTime:
+        return
     for left, right, said in edits:
         try:
             if test is None or not any(test.residual_of(test.varied, left, right)):

@@ -112,15 +112,15 @@ def determining(problem: Problem, symbols: tuple[Symbol, ...]) -> Problem:
     return replace(problem, goals=(), conditions=conditions, unknowns=(*problem.unknowns, *symbols))
 
 
-def pose(problem: Problem) -> Verdict:
-    """A condition, with a point that satisfies it together with the hypotheses."""
+def pose(problem: Problem, attempts: int = points.ATTEMPTS) -> Verdict:
+    """A condition, with a point that satisfies it together with the hypotheses; one is drawn in so many attempts."""
     if sizes_in(problem):
         from chasles.prover.symbolic import pose_at_sizes  # few chapters have letters for sizes
 
         return pose_at_sizes(problem)
     try:
         context = build(problem)
-        witness = satisfying_point(context, islice(points.sample(context, {}), SAMPLES))
+        witness = satisfying_point(context, islice(points.sample(context, {}, attempts=attempts), SAMPLES))
     except Untreatable as error:
         return Undecided(str(error))
     if witness is None:
