@@ -46,8 +46,8 @@ INTRODUCTION = """# Benchmarks
 - `cost.py`: what an operation takes here, and what the cost model says; its figures are in `evidence/cost.json`.
 - `errors.py`: the largest errors found beside what is proved (`ERRORS.md`), and over the angle; run by itself.
 - `identities/`: identities of SymPy's test suite and of textbooks, asked of `prove`; run by itself.
-- `reading/`: excerpts of pages by others, read with a notation by hand and with the one that is proposed, decided, and with
-  slips planted in them; run by itself.
+- `reading/`: excerpts of pages by others, read with a notation by hand and with the one that is proposed, decided, and
+  with slips planted in them; run by itself.
 - `adversarial/`: a million inputs that are apt to break a kernel, every result of every build decided; run by itself.
 
 Every peer is given the formula as the book prints it (`formulas.py`; `peers/` says how). Generated C and C++ is
