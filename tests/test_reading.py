@@ -6,6 +6,7 @@ import tomllib
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import fields
+from fractions import Fraction
 from functools import cache
 from importlib import import_module
 from pathlib import Path
@@ -31,6 +32,7 @@ from chasles.vocabulary import (
     Identity,
     Node,
     Number,
+    Rate,
     Scale,
     Sum,
     Symbol,
@@ -55,7 +57,7 @@ def of_the_book() -> dict[str, ReadEquation]:
 
 
 def ungrouped(node: Node) -> Any:
-    """Nested tuples: factors in order, however a product is grouped, and without needless brackets."""
+    """Nested tuples: factors in order, however a product is grouped, without needless brackets, numbers as printed."""
     if isinstance(node, Group) and not node.frame:
         return ungrouped(node.of)
     if isinstance(node, Scale | Contract):
@@ -67,6 +69,13 @@ def ungrouped(node: Node) -> Any:
         return ("product", *flat)
     if isinstance(node, Symbol):
         return node
+    if isinstance(node, Number) and node.value < 0:
+        return "Negative", ungrouped(Number(-node.value))
+    if isinstance(node, Number) and node.value.denominator != 1:
+        parts = (Number(Fraction(part)) for part in (node.value.numerator, node.value.denominator))
+        return ("Quotient", *map(ungrouped, parts), "True")
+    if isinstance(node, Rate) and isinstance(node.of, At):
+        return ungrouped(At(Rate(node.of.of), node.of.argument))
     if isinstance(node, Zero | Number) and node in (Zero(1, 1), Number(0)):  # type: ignore[arg-type]
         return "0"
     if isinstance(node, Zero | Identity):

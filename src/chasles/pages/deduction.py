@@ -36,11 +36,11 @@ from chasles.pages.premises import (
     quantities,
     quantity,
 )
-from chasles.pages.refutation import refuted
+from chasles.pages.refutation import expanded, refuted
 from chasles.reading.reading import Part, Reading
 from chasles.statements import Claim, Definition, Statement
 from chasles.verdict import Contradictory, Defined, Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
-from chasles.vocabulary import Node, plain
+from chasles.vocabulary import Node, plain, walk
 from chasles.vocabulary.families import indices_of
 
 __all__ = ["Deduction"]
@@ -116,6 +116,8 @@ class Deduction:
             return PageFinding("claim", Undecided(f"relations such as {claim.sign} are not decided"), claim, open=True)
         if claim.fault:
             return PageFinding("claim", IllFormed(claim.fault), claim)
+        if any(part.expands for side in claim.printed for part in walk(side)):
+            return expanded(claim, self.premises, self.session)
         if role in ("condition", "law"):
             return self._posed(claim, False, self._satisfied(claim))
         if note.given is not None and role != "definition":

@@ -11,6 +11,7 @@ from types import ModuleType
 from typing import Any
 
 from chasles.display import Displayed
+from chasles.pages.chapter_notation import notation_of_chapter
 from chasles.pages.deduction import Deduction
 from chasles.pages.facts import facts_of, kind_in_meaning
 from chasles.pages.finding import PageFinding
@@ -127,12 +128,12 @@ class Page(Displayed):
         return Chapter(self.file or "page", tuple(entries), "")
 
 
-def read(text: str, notation: str | Path | ModuleType | Mapping[str, Any], kind: Kind | None = None) -> Page:
+def read(text: str, notation: str | Path | ModuleType | Chapter | Mapping[str, Any], kind: Kind | None = None) -> Page:
     """The equations of a page, or one equation alone, decided.
 
     Args:
         text: a page in LaTeX, Markdown or reStructuredText, or one equation in LaTeX.
-        notation: what its letters are: a TOML file, its text or tables, or a Python module.
+        notation: what its letters are: a TOML file, its text or tables, a Python module, or a chapter.
         kind: "tex", "md", "rst" or "equation"; without it, as the text looks.
 
     Raises:
@@ -142,7 +143,8 @@ def read(text: str, notation: str | Path | ModuleType | Mapping[str, Any], kind:
     looks: Kind = "rst" if ".. math::" in text else "md" if any(sign in text for sign in DISPLAYS) else "equation"
     if kind is None and "\\begin{document}" in text:
         kind = "tex"
-    return read_page(displayed(text, kind or looks), load_notation(notation))
+    known = notation_of_chapter(notation) if isinstance(notation, Chapter) else load_notation(notation)
+    return read_page(displayed(text, kind or looks), known)
 
 
 def read_page(printed: tuple[PrintedEquation, ...], notation: PageNotation, file: str = "") -> Page:

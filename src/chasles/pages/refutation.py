@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace as with_fields
+
 from chasles.decisions.session import Session
 from chasles.pages.attempts import MOST_POSED, sides_of, with_everything, with_premises
 from chasles.pages.bounded_proofs import verdict_on
@@ -13,8 +15,26 @@ from chasles.reading.fits import OF_ITS_OWN
 from chasles.repairs.repair import Repair
 from chasles.statements import Claim
 from chasles.verdict import Fails, Verdict
+from chasles.vocabulary import walk
+from chasles.vocabulary.expansions import Limit, UpTo
 
-__all__ = ["refuted"]
+__all__ = ["expanded", "refuted"]
+
+
+def expanded(claim: Claim, premises: Premises, session: Session) -> PageFinding:
+    """The finding on an expansion or a limit, which rests on definitions alone and is no premise of anything.
+
+    It fails only where no letter stands in it but what goes to zero: any other may go with that.
+    """
+    left, right = claim.printed
+    if isinstance(right, Limit) and not left.expands:
+        claim = with_fields(claim, left=right, right=left)
+    rules = chosen_rules(claim.printed, premises.defined())
+    attempt = with_premises(claim, premises, rules, ())
+    verdict = verdict_on(attempt, session)
+    small = {part.small for side in claim.printed for part in walk(side) if isinstance(part, UpTo | Limit)}
+    is_alone = all(symbol in small for symbol, _ in free_quantities(claim.printed, rules))
+    return PageFinding("claim", verdict, attempt, open=not (verdict.true or (isinstance(verdict, Fails) and is_alone)))
 
 
 def refuted(claim: Claim, premises: Premises, session: Session, told: bool) -> PageFinding:

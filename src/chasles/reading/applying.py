@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import product
 
@@ -25,6 +26,7 @@ OF_MATRICES = ("exp", "log", "sqrt")
 """What is of numbers alone here, but has a meaning for matrices, too."""
 BACKSLASH = "\\"
 
+EXPONENT = re.compile(r"- \S+|\S+")
 PLACES = {"x": 1, "y": 2, "z": 3}
 
 
@@ -49,7 +51,7 @@ def _raised(fits: list[Fit], sup: str, rest: Glyph, ctx: FittingContext) -> list
         makes: tuple[Make, ...] = (lambda of: Power(of, int(words)),)
     else:
         makes = tuple(ctx.notation.spellings.scripts.get(words, ()))
-    if not makes and " " in words and (parts := words.split()):
+    if not makes and len(parts := EXPONENT.findall(words)) > 1:
         for word in parts:
             fits = _raised(fits, word, Glyph("", sups=(word,), place=rest.place), ctx)
         return fits
@@ -57,9 +59,10 @@ def _raised(fits: list[Fit], sup: str, rest: Glyph, ctx: FittingContext) -> list
 
 
 def applied(makes: Sequence[Make], fits: list[Fit], ctx: FittingContext, rest: Glyph, mark: str) -> list[Fit]:
-    """Each of the words made of each reading, as far as it fits."""
-    found = []
-    for make, fit in product(makes, fits):
+    """Each of the words made of each reading, as far as it fits; the first of them is the usual one."""
+    found: list[Fit] = []
+    spelled: set[int] = set()
+    for make, (place, fit) in product(makes, enumerate(fits)):
         if fit.node is None and mark.startswith("^"):
             found.append(_applied_to_sized(make, fit, mark, ctx))
         elif fit.node is None:
@@ -69,7 +72,8 @@ def applied(makes: Sequence[Make], fits: list[Fit], ctx: FittingContext, rest: G
             inner, _ = ctx.inside(fit, Precedence.ATOM)
             node = made(make, inner, tolerant=ctx.tolerant)
             if node is not None:
-                found.append(Fit(node, ctx.said(node), fit.cost))
+                found.append(Fit(node, ctx.said(node), fit.cost + (place in spelled)))
+                spelled.add(place)
     if not makes:
         ctx.note(f"{mark} has no meaning in the notation", rest.place)
     return found

@@ -23,7 +23,7 @@ from chasles.reading.reading import Part, ReadEquation, Reading
 from chasles.reading.settling import settled
 from chasles.reading.sums import sum_fits
 from chasles.reading.tokens import BadPage, Token, tokens
-from chasles.vocabulary import Misfit, Node, Symbol, symbols_of
+from chasles.vocabulary import Misfit, Node, Rate, Symbol, symbols_of, walk
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.measure import added
 
@@ -201,19 +201,21 @@ def _readings(chains: list[PrintedChain], ctx: FittingContext) -> list[Reading]:
             continue
         partial = [(cost + more, (*parts, *new), given) for cost, parts, given in partial for more, new in found]
         partial = sorted(partial, key=lambda each: each[0])[: MOST * 2]
-    weighed = sorted(((cost + 5 * _inconsistent(parts), parts, given) for cost, parts, given in partial),
+    weighed = sorted(((cost + _unusual(parts), parts, given) for cost, parts, given in partial),
                      key=lambda each: each[0])  # fmt: skip
     return [Reading(parts, given) for cost, parts, given in weighed if cost < weighed[0][0] + UNUSUAL][:MOST_READINGS]
 
 
-def _inconsistent(parts: tuple[Part, ...]) -> int:
-    """How many letters stand for two quantities."""
+def _unusual(parts: tuple[Part, ...]) -> int:
+    """What a reading costs in which letters stand for two quantities, or rates are taken of what is constant."""
     letters: dict[str, set[Symbol]] = {}
-    for part in parts:
-        for side in (part.left, part.right):
-            for symbol in symbols_of(side):
-                letters.setdefault(symbol.letter, set()).add(symbol)
-    return sum(len(symbols) - 1 for symbols in letters.values())
+    constant = 0
+    for node in (node for part in parts for side in (part.left, part.right) for node in walk(side)):
+        if isinstance(node, Symbol):
+            letters.setdefault(node.letter, set()).add(node)
+        elif isinstance(node, Rate):
+            constant += all(symbol.constant for symbol in symbols_of(node))
+    return 5 * sum(len(symbols) - 1 for symbols in letters.values()) + 3 * bool(constant)
 
 
 def _chain(said: PrintedChain, ctx: FittingContext) -> list[tuple[int, tuple[Part, ...]]]:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import Any
 
-from chasles.reading.glyphs import Glyph, spelled
+from chasles.reading.glyphs import Glyph, letter_in, spelled
 from chasles.vocabulary import PI, Node, Symbol
 
 __all__ = ["BadNotation", "LetterTable", "Meaning"]
@@ -39,6 +39,12 @@ class LetterTable:
         """The letters of this table, and those of another that this one does not have."""
         self.behind, self.names = other, self.names | other.names
         return self
+
+    def declare(self, node: Node, text: str) -> None:
+        """Let the letter that the text writes stand for the node."""
+        letter = letter_in(text)
+        if letter is not None:
+            self.add(letter, lambda _: node)
 
     def add(self, letter: Glyph, meaning: Meaning, said: str = "") -> None:
         """Say what a letter means, beside what it may mean already; `said` is how a file writes it."""

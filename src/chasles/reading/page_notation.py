@@ -46,7 +46,8 @@ from chasles.vocabulary.notation import BOOK, Notation
 from chasles.vocabulary.quaternions import QuaternionConjugate
 from chasles.vocabulary.spelling import FUNCTIONS
 
-__all__ = ["CONVENTIONS", "PageNotation", "in_module", "known_words", "repeated_rate", "usual_spellings"]
+__all__ = ["CONVENTIONS", "PageNotation", "declared_in", "in_module", "known_words", "repeated_rate",
+           "usual_spellings"]  # fmt: skip
 
 CONVENTIONS = ("scalar_last", "linear_first")
 
@@ -88,9 +89,7 @@ class PageNotation:
 
     def declare(self, node: Node, text: str) -> None:
         """Let the letter stand for the node."""
-        letter = letter_in(text)
-        if letter is not None:
-            self.letters.add(letter, lambda _: node)
+        self.letters.declare(node, text)
         for extent in node.shape:
             if isinstance(extent, int):
                 self.sizes.add(extent)
@@ -173,28 +172,32 @@ def usual_spellings(notation: PageNotation) -> None:
     spellings.add(r"# \times #", _number_times)
     for _, word in known_words():
         called = getattr(word, "function", None)
-        if isinstance(called, str) and called.isalpha() and len(node_fields(cast(Any, word))) == 1:
-            spellings.add(rf"\operatorname{{{called}}}(#)", word)
+        if isinstance(called, str) and len(node_fields(cast(Any, word))) == 1:
+            stem, _, mark = called.partition("_")
+            spellings.add(rf"\operatorname{{{stem}}}_{{{mark}}}(#)" if mark else rf"\operatorname{{{stem}}}(#)", word)
     notation.declare(PI, PI.letter)
 
 
 def in_module(module: ModuleType) -> PageNotation:
     """The notation of a Python module: its symbols, and the spellings that its `NOTATION`, or its chapter's, says."""
+    return declared_in(module.__name__, vars(module).values())
+
+
+def declared_in(module: str, values: Iterable[Any]) -> PageNotation:
+    """The notation of what a Python module, by its name, declares, in the forms that it or its chapter prints."""
     notation = PageNotation()
-    usual_spellings(notation)
-    around = module.__name__
+    around = module
     while around and notation.forms is BOOK:
         found = getattr(sys.modules.get(around), "NOTATION", None)
         notation.forms = found if isinstance(found, Notation) else BOOK
         around = around.rpartition(".")[0]
-    declared = list(dict.fromkeys(id(value) for value in vars(module).values()))
-    values = {id(value): value for value in vars(module).values()}
-    nodes = [values[each] for each in declared]
+    nodes = list({id(value): value for value in values}.values())
     makers = _makers(nodes)
     for word, form in notation.forms.all_forms.items():
         make = makers.get(word) or (lambda *of, word=word: word(*of) if callable(word) else Call(word, *of))
         if form_has_place(form):
             notation.spellings.add(form, make)
+    usual_spellings(notation)
     for value in nodes:
         if isinstance(value, Symbol | Identity | Zero):
             notation.declare(value, value.letter)
@@ -233,9 +236,9 @@ def _makers(values: Iterable[Any]) -> dict[Any, Make]:
     symbols = {value.shape: value for value in reversed(values) if isinstance(value, Symbol)}
     found: dict[Any, Make] = {}
     for value in values:
-        if not inspect.isfunction(value) or not (hints := get_type_hints(value)).pop("return", None):
-            continue
-        if not hints or any(hint is not Node for hint in hints.values()):
+        hints = get_type_hints(value) if inspect.isfunction(value) else {}
+        result = hints.pop("return", None)
+        if not (inspect.isclass(result) and issubclass(result, Node)) or {*hints.values()} != {Node}:
             continue
         for symbol in symbols.values():
             node = made(value, *[symbol] * len(hints))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from chasles.reading.context import FittingContext
+from chasles.reading.expanding import order_of, up_to_order
 from chasles.reading.fits import MOST, Fit, Shape, kept, made, own_quantity
 from chasles.reading.glyphs import in_latex, text_of
 from chasles.reading.grammar import Terms
@@ -24,6 +25,8 @@ def sum_fits(terms: Terms, ctx: FittingContext) -> list[Fit]:
         raise Unread(f"a sum of more than {MOST_TERMS} terms: write it as several")
     if EITHER.intersection(terms.signs):
         return _either(terms, ctx)
+    if len(terms.rows) > 1 and terms.signs[-1] == "+" and (order := order_of(terms.rows[-1], ctx)):
+        return up_to_order(sum_fits(Terms(terms.signs[:-1], terms.rows[:-1]), ctx), order, ctx)
     problems = len(ctx.problems)
     rows = [row_fits(row, ctx) for row in terms.rows]
     if not all(rows):

@@ -1,10 +1,11 @@
-"""Sums over what is no numbers, and integrals: quantities of their own, as print has them."""
+"""Sums over what is no numbers, and integrals: quantities of their own, as print has them; some limits are words."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
 from chasles.reading.context import FittingContext
+from chasles.reading.expanding import limits
 from chasles.reading.fits import Fit, own_quantity
 from chasles.reading.glyphs import in_latex, letter_of, said_of, text_of_atom
 from chasles.reading.grammar import Atom
@@ -32,6 +33,8 @@ def totals(sign: Atom, inside: Pieces, read: Callable[[Pieces], list[Fit]], ctx:
     behind = in_latex(" ".join(map(text_of_atom, tail)))
     fits = read(inside[:end]) if end else []
     terms = [fit.node for fit in fits if fit.node is not None and fit.shape and ctx.is_as_printed(fit)]
+    if known := limits(sign, terms, ctx):
+        return known
     sizes = [(latex(term), measured(term)) for term in terms] if end else [("", uniform((1, 1), NO_DIMENSION))]
     letters = {" ".join(filter(None, (mark, said, behind))): size for said, size in sizes}
     found = [own_quantity(letter, size, ctx.notation.home) for letter, size in letters.items()]

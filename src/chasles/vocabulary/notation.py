@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 __all__ = ["BOOK", "Notation", "notation_of"]
 
 PLACE = re.compile(r"#(\d)")
-POSTFIX = re.compile(r"#1\s*\^\s*(?:\{(.*)\}|(\\?\w+))$")
+POSTFIX = re.compile(r"#1\s*\^\s*(?:\{(.*)\}|(\\?\w+(?:\{\w+\})?))$")
 ENCLOSED = re.compile(r"(?:[{\[(|,]|\\left\S|\\langle)\s*#(\d)\s*(?=[}\]),|]|\\\||\\right|\\rangle)")
 EXAMPLE = '{CPM: r"[#1]_\\times", Transpose: r"#1^\\top"}'
 FORMS = f"`{EXAMPLE}`, where #1 is the first part of the word"

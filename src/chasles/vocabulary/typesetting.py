@@ -69,7 +69,8 @@ class Latex:
         return f"{left} {INFIX[sign]} {right}"
 
     def function(self, name: str, argument: Piece) -> Piece:
-        command = rf"\{name}" if name in ("sin", "cos", "det") else rf"\text{{{name}}}"
+        stem, _, mark = name.partition("_")
+        command = (rf"\{name}" if name in ("sin", "cos", "det") else rf"\text{{{stem}}}") + f"_{mark}" * bool(mark)
         is_letter = argument.level is Precedence.ATOM and argument.depth == 0 and "{" not in argument.text
         if is_letter and not argument.text[0].isdigit():
             return Piece(f"{command} {argument.text}", Precedence.PRODUCT)

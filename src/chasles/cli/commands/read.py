@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Sequence
 from dataclasses import replace
-from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -31,7 +31,7 @@ MOST_NAMED = 8
     epilog="Example: chasles read paper.tex --notation paper.toml",
 )
 @click.argument("pages", metavar="PAGE...", nargs=-1, required=True, type=click.Path(path_type=Path))
-@click.option("--notation", metavar="FILE", help="What the letters are: a TOML file or a Python module.")
+@click.option("--notation", metavar="FILE", help="What the letters are: a TOML file, a module, a chapter.")
 @click.option("--macros", type=click.Path(path_type=Path), help="A file with LaTeX macros that the page uses.")
 @click.option("--inline", is_flag=True, help="Read the equations between single dollars too.")
 @click.option("--input", "follow", is_flag=True, help="Read the files that the page names with \\input too.")
@@ -174,12 +174,21 @@ def _with_what_it_lacks(page: Page, notation: PageNotation) -> tuple[Page, tuple
 
 
 def _notation(name: str) -> PageNotation:
-    """The notation in a TOML file, or in a Python module by its name."""
+    """The notation in a TOML file, in a Python module by its name, or of a chapter by its package's name or folder."""
+    from chasles.pages.chapter_notation import notation_of_chapter
     from chasles.reading.notation_file import load_notation
+    from chasles.statements import DeclarationError, load
+    from chasles.statements.packages import imported
 
     if name.endswith(".toml"):
         return load_notation(Path(name))
+    if str(Path.cwd()) not in sys.path:
+        sys.path.append(str(Path.cwd()))
     try:
-        return load_notation(import_module(name))
+        module = imported(name)
+        return notation_of_chapter(load(name)) if hasattr(module, "SECTIONS") else load_notation(module)
+    except DeclarationError as error:
+        raise Failure(str(error), BAD_INPUT) from error
     except ModuleNotFoundError as error:
-        raise Failure(f"there is no notation {name!r}: give a TOML file or the name of a module", BAD_INPUT) from error
+        wanted = "give a TOML file, the name of a module, or a chapter by its name or folder"
+        raise Failure(f"there is no notation {name!r}: {wanted}", BAD_INPUT) from error

@@ -1,0 +1,77 @@
+"""Expansions in print: what holds up to terms of an order, O(x^3), and limits of what goes to zero."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import partial
+
+from chasles.reading.context import FittingContext
+from chasles.reading.fits import Fit, Shape, made
+from chasles.reading.glyphs import letter_of
+from chasles.reading.grammar import Atom, FlatRow
+from chasles.reading.quotients import of_tokens
+from chasles.vocabulary import Node, Norm, Number, Power, Symbol, symbols_of
+from chasles.vocabulary.expansions import Limit, UpTo
+
+__all__ = ["limits", "order_of", "up_to_order"]
+
+Order = tuple[Symbol, int]
+
+
+def order_of(row: FlatRow, ctx: FittingContext) -> Order | None:
+    """What is small and to which power, where a row is O(x^3) or O(|v|^2) and O is no letter of the notation."""
+    if len(row.pieces) != 2 or not all(isinstance(piece, Atom) for piece in row.pieces):
+        return None
+    name, bracket = row.pieces
+    assert isinstance(name, Atom)
+    assert isinstance(bracket, Atom)
+    letter = letter_of(name)
+    if letter.loose.base != "O" or name.is_marked or bracket.kind != "BRACKET" or len(bracket.inside) != 1:
+        return None
+    if bracket.is_marked or next(ctx.notation.letters.meanings(letter), None) is not None:
+        return None
+    return next((order for fit in ctx.terms(bracket.inside[0]) if (order := _power(fit.node)) is not None), None)
+
+
+def _power(node: Node | None) -> Order | None:
+    match node:
+        case Power(of, int(exponent)) if (inner := _power(of)) is not None and exponent > 0:
+            return inner[0], inner[1] * exponent
+        case Norm(Symbol(stands_for=None) as small):
+            return small, 1
+        case Symbol(stands_for=None, is_scalar=True):
+            return node, 1
+        case _:
+            return None
+
+
+def up_to_order(fits: Sequence[Fit], order: Order, ctx: FittingContext) -> list[Fit]:
+    """The readings of what stands before the order, with it."""
+    found = []
+    for fit in fits:
+        usual = fit if fit.node is not None else fit.at(fit.usual)
+        node = made(UpTo, usual.node, *order) if usual and ctx.is_as_printed(usual) else None
+        if node is not None and fit.sized is None:
+            found.append(Fit(node, ctx.said(node), fit.cost))
+        elif node is not None and fit.sized is not None:
+            sized = partial(_up_to_of_size, fit.sized, order)
+            found.append(Fit(None, ctx.said(node), fit.cost, sized=sized, usual=fit.usual))
+    return found
+
+
+def _up_to_of_size(sized: Callable[[Shape], Node | None], order: Order, shape: Shape) -> Node | None:
+    node = sized(shape)
+    return None if node is None else made(UpTo, node, *order)
+
+
+def limits(sign: Atom, terms: Sequence[Node], ctx: FittingContext) -> list[Fit]:
+    """The limits of terms in which nothing else stands than what goes to zero: other letters may go with it."""
+    arrows = [place for place, token in enumerate(sign.sub or ()) if token.text in (r"\to", r"\rightarrow")]
+    if sign.text != r"\lim" or not sign.sub or len(arrows) != 1 or sign.sups:
+        return []
+    small = [fit.node for fit in of_tokens(sign.sub[: arrows[0]], ctx)]
+    behind = [fit.node for fit in of_tokens(sign.sub[arrows[0] + 1 :], ctx)]
+    if Number(0) not in behind:  # type: ignore[arg-type]
+        return []
+    words = [made(Limit, term, each) for term in terms for each in small if symbols_of(term) == (each,)]
+    return [Fit(word, ctx.said(word)) for word in words if word is not None]
