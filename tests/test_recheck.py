@@ -266,7 +266,7 @@ def test_a_prover_that_takes_for_given_what_is_not(monkeypatch: pytest.MonkeyPat
 
 @pytest.mark.usefixtures("unchecked")
 def test_a_prover_that_hides_a_divisor(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(readers, "divisor_of", lambda expression: DivisorText(f"{expression} != 0", evident=True))
+    monkeypatch.setattr(readers, "divisor_of", lambda e, _: DivisorText(f"{e} != 0", evident=True))
     verdict = proved(1 / (x - 1) - 1 / (x + 1), 2 / (x**2 - 1), [])
     assert not verdict.needs
     rejected(verdict, 1 / (x - 1) - 1 / (x + 1), 2 / (x**2 - 1))

@@ -137,7 +137,8 @@ def _answered(question: Question) -> Verdict:
     if sampling and question.formal and isinstance(verdict, Holds | HoldsUnder):
         point = sampling.point()
         if point is None:
-            return Undecided("it follows from what is given, but no point was found that satisfies all of it")
+            open_ = "it follows from what is given, but no point was found that satisfies all of it"
+            return contradiction(question) or Undecided(open_)
         said = {str(name): str(value) for name, value in point.items()}
         named = [name for name in verdict.certificate["witness"] if name.startswith(("cos(", "sin("))]
         more = {"turns": named} if named else {}

@@ -94,7 +94,7 @@ class _Asking:
         elementary: Elementary,
     ) -> None:
         self.elementary = elementary
-        self.reader = reader = Reader(READINGS)
+        self.reader = reader = Reader(READINGS, elementary.origins)
         self.given = given
         for expression in expressions[:declared]:
             reader.declare(reader(expression), divisor_of(expression))
@@ -118,10 +118,12 @@ class _Asking:
         equations = [_with(hypothesis, dict(roots.rules)) for hypothesis in self.equations]
         hypotheses = dict.fromkeys((*self._ranking(), *reversed(roots.hypotheses), *equations, *divisors.values()))
         unsaid = [divisor.text for divisor in reader.divisors.values() if divisor.evident]
+        unsaid += [f"{word} > 0" for word, origin in self.elementary.origins.items() if origin.is_Pow]
         met = [divisor.text for node, divisor in reader.divisors.items() if node in self.met]
         higher = [item.text for item in self.given.equations if not item.sources]
         search = search_for(reader, self.given)
-        search.blind = search.blind or bool(self.elementary.origins)
+        search.unseen = bool(self.elementary.origins)
+        search.blind = search.blind or search.unseen
         search.write = Writing(asked, reader, self.given, roots, search, self.elementary)
         return Question(
             problem=Problem((self.goal,), roots.rules, (), words, tuple(hypotheses)),

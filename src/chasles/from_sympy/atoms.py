@@ -7,12 +7,14 @@ becomes a scalar word with a plain name; the SymPy spelling is kept for the read
 from __future__ import annotations
 
 import re
+from fractions import Fraction
 from typing import Any
 
 import sympy
 from sympy.core.function import AppliedUndef
 
 from chasles.from_sympy.opening import excerpt, is_atom
+from chasles.from_sympy.positivity import is_definite
 from chasles.problems.variables import Untreatable
 from chasles.vocabulary import PI, Symbol, scalar
 
@@ -102,6 +104,14 @@ def real_copy(expression: Any) -> Any:
 
 
 def nonzero_by_sign(expression: Any) -> bool:
-    """Whether SymPy sees that a real expression is positive, or negative."""
+    """Whether a real expression is positive, or negative, by what SymPy sees or by completing squares."""
     copy = real_copy(expression)
-    return bool(copy.is_positive or copy.is_negative)
+    if copy.is_positive or copy.is_negative:
+        return True
+    symbols = sorted(copy.free_symbols, key=str)
+    if not symbols or not copy.is_polynomial(*symbols):
+        return False
+    terms = sympy.Poly(copy, *symbols).as_dict()
+    if not all(c.is_Rational for c in terms.values()):
+        return False
+    return any(is_definite({m: Fraction(sign * int(c.p), int(c.q)) for m, c in terms.items()}) for sign in (1, -1))

@@ -24,6 +24,7 @@ from chasles.from_sympy.reader import Reader
 from chasles.from_sympy.roots import Roots
 from chasles.points.search import Search
 from chasles.problems.context import Context
+from chasles.problems.variables import Untreatable
 from chasles.prover.certifying import ProvedEntry
 from chasles.vocabulary import Node, Power, Scale
 
@@ -54,7 +55,7 @@ class Writing:
         certificate: dict[str, Any] = {
             "variant": 0,
             "names": {word.name: str(atom) for atom, word in self.reader.atoms.words.items()},
-            "positive": list(self._positive()),
+            "positive": list(self._positive(context)),
             "turned": {f"{i + 1},{j + 1}": halvings for (i, j), halvings in self.elementary.halvings.items()},
             "angles": {word.name: _product(powers) for word, powers in self.reader.angles.products.items()},
             "substituted": {str(atom): text for text, atom, _ in self.given.substitutions},
@@ -78,10 +79,13 @@ class Writing:
             certificate.pop("divisors", None)
         return certificate | ({"entries": entries} if entries else {})
 
-    def _positive(self) -> Iterator[str]:
-        """Quantities that are positive, or negative, because of logarithms."""
+    def _positive(self, context: Context) -> Iterator[str]:
+        """What is positive because of logarithms."""
         for e, sign in self.elementary.signs.items():
-            if is_atom(e) and not isinstance(e, FunctionSymbol):
+            if not is_atom(e):
+                with suppress(KeyError, Untreatable):
+                    yield _text(context, self.reader(sign * e))
+            elif not isinstance(e, FunctionSymbol):
                 yield f"{sign}*{self._name(e)}"
 
     def _name(self, atom: Any) -> str:
@@ -163,9 +167,13 @@ class _Labels:
             rows = range(1, size * (2 if frame["proper"] else 1) + 1)
             self.names += [f"frame {k} {i},{j}" for i in rows for j in range(1, size + 1)]
         self.names += [f"zero {name}" for name, place in reading.places.items() if _is_zero(reading.atoms.get(place))]
+        self.names += [f"root {name}" for name, place in reading.places.items() if place in self._roots()]
         self.equal = [f"equal {k}" for k in range(len(certificate.get("equal", ())))]
         self.known: dict[Key, tuple[str, Fraction]] = {}
         self.order = -1
+
+    def _roots(self) -> set[int]:
+        return {place for place, _ in self.reading.functions.roots.values()}
 
     def __call__(self, text: str) -> tuple[str, Fraction]:
         """The label, and of which multiple of it this is the text."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -26,12 +27,16 @@ class DivisorText:
     evident: bool
 
 
-def divisor_of(expression: Any) -> DivisorText:
-    """What is said of a divisor: of a positive symbol that it is positive; nothing of a number."""
+def divisor_of(expression: Any, origins: Mapping[Any, Any] = {}) -> DivisorText:
+    """What is said of a divisor: of a positive symbol that it is positive; nothing of a number.
+
+    `origins` are what variables in it stand for.
+    """
     named = is_atom(expression) and not (isinstance(expression, FunctionSymbol) and not isinstance(expression, Signed))
     value = _with_cosines(expression)
     evident = (not value.free_symbols and value != 0) or bool(expression.is_nonzero and not named)
-    return DivisorText(f"{expression} {'> 0' if expression.is_positive else '!= 0'}", evident)
+    spelled = expression if named else expression.xreplace(origins)
+    return DivisorText(f"{spelled} {'> 0' if expression.is_positive else '!= 0'}", evident)
 
 
 def _with_cosines(e: Any) -> Any:

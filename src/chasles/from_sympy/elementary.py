@@ -198,7 +198,7 @@ class Elementary:
     def log(self, value: Any, spelled: Any, evident: bool = False) -> Any:
         """The logarithm of what is written in the variables, and is positive; `spelled` as the user did."""
         total, sign, odd = sympy.S.Zero, 1, []
-        for base, power, signed in factors_of(value):
+        for base, power, signed in self._factors(value):
             if base.is_Rational:
                 sign *= -1 if base < 0 and signed.is_odd else 1
                 for prime, count in sympy.factorint(abs(base)).items():
@@ -216,6 +216,16 @@ class Elementary:
         if not evident:
             self._need(value, spelled, sign if not odd else 0)
         return total
+
+    def _factors(self, value: Any) -> list[tuple[Any, Any, Any]]:
+        """Factors with the exponents of their sizes and signs: in atoms, where only whole powers of these occur."""
+        words = {word: origin for word in value.free_symbols if (origin := self.origins.get(word)) is not None}
+        roots = {word: origin for word, origin in words.items() if origin.is_Pow and is_atom(origin.base)}
+        plain = value.xreplace(roots)
+        if not roots or any(not power.exp.is_Integer for power in plain.atoms(sympy.Pow)):
+            return factors_of(value)
+        back = {origin.base: word**origin.exp.q for word, origin in roots.items()}
+        return [(base.xreplace(back), power, signed) for base, power, signed in factors_of(plain)]
 
     def _need(self, value: Any, spelled: Any, sign: int) -> None:
         """Say that the argument of a logarithm is positive; its `sign` is known where it does not vanish."""

@@ -1,17 +1,22 @@
 """Polynomials that are positive for all real values of their variables, with the reason.
 
-Either every term is a product of squares and of variables whose sign is known, or the polynomial is quadratic and a sum
-of squares and a positive number, by completing squares (Lagrange's reduction).
+Either every term is a product of squares and of variables whose sign is known, or the polynomial is a sum of squares
+and a positive number, by completing squares (Lagrange's reduction).
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
+from itertools import product
 
 from chasles.algebra.rings import Polynomial, Ring
 
-__all__ = ["definite_by"]
+__all__ = ["definite_by", "is_definite"]
+
+MOST_SQUARES, MOST_TERMS = 4, 16
+Exponents = tuple[int, ...]
+Terms = Mapping[Exponents, Fraction]
 
 Signs = Mapping[int, tuple[int, bool]]
 """By the place of a variable its sign, and whether it cannot vanish either."""
@@ -44,23 +49,30 @@ def _by_terms(ring: Ring, polynomial: Polynomial, signs: Signs) -> list[int] | N
 
 
 def _by_squares(ring: Ring, polynomial: Polynomial) -> list[int] | None:
-    terms = ring.terms(polynomial)
-    if any(sum(exponents) > 2 for exponents, _ in terms):
-        return None
-    places = [k for k in range(len(ring.names)) if any(exponents[k] for exponents, _ in terms)]
-    size = len(places)
-    form = [[Fraction(0)] * (size + 1) for _ in range(size + 1)]
-    for exponents, coefficient in terms:
-        ends = [i for i, k in enumerate(places) for _ in range(exponents[k])]
-        i, j = (*ends, size, size)[:2]
-        form[i][j] += coefficient / 2
-        form[j][i] += coefficient / 2
-    sign = 1 if form[size][size] > 0 else -1
-    form = [[sign * entry for entry in row] for row in form]
-    for k in range(size):
-        if form[k][k] < 0 or (form[k][k] == 0 and any(form[k][k:])):
-            return None
-        for i in range(k + 1, size + 1):
-            factor = form[i][k] / form[k][k] if form[k][k] else Fraction(0)
-            form[i] = [a - factor * b for a, b in zip(form[i], form[k], strict=True)]
-    return [] if form[size][size] > 0 else None
+    terms = dict(ring.terms(polynomial))
+    return [] if is_definite(terms) or is_definite({exponents: -c for exponents, c in terms.items()}) else None
+
+
+def is_definite(terms: Terms, squares: int = MOST_SQUARES) -> bool:
+    """Whether a polynomial, given by its terms, is a sum of squares and a positive number, by completing squares."""
+    bad = [m for m, c in terms.items() if c < 0 or any(power % 2 for power in m)]
+    if not bad:
+        return any(not any(exponents) for exponents in terms)
+    for square in terms if squares and len(terms) < MOST_TERMS else ():
+        half = tuple(power // 2 for power in square)
+        if square in bad or not any(half):
+            continue
+        crossed = [m for m in bad if all(a >= b for a, b in zip(m, half, strict=True))]
+        if crossed and is_definite(_without_square(terms, square, crossed), squares - 1):
+            return True
+    return False
+
+
+def _without_square(terms: Terms, square: Exponents, crossed: list[Exponents]) -> dict[Exponents, Fraction]:
+    """What c (m + b/2c)^2 leaves, where c m^2 is one of the terms and m b are others: -b^2/4c and the rest."""
+    half = [power // 2 for power in square]
+    rest = {m: c for m, c in terms.items() if m != square and m not in crossed}
+    for one, other in product(crossed, repeat=2):
+        m = tuple(i + j - 2 * k for i, j, k in zip(one, other, half, strict=True))
+        rest[m] = rest.get(m, Fraction(0)) - terms[one] * terms[other] / (4 * terms[square])
+    return {m: c for m, c in rest.items() if c}

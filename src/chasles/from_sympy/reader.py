@@ -37,11 +37,12 @@ class ReadRoot:
 class Reader:
     """Reads SymPy expressions into words; one reader for everything that belongs to a question.
 
-    `readings` says how, by the class of an expression or a class that it is derived from.
+    `readings` says how, by the class of an expression or a class that it is derived from, and `meanings` what variables
+    for values of functions stand for.
     """
 
-    def __init__(self, readings: Mapping[type, Reading]) -> None:
-        self.readings = readings
+    def __init__(self, readings: Mapping[type, Reading], meanings: Mapping[Any, Any]) -> None:
+        self.readings, self.meanings = readings, meanings
         self.atoms = QuantityNames()
         self.angles = Angles(self.atoms)
         self.divisors: dict[Node, DivisorText] = {}
@@ -120,11 +121,10 @@ class Reader:
         node, power = self(base), _limited(int(exponent), factor)
         if divides(base):
             numerator, denominator = sympy.fraction(sympy.together(in_sines(base)))
-            if divides(numerator) or divides(denominator):
-                raise Untreatable(f"{excerpt(factor)} is not treated: SymPy finds no common denominator in it")
-            base, node = numerator, self(numerator)
-            above.append(_raised(self(denominator), power))
-        self.declare(node, divisor_of(base))
+            if not (divides(numerator) or divides(denominator)):
+                base, node = numerator, self(numerator)
+                above.append(_raised(self(denominator), power))
+        self.declare(node, divisor_of(base, self.meanings))
         below.append(_raised(node, power))
 
     def power(self, e: Any) -> Node:

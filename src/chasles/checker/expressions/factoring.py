@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from math import isqrt
+from math import isqrt, prod
 
 from chasles.checker.expressions.algebra import constant, primitive
 from chasles.checker.sparse import ZERO, Polynomial, exponents
@@ -47,6 +47,9 @@ def terms_of(polynomial: Polynomial) -> Terms:
 
 def quotient(polynomial: Polynomial, divisor: Polynomial) -> Polynomial | None:
     """The polynomial over another, if that divides it: terms are taken in the order of their packed exponents."""
+    below = _at_whole_numbers(divisor)
+    if below and _at_whole_numbers(polynomial) % below:
+        return None  # By Gauss's lemma the quotient of primitive polynomials is whole where both are.
     lead = max(divisor.terms)
     total, rest = ZERO, polynomial
     while rest:
@@ -58,3 +61,9 @@ def quotient(polynomial: Polynomial, divisor: Polynomial) -> Polynomial | None:
         part = Polynomial({top - lead: c.numerator}, c.denominator)
         total, rest = total + part, rest - part * divisor
     return total
+
+
+def _at_whole_numbers(polynomial: Polynomial) -> int:
+    """The value of the primitive part at a point."""
+    terms = primitive(polynomial)[1].terms.items()
+    return sum(c * prod((2 * place + 3) ** power for place, power in exponents(m)) for m, c in terms)

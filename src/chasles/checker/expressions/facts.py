@@ -20,7 +20,7 @@ from chasles.checker.sparse import ONE, Polynomial, Rejected, number, parsed, va
 
 __all__ = ["Facts"]
 
-LABEL = re.compile(r"(given|frame|equal|zero) (\S+)(?: (\d+),(\d+))?(?: d(\d+))?")
+LABEL = re.compile(r"(given|frame|equal|zero|root) (\S+)(?: (\d+),(\d+))?(?: d(\d+))?")
 Frame = tuple[dict[tuple[int, int], Polynomial], set[str], bool]
 """What a frame satisfies, the equations that say that it is one, and whether they hold at all times."""
 
@@ -29,7 +29,8 @@ class Facts:
     """What vanishes, by label: "given 0 1,1" is the first entry of the first equation, with " d2" its second rate.
 
     "frame 0 1,2" is an entry of M M^T - 1 for the first frame M of the certificate, "frame 0 4,2" one of M less its
-    cofactors; "equal 0" are two products of the same size, and "zero x" is a quantity that SymPy takes to be zero.
+    cofactors; "equal 0" are two products of the same size, "zero x" is a quantity that SymPy takes to be zero, and
+    "root x" is a power of a root less what it is the root of.
     `used` are the texts of the equations that were asked for.
     """
 
@@ -52,6 +53,8 @@ class Facts:
         rates = int(found[5] or 0)
         if found[1] == "zero" and not found[3] and not rates:
             return self._zero(found[2])
+        if found[1] == "root" and not found[3] and not rates:
+            return self.reading.functions.relation(self.reading.places[found[2]])
         kind, place = found[1], int(found[2])
         entry = (int(found[3]) - 1, int(found[4]) - 1) if found[3] else None
         if kind == "equal" and entry is None and not rates:

@@ -39,6 +39,7 @@ class Functions:
         self.logarithms: dict[Terms, int] = {}
         self.bases: dict[int, Polynomial] = {}
         self.positives: list[Positive] = []
+        self.roots: dict[Terms, tuple[int, int]] = {}
 
     def named(self, function: str, *arguments: Polynomial) -> int:
         """The place of a new variable, by the name that is to be given to it."""
@@ -108,20 +109,36 @@ class Functions:
             self.pending = None
 
     def _state_root(self, base: Polynomial, exponent: Fraction) -> None:
-        """A positive quantity is a power of a new variable."""
-        place = next((place for place in base.places if place in self.reading.atoms), -1)
-        if exponent.numerator != 1 or place < 0 or base.terms != {1 << 8 * place: 1} or base.below != 1:
-            raise Rejected("the certificate names a root of what is no quantity")
-        e = self.reading.atoms[place]
+        """What is positive is a power of a new variable, and has it as its value if it is a quantity."""
+        if exponent.numerator != 1 or (constant(base) is None and primitive(base)[0] != 1):
+            raise Rejected("the certificate names a root of a multiple, or a power of a root")
         self.require_positive(base)
         root = self.named("root", base)
         self.reading.calls[root] = "root", (base, number(exponent))
         self.reading.positive.add(root)
-        self.reading.values[e] = variable(root, exponent.denominator)
-        self.reading.rooted.add(e)
+        place = min(base.places, default=-1)
+        place = place if place >= 0 and base.terms.keys() == {1 << 8 * place} else -1
+        if place in self.reading.atoms:
+            self.reading.values[self.reading.atoms[place]] = variable(root, exponent.denominator)
+            self.reading.rooted.add(self.reading.atoms[place])
+        else:
+            self.roots[frozenset(base.terms.items())] = root, exponent.denominator
+            if place in self.reading.words:
+                self.roots[frozenset(self.reading.squares[place].terms.items())] = root, 2 * exponent.denominator
+            self.log(base, evident=True)
+
+    def relation(self, root: int) -> Polynomial:
+        """What vanishes because a variable is a root of no quantity."""
+        if all(place != root for place, _ in self.roots.values()):
+            raise Rejected("a variable is said to be a root that is none")
+        base, exponent = self.reading.calls[root][1]
+        return variable(root, exponent.below) - base
 
     def radical(self, value: Polynomial, exponent: Fraction) -> Polynomial | None:
         """A power of a product of powers that this makes whole again."""
+        root, degree = self.roots.get(frozenset(value.terms.items()), (-1, 1))
+        if root >= 0 and value.below == 1 and (exponent * degree).denominator == 1:
+            return self._power(variable(root), int(exponent * degree))
         pairs = exponents(next(iter(value.terms))) if len(value.terms) == 1 else []
         powers = [(place, power * exponent) for place, power in pairs]
         whole = all(p.denominator == 1 and place in self.reading.positive for place, p in powers)

@@ -94,6 +94,13 @@ class Enclosing:
         unit = self.one ** (degree - 1)
         return Enclosure(_root(x.low * unit, degree), _root(x.high * unit, degree) + 1 if x.high else 0)
 
+    def value(self, function: str, x: Enclosure) -> Enclosure:
+        """The value of exp, log, atan, cos or sin."""
+        if function in ("cos", "sin"):
+            return self.cosine_and_sine(x)[function == "sin"]
+        found: Enclosure = {"exp": self.exp, "log": self.log, "atan": self.atan}[function](x)
+        return found
+
     def increasing(self, function: Callable[[int], Enclosure], x: Enclosure) -> Enclosure:
         """A function that increases, from what it is at both ends."""
         return Enclosure(function(x.low).low, function(x.high).high)

@@ -9,8 +9,9 @@ from operator import mul
 
 from chasles.checker.expressions.algebra import constant, primitive
 from chasles.checker.expressions.asked import Asked
+from chasles.checker.expressions.factoring import quotient
 from chasles.checker.expressions.reading_of_proof import Proven
-from chasles.checker.expressions.signs import is_positive
+from chasles.checker.expressions.signs import is_nonnegative, is_positive
 from chasles.checker.expressions.spoken import Spoken
 from chasles.checker.sparse import ZERO, Polynomial, Rejected, variable
 
@@ -35,7 +36,7 @@ def require_needs(
             raise Rejected(f"the proof uses {text}, and the verdict does not say so")
     said = [_SaidNeed(reading, text) for text in stated if text not in texts]
     for place in divisors:
-        if not (_is_evident(reading, place) or any(one.excludes(place) for one in said)):
+        if not (_is_evident(reading, place) or _is_excluded(reading, place, said)):
             spelled = min(reading.divided.get(place, {reading.names[place]}))
             raise Rejected(f"the proof needs {spelled} != 0, and the verdict does not say so")
     for domain in reading.domains:
@@ -47,17 +48,18 @@ def require_needs(
     factors = {terms for _, odd, _ in reading.functions.positives for terms in odd}
     for one in said:
         if not (
-            any(map(one.excludes, reading.inverses))
+            any(map(one.bears_on, reading.inverses))
             or any(map(one.allows, reading.domains))
-            or (one.signs is not None and one.signs[0] <= factors)
+            or any(odd <= factors for odd, _ in one.signs)
             or (reading.calls and is_positive(reading, one.polynomial))
+            or (one.relation == " != 0" and constant(one.polynomial))
         ):
             raise Rejected(f"the verdict needs {one.text}, of which the question does not speak")
 
 
 def _is_said(said: list[_SaidNeed], odd: frozenset[Terms], sign: int) -> bool:
     """Whether a product is said to be positive, or each of its factors to have a sign."""
-    known = [one.signs for one in said if one.signs is not None]
+    known = [signs for one in said for signs in one.signs]
     single = {terms: s for factors, s in known if len(factors) == 1 for terms in factors}
     if (odd, sign) in known:
         return True
@@ -72,6 +74,27 @@ def _is_evident(reading: Proven, place: int) -> bool:
     if len(base.terms) == 1 and base.places <= reading.atoms.keys():
         return False
     return is_positive(reading, base) or is_positive(reading, -base)
+
+
+def _is_excluded(reading: Proven, place: int, said: list[_SaidNeed]) -> bool:
+    """Whether something is a product, up to a root, of what is said not to vanish, or a factor of it."""
+    if any(one.excludes(place) for one in said):
+        return True
+    polynomials = [one.polynomial for one in said if one.relation != " >= 0" and constant(one.polynomial) is None]
+    polynomials += [reading.normal(polynomial * polynomial) for polynomial in polynomials]
+    for product in _times_roots(reading, reading.inverses[place]):
+        rest = product
+        for polynomial in polynomials:
+            while constant(rest) is None and (left := quotient(rest, polynomial)) is not None:
+                rest = left
+        if constant(rest) or any(quotient(polynomial, rest) is not None for polynomial in polynomials):
+            return True
+    return False
+
+
+def _times_roots(reading: Proven, base: Polynomial) -> list[Polynomial]:
+    """It, and its products with the roots in it."""
+    return [base, *(reading.normal(base * variable(place)) for place in sorted(base.places & reading.words))]
 
 
 class _SaidNeed:
@@ -98,10 +121,14 @@ class _SaidNeed:
         return self._polynomial
 
     @property
-    def signs(self) -> tuple[frozenset[Terms], int] | None:
-        """The factors of what is said to be positive, and the sign where these are; None if that is not said."""
+    def signs(self) -> list[tuple[frozenset[Terms], int]]:
+        """Factors of what is said to be positive, and its sign where these are: all of them, those of any sign."""
         value = self._value() if self.relation == " > 0" else None
-        return None if value is None else self.reading.functions.signs(value)
+        if value is None:
+            return []
+        odd, sign = self.reading.functions.signs(value)
+        open_ = frozenset(terms for terms in odd if not is_nonnegative(self.reading, Polynomial(dict(terms))))
+        return [(odd, sign), (open_, sign)]
 
     def implies(self, value: Polynomial) -> bool:
         """Whether something is more by a number than what is said not to be negative."""
@@ -125,7 +152,15 @@ class _SaidNeed:
             return False
         if self.spelled in self.reading.divided.get(place, ()):
             return True
-        return primitive(self.polynomial)[1].terms == self.reading.inverses[place].terms
+        return bool(self.polynomial) and quotient(self.polynomial, self.reading.inverses[place]) is not None
+
+    def bears_on(self, place: int) -> bool:
+        """Whether it excludes what a variable is the inverse of, or is about a factor of that."""
+        if self.excludes(place):
+            return True
+        products = _times_roots(self.reading, self.reading.inverses[place])
+        about = constant(self.polynomial) is None and self.relation != " >= 0"
+        return about and any(quotient(product, self.polynomial) is not None for product in products)
 
     def allows(self, domain: Polynomial) -> bool:
         """Whether it says that something is not negative."""

@@ -65,12 +65,11 @@ class Proven(Symbolic):
 
     def _state(self, certificate: Mapping[str, Any], units: Mapping[str, Fraction], spelled: set[str]) -> None:
         """The functions and the roots of which the certificate speaks, each after those that are in it."""
-        named = {str(e): variable(place) for place, e in self.atoms.items()}
         functions = sorted(((len(text), text, name) for name, text in certificate["names"].items()))
         waiting: list[Callable[[], None]] = [partial(self._state_angles, certificate, units)]
         for _, text, name in functions:
             if text not in spelled:
-                waiting.append(partial(self._state_function, name, text, named))
+                waiting.append(partial(self._state_function, name, text))
         for text in certificate.get("positive", ()):
             waiting.append(partial(self._state_positive, text))
         for word in certificate.get("words", ()):
@@ -90,12 +89,16 @@ class Proven(Symbolic):
             waiting = left
 
     def _state_positive(self, text: str) -> None:
-        """A quantity that is positive because of a logarithm."""
-        self.functions.require_positive(self.normal(parsed(text, self.places)))
+        """A quantity that is positive because of a logarithm, or a sum that is a factor of what one is taken of."""
+        value = self.normal(parsed(text, self.places))
+        if len(value.terms) > 1:
+            self.functions.log(value, evident=True)
+        else:
+            self.functions.require_positive(value)
 
-    def _state_function(self, name: str, text: str, named: Mapping[str, Polynomial]) -> None:
+    def _state_function(self, name: str, text: str) -> None:
         """A variable that is the value of a function."""
-        function, arguments = Spoken(self, named).call(text)
+        function, arguments = Spoken(self, {str(e): self.atom(e) for e in self.atoms.values()}).call(text)
         self.functions.state(name, function, arguments)
 
     def exp(self, value: Polynomial) -> Polynomial:
@@ -287,6 +290,8 @@ class Proven(Symbolic):
     def absolute(self, value: Polynomial) -> Polynomial:
         """The absolute value: the root of the square, or what is visibly not negative."""
         value = self.normal(value)
+        if self.complete and self.is_known(value):
+            return value
         if _key(self.normal(value * value))[1] in self._roots or value.places & set(self.inverses):
             return self.root(self.normal(value * value))
         if self._is_seen(value):

@@ -6,11 +6,12 @@ rational numbers between which it lies. Where neither is known, the checker reje
 
 from __future__ import annotations
 
+from contextlib import suppress
 from fractions import Fraction
 from math import isqrt
 
 from chasles.checker.expressions.algebra import QuotientRing, constant, primitive
-from chasles.checker.expressions.series import Bounds, arctangent, bounds_of, inverted, product
+from chasles.checker.expressions.intervals import Enclosing, Enclosure, Unbounded
 from chasles.checker.sparse import ONE, Polynomial, Rejected, exponents, number, variable
 
 __all__ = ["Reals"]
@@ -30,7 +31,7 @@ class Reals(QuotientRing):
         self._tangents: dict[int, Fraction] = {}
         self._angles: dict[Fraction, int] = {}
         self._roots: dict[tuple[int, frozenset[tuple[int, int]]], int] = {}
-        self._measured: dict[tuple[int, int], Bounds] = {}
+        self._measured: dict[tuple[int, int], Enclosure] = {}
         self._called: dict[int, tuple[str, Polynomial, int]] = {}
         self.pi = self.arctangent(Fraction(1)) * number(4)
 
@@ -130,9 +131,10 @@ class Reals(QuotientRing):
         if not numerator:
             return 0
         for digits in DIGITS:
-            least, most = self._bounds(numerator, digits)
-            if least > 0 or most < 0:
-                sign = 1 if least > 0 else -1
+            with suppress(Unbounded):
+                sign = self._enclosed(Polynomial(numerator.terms), digits).sign
+                if not sign:
+                    continue
                 for place, power in below.items():
                     sign *= self.sign(self.inverses[place]) if power % 2 else 1
                 return sign
@@ -167,7 +169,7 @@ class Reals(QuotientRing):
         if not sign:
             raise Rejected("whether a number is zero cannot be told")
         self._called[place] = function, value, sign
-        self._measured = {key: bounds for key, bounds in self._measured.items() if key[0] != place}
+        self._measured = {key: known for key, known in self._measured.items() if key[0] != place}
         return variable(place) * number(sign)
 
     def _angle(self, y: Polynomial, x: Polynomial) -> Polynomial:
@@ -184,16 +186,15 @@ class Reals(QuotientRing):
 
         A power of x + i y is real then; which of the roots of a real number it is tells how near the angle is.
         """
-        least, most = self._bounds(self.normal(self._angle(y, x)), DIGITS[0])
-        low, high = self._bounds(self.pi, DIGITS[0])
-        multiple = (least / low).limit_denominator(LARGEST_PART)
+        angle, pi = (self._enclosed(self.normal(value), DIGITS[0]) for value in (self._angle(y, x), self.pi))
+        multiple = Fraction(angle.low, pi.low).limit_denominator(LARGEST_PART)
         real, imaginary = ONE, number(0)
         for _ in range(multiple.denominator):
             real, imaginary = self.normal(real * x - imaginary * y), self.normal(real * y + imaginary * x)
         if self.cleared(imaginary)[0]:
             return None
-        doubt = max(abs(end - multiple * half) for end in (least, most) for half in (low, high))
-        return multiple if 2 * doubt * multiple.denominator < low else None
+        doubt = max(abs(end - multiple * half) for end in (angle.low, angle.high) for half in (pi.low, pi.high))
+        return multiple if 2 * doubt * multiple.denominator < pi.low else None
 
     def _arc(self, tangent: Polynomial) -> Polynomial:
         numerator, below = self.cleared(tangent)
@@ -202,31 +203,27 @@ class Reals(QuotientRing):
             return self.arctangent(known)
         return self.called("atan", tangent)
 
-    def _bounds(self, value: Polynomial, digits: int) -> Bounds:
-        least = most = Fraction(0)
+    def _enclosed(self, value: Polynomial, digits: int) -> Enclosure:
+        """What holds a number; raises `Unbounded` where it takes more digits to tell."""
+        at = Enclosing(digits)
+        total = at.number(0)
         for monomial, coefficient in value.terms.items():
-            ends = Fraction(coefficient), Fraction(coefficient)
+            term = at.number(Fraction(coefficient, value.below))
             for place, power in exponents(monomial):
-                for _ in range(power):
-                    ends = product(ends, self._bounds_of(place, digits))
-            least, most = least + ends[0], most + ends[1]
-        return least / value.below, most / value.below
+                if (place, digits) not in self._measured:
+                    self._measured[place, digits] = self._measure(place, at)
+                term = at.times(term, at.power(self._measured[place, digits], power))
+            total = total + term
+        return total
 
-    def _bounds_of(self, place: int, digits: int) -> Bounds:
-        if (place, digits) not in self._measured:
-            self._measured[place, digits] = self._measure(place, digits)
-        return self._measured[place, digits]
-
-    def _measure(self, place: int, digits: int) -> Bounds:
+    def _measure(self, place: int, at: Enclosing) -> Enclosure:
         if place in self._called:
             function, argument, sign = self._called[place]
-            return product(
-                bounds_of(function, self._bounds(argument, digits), digits), (Fraction(sign), Fraction(sign))
-            )
+            value = at.value(function, self._enclosed(argument, at.bits))
+            return value if sign > 0 else -value
         if place in self.inverses:
-            return inverted(self._bounds(self.inverses[place], digits))
+            return at.inverse(self._enclosed(self.inverses[place], at.bits))
         if place not in self.squares:
-            return arctangent(self._tangents[place], digits)
-        low, high = self._bounds(self.squares[place], digits)
-        least, most = isqrt(int(max(low, Fraction(0)) * 4**digits)), isqrt(int(high * 4**digits) + 1) + 1
-        return Fraction(least, 2**digits), Fraction(most, 2**digits)
+            return at.atan(at.number(self._tangents[place]))
+        square = self._enclosed(self.squares[place], at.bits)
+        return at.root(Enclosure(max(square.low, 0), square.high), 2)

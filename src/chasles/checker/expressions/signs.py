@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from chasles.checker.sparse import ZERO, Polynomial, exponents, variable
+from chasles.checker.sparse import ZERO, Polynomial, exponents, number, variable
 
 if TYPE_CHECKING:
     from chasles.checker.expressions.reading_of_proof import Proven
 
 __all__ = ["is_nonnegative", "is_positive"]
 
+MOST_SQUARES, MOST_TERMS = 3, 8
+"""So many squares are completed, each with fewer terms."""
 Sign = tuple[int, bool]
 """1 or -1, and whether it cannot be zero."""
 
@@ -25,8 +29,43 @@ def is_positive(reading: Proven, polynomial: Polynomial) -> bool:
     return _strictly(reading, polynomial) is True
 
 
-def _strictly(reading: Proven, polynomial: Polynomial) -> bool | None:
-    """Whether a polynomial is visibly positive rather than not negative; None where neither is visible."""
+def _strictly(reading: Proven, polynomial: Polynomial, squares: int = MOST_SQUARES) -> bool | None:
+    """Whether a polynomial is visibly positive rather than not negative; None where neither is visible.
+
+    It is more by a square than what is left when that is completed.
+    """
+    strict = _by_terms(reading, polynomial)
+    for rest in _completed(polynomial) if strict is None and squares else ():
+        if (strict := _strictly(reading, reading.normal(rest), squares - 1)) is not None:
+            break
+    return strict
+
+
+def _completed(polynomial: Polynomial) -> Iterator[Polynomial]:
+    """What squares of a monomial and what it is multiplied by leave: c m^2 + m b = c (m + b/2c)^2 - b^2/4c."""
+    for square, c in polynomial.terms.items():
+        half = [(place, power // 2) for place, power in exponents(square)]
+        if not half or not _is_square(square, c):
+            continue
+        m = sum(power << 8 * place for place, power in half)
+        terms = {k: n for k, n in polynomial.terms.items() if _divides(half, k) and not _is_square(k, n)}
+        b = Polynomial({k - m: n for k, n in terms.items()}, polynomial.below)
+        if len(terms) in range(1, MOST_TERMS):
+            own = Polynomial({square: c, **terms}, polynomial.below)
+            yield polynomial - own - b * b * number(Fraction(polynomial.below, 4 * c))
+
+
+def _is_square(monomial: int, coefficient: int) -> bool:
+    return coefficient > 0 and not any(power % 2 for _, power in exponents(monomial))
+
+
+def _divides(half: list[tuple[int, int]], monomial: int) -> bool:
+    pairs = dict(exponents(monomial))
+    return all(pairs.get(place, 0) >= power for place, power in half)
+
+
+def _by_terms(reading: Proven, polynomial: Polynomial) -> bool | None:
+    """The same, because no term is negative."""
     circular = {place for _, c, s in reading.circles.values() for place in c.places | s.places}
     groups: dict[int, dict[int, Polynomial]] = {}
     for monomial, coefficient in polynomial.terms.items():

@@ -8,6 +8,7 @@ from fractions import Fraction
 import sympy
 
 from chasles.checker.expressions.expressions import Expressions
+from chasles.checker.expressions.intervals import Unbounded
 from chasles.checker.expressions.reals import Reals
 from chasles.checker.expressions.valuation import Valuation
 from chasles.checker.sparse import Polynomial, Rejected, variable
@@ -67,7 +68,7 @@ class Symbolic(Expressions):
 
     def part_of_turn(self, y: Polynomial, x: Polynomial) -> Fraction | None:
         """The multiple of pi that is the angle of a point, which is of numbers, if it is seen to be one."""
-        with suppress(Rejected):
+        with suppress(Rejected, Unbounded):
             return self.reals.part_of_turn(*map(self._numbers, (y, x)))
         return None
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import sympy
 
+from chasles.checker.expressions.intervals import Enclosing
 from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, number
 
 if TYPE_CHECKING:
@@ -17,9 +18,7 @@ __all__ = ["is_turn", "turned"]
 QUARTERS = ((1, 0), (0, 1), (-1, 0), (0, -1))
 """Cosine and sine of none, one, two and three quarter turns."""
 LARGEST_PART = 60
-PI = Fraction(245850922, 78256779)
-"""It is less than 1e-15 away from pi."""
-TERMS = 20
+DIGITS = 64
 
 
 def turned(multiple: Fraction, reading: Expressions) -> tuple[Polynomial, Polynomial]:
@@ -48,14 +47,7 @@ def is_turn(multiple: Fraction, cosine: Polynomial, sine: Polynomial, reading: E
     if not reading.vanishes(c - number((-1) ** (multiple.numerator % 2))) or not reading.vanishes(s):
         return False
     near = Fraction(1, multiple.denominator)
-    values = zip((cosine, sine), _circular(multiple % 2 * PI), strict=True)
-    return all(reading.is_near(value, approximation, near) for value, approximation in values)
-
-
-def _circular(angle: Fraction) -> tuple[Fraction, Fraction]:
-    """Cosine and sine of a number up to 7, from their power series, to six digits."""
-    term, sums = Fraction(1), [Fraction(0)] * 4
-    for count in range(2 * TERMS):
-        sums[count % 4] += term
-        term = (term * angle / (count + 1)).limit_denominator(10**30)
-    return sums[0] - sums[2], sums[1] - sums[3]
+    at = Enclosing(DIGITS)
+    about = at.cosine_and_sine(at.times(at.number(multiple % 2), at.pi))
+    values = zip((cosine, sine), about, strict=True)
+    return all(reading.is_near(value, Fraction(found.low, at.one), near) for value, found in values)
