@@ -6,6 +6,7 @@ What the page leaves open is tried last: as a rule where it says what a symbol i
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from dataclasses import replace as with_fields
 from itertools import islice
 
@@ -14,7 +15,7 @@ from chasles.pages.premises import PosedEquation, Premises, Rules, balancing, ch
 from chasles.statements import Claim, Statement
 from chasles.vocabulary import Node
 
-__all__ = ["MOST_POSED", "attempts", "named", "sides_of", "with_everything", "with_premises"]
+__all__ = ["MOST_POSED", "Attempt", "attempts", "named", "sides_of", "with_everything", "with_premises"]
 
 MOST_POSED = 4
 """So many posed equations, the last ones, are tried together for a proof."""
@@ -24,8 +25,18 @@ MOST_BALANCED = 8
 """So many rules for what occurs on one side only are tried together."""
 
 
-def attempts(claim: Claim, premises: Premises) -> Iterator[tuple[Claim, tuple[str, ...]]]:
-    """The claim with ever more premises, each set once, and the names of the open equations that are rules in it."""
+@dataclass(frozen=True, slots=True)
+class Attempt:
+    """The claim with some premises, the rules and posed equations among them, and names of open ones that are rules."""
+
+    claim: Claim
+    rules: Rules
+    posed: tuple[PosedEquation, ...]
+    opened: tuple[str, ...]
+
+
+def attempts(claim: Claim, premises: Premises) -> Iterator[Attempt]:
+    """The claim with ever more premises, each set once."""
     seen: set[tuple[frozenset[int], frozenset[str]]] = set()
     opened = {id(each): named(each) for each in premises.opened.values()}
     for rules, posed in _premise_sets(claim, premises):
@@ -33,7 +44,8 @@ def attempts(claim: Claim, premises: Premises) -> Iterator[tuple[Claim, tuple[st
         key = (frozenset(map(id, attempt.given)), frozenset(h.text for h in attempt.assuming))
         if key not in seen:
             seen.add(key)
-            yield attempt, tuple(opened[id(each)] for each in attempt.given if id(each) in opened)
+            names = tuple(opened[id(each)] for each in attempt.given if id(each) in opened)
+            yield Attempt(attempt, rules, posed, names)
 
 
 def _premise_sets(claim: Claim, premises: Premises) -> Iterator[tuple[Rules, tuple[PosedEquation, ...]]]:

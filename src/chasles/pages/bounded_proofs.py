@@ -35,6 +35,8 @@ class _Unproved(Exception):
     """An entry does not vanish, or is not seen to."""
 
 
+MORE_WORK = 20
+"""So many times the work is taken where a proof is likely."""
 ATTEMPTS = 24
 """So often a point is drawn."""
 
@@ -65,6 +67,21 @@ def _require_few_terms(context: Context, suspects: Sequence[UnprovedPart]) -> No
         raise _Unproved("written out it is too long")
 
 
+class _Likely(DeclaredPoints):
+    """Points that satisfy what a proof rests on, and no others."""
+
+    attempts = ATTEMPTS
+
+    def refute(self, context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnprovedPart]) -> None:
+        raise _Unproved
+
+    def refute_soon(self, context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnprovedPart]) -> None:
+        return None
+
+    def contradiction(self, problem: Problem) -> Contradictory | None:
+        return None
+
+
 class _NoCounterexamples(_FewTerms):
     """Points at which a problem is looked at before a proof is tried, and one that satisfies what a proof rests on."""
 
@@ -82,12 +99,15 @@ class _NoCounterexamples(_FewTerms):
         return None
 
 
-FEW_TERMS, NO_COUNTEREXAMPLES = _FewTerms(), _NoCounterexamples()
+FEW_TERMS, NO_COUNTEREXAMPLES, LIKELY = _FewTerms(), _NoCounterexamples(), _Likely()
 
 
-def proof_of(claim: Claim, session: Session) -> Verdict | None:
-    """The verdict on a claim that follows from its premises, which a point satisfies; None if that is not found."""
-    found = _answer(claim, session, NO_COUNTEREXAMPLES)
+def proof_of(claim: Claim, session: Session, likely: bool = False) -> Verdict | None:
+    """The verdict on a claim that follows from its premises, which a point satisfies; None if that is not found.
+
+    More work is taken where it is likely to follow.
+    """
+    found = _answer(claim, session, LIKELY if likely else NO_COUNTEREXAMPLES, MORE_WORK if likely else 1)
     return found if found.true else None
 
 
@@ -105,11 +125,11 @@ def posed_on(claim: Claim, session: Session) -> Verdict:
         return Undecided(str(error))
 
 
-def _answer(claim: Claim, session: Session, source: DeclaredPoints) -> Verdict:
+def _answer(claim: Claim, session: Session, source: DeclaredPoints, work: int = 1) -> Verdict:
     try:
         problem = problem_of(claim, "printed", session.accepted)
         key = session.memory.key_of_verdict(problem, claim.assuming)
-        find = partial(_found, problem, claim.assuming, session.budget, source)
+        find = partial(_found, problem, claim.assuming, work * session.budget, source)
         found: Verdict = session.memory.answer(key, partial(verdict_stands, problem), find)
     except (_Unproved, Misfit, TypeError) as error:
         return Undecided(str(error))

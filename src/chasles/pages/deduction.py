@@ -19,10 +19,12 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from dataclasses import replace as with_fields
+from functools import cached_property
 
 from chasles.decisions.session import Session
 from chasles.pages.attempts import attempts, named, with_everything, with_premises
 from chasles.pages.bounded_proofs import posed_on, proof_of, verdict_on
+from chasles.pages.consequences import Consequences
 from chasles.pages.facts import divisors
 from chasles.pages.finding import PageFinding
 from chasles.pages.named_hypotheses import as_hypothesis
@@ -57,9 +59,16 @@ class Deduction:
     session: Session = field(default_factory=lambda: Session(WORK))
     _foretold: dict[tuple[str, int], PageFinding] = field(default_factory=dict)
 
+    @cached_property
+    def consequences(self) -> Consequences:
+        """Tells what may follow from premises."""
+        return Consequences(self.premises.facts)
+
     def fork(self) -> Deduction:
         """A deduction that goes on from here by itself."""
-        return Deduction(self.premises.copy(), self.session, dict(self._foretold))
+        other = Deduction(self.premises.copy(), self.session, dict(self._foretold))
+        other.consequences = self.consequences
+        return other
 
     @contextmanager
     def where(self, number: str, given: Iterable[Part]) -> Iterator[None]:
@@ -214,10 +223,13 @@ class Deduction:
 
     def _proof(self, claim: Claim) -> PageFinding | None:
         """The finding on a claim that follows from what the page has said; None for any other."""
-        for attempt, opened in attempts(claim, self.premises):
-            verdict = proof_of(attempt, self.session)
+        for attempt in attempts(claim, self.premises):
+            likely = self.consequences.may_follow(*claim.printed, attempt.rules, attempt.posed)
+            if likely is False:
+                continue
+            verdict = proof_of(attempt.claim, self.session, likely=bool(likely))
             if verdict is not None:
-                return self._proved(attempt, _resting_on(opened, verdict))
+                return self._proved(attempt.claim, _resting_on(attempt.opened, verdict))
         return None
 
     def _under(self, claim: Claim, given: Iterable[tuple[str, Claim]]) -> PageFinding:

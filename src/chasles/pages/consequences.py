@@ -1,0 +1,147 @@
+"""Whether a relation can follow from premises: what differs at a random motion that satisfies them does not.
+
+What agrees there is a conjecture, which the prover then decides.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from itertools import chain
+
+import numpy as np
+
+from chasles.evaluation.matrices import Matrix
+from chasles.pages.premises import PosedEquation, Rules, chosen_rules
+from chasles.pages.random_motion import TERMS, NoValue, RandomMotion, TooFewTerms, Values, dotted
+from chasles.pages.time_series import Array
+from chasles.statements import Hypothesis
+from chasles.vocabulary import Integral, Node, Symbol, walk
+
+__all__ = ["Consequences"]
+
+FIRST_TERMS = 3
+"""Terms of each series that are tried first."""
+TOLERANCE = 1e-6
+"""Relative to the size of what is compared: what is left of rounding is smaller, and mostly what differs is larger."""
+STEPS = 12
+"""So many steps Newton's method takes."""
+SLOW = 3
+"""Steps after which what is left of the equations has to be half of what it was."""
+MOST_NUMBERS = 600
+"""With more free numbers no motion is looked for that satisfies equations."""
+SMALL_CHANGE = 1e-7
+"""Of a free number, by which slopes are found."""
+Pair = tuple[Node, Node]
+Running = Mapping[Symbol, bool]
+
+
+class Consequences:
+    """Tells what may follow at one random motion; what satisfies the same equations is found once."""
+
+    def __init__(self, facts: Callable[[Symbol], tuple[Hypothesis, ...]]) -> None:
+        self.motion = RandomMotion(facts)
+        self._found: dict[tuple[frozenset[int], frozenset[int], int], RandomMotion | None] = {}
+        self._kept: list[object] = []
+
+    def may_follow(self, left: Node, right: Node, rules: Rules, posed: Sequence[PosedEquation] = ()) -> bool | None:
+        """Whether two sides are equal with the rules applied where all that is posed holds; None where it is not known.
+
+        What two rules say of one quantity and its rate holds too. Nothing follows where no motion satisfies all of it.
+        """
+        pairs = (*((each.left, each.right) for each in posed), *_agreements(rules))
+        running = _running((left, right, *(s for pair in pairs for s in pair), *(r.right for r in rules.values())))
+        for terms in range(FIRST_TERMS, TERMS + 1):
+            try:
+                with np.errstate(all="ignore"):
+                    motion = self._satisfying(pairs, rules, running, terms, posed) if pairs else self.motion
+                    if motion is None:
+                        return False
+                    values = Values(motion, rules, running, terms)
+                    return _equal(values(left), values(right))
+            except TooFewTerms:
+                continue
+            except (NoValue, KeyError, TypeError, ValueError, RecursionError, np.linalg.LinAlgError):
+                return None
+        return None
+
+    def _satisfying(
+        self, pairs: Sequence[Pair], rules: Rules, running: Running, terms: int, posed: Sequence[PosedEquation]
+    ) -> RandomMotion | None:
+        chosen = chosen_rules((side for pair in pairs for side in pair), rules)
+        key = frozenset(map(id, posed)), frozenset(map(id, chosen.values())), terms
+        if key not in self._found:
+            self._kept += [*posed, *chosen.values()]
+            unsatisfied = any(not found and k[0] <= key[0] and k[1] <= key[1] for k, found in self._found.items())
+            self._found[key] = None if unsatisfied else satisfying(pairs, rules, running, terms, self.motion)
+        return self._found[key]
+
+
+def _running(sides: Iterable[Node]) -> Running:
+    integrals = [part for side in sides for part in walk(side) if isinstance(part, Integral)]
+    return {symbol: symbol != each.density for each in integrals for symbol in each.running}
+
+
+def _agreements(rules: Rules) -> Iterator[Pair]:
+    """What it means that rules for a quantity and for its rate both hold."""
+    for (symbol, order), rule in rules.items():
+        lower = max((k for s, k in rules if s == symbol and k < order), default=None)
+        if lower is not None:
+            yield dotted(rules[symbol, lower].right, order - lower), rule.right
+
+
+def satisfying(
+    equations: Sequence[Pair], rules: Rules, running: Running, terms: int, motion: RandomMotion
+) -> RandomMotion | None:
+    """A motion nearby at which equations hold with their rates, by Newton's method; None if none is found."""
+    known = motion.with_numbers({})
+    _residual(equations, Values(known, rules, running, terms))
+    keys = [key for key in known.numbers if not key[1]]
+    numbers = {key: known.numbers[key][:, :, :, :1].copy() for key in known.numbers}
+    places = [(key, place) for key in keys for place in np.ndindex(*key[0].shape, 1 if key[0].constant else terms)]
+    if len(places) > MOST_NUMBERS:
+        return None
+    left = [np.inf] * SLOW
+    for _ in range(STEPS):
+        lanes = {key: np.repeat(numbers[key], 1 + len(places), axis=3) for key in keys}
+        for lane, (key, place) in enumerate(places, 1):
+            lanes[key][*place, lane] += SMALL_CHANGE
+        values = Values(motion.with_numbers({**numbers, **lanes}), rules, running, terms)
+        residual, size = _residual(equations, values)
+        if not np.all(np.isfinite(residual)):
+            return None
+        if np.max(np.abs(residual[:, 0])) < 1e-9 * size:
+            return motion.with_numbers(numbers)
+        left.append(float(np.max(np.abs(residual[:, 0]))))
+        if left[-1] > left[-1 - SLOW] / 2:
+            return None
+        slopes = (residual[:, 1:] - residual[:, :1]) / SMALL_CHANGE
+        step = np.linalg.lstsq(slopes, -residual[:, 0], rcond=1e-9)[0]
+        for (key, place), change in zip(places, step, strict=True):
+            numbers[key][*place, 0] += change
+    return None
+
+
+def _residual(equations: Sequence[Pair], values: Values) -> tuple[Array, float]:
+    """What is left of the equations, term by term, and the size of their sides."""
+    rows, size = [], 1.0
+    for left, right in equations:
+        for one, other in zip(*(chain.from_iterable(values(side)) for side in (left, right)), strict=True):
+            n = min(len(one), len(other))
+            size = max(size, float(np.max(np.abs(one.terms))), float(np.max(np.abs(other.terms))))
+            apart = one.terms[:n] - other.terms[:n]
+            rows.append(np.moveaxis(apart, -1, 1).reshape(-1, apart.shape[-2]))
+    width = max(row.shape[1] for row in rows)
+    return np.concatenate([np.broadcast_to(row, (row.shape[0], width)) for row in rows]), size
+
+
+def _equal(left: Matrix, right: Matrix) -> bool | None:
+    """Whether the values are equal now; None where that is not the same at all motions."""
+    pairs = [pair for rows in zip(left, right, strict=True) for pair in zip(*rows, strict=True)]
+    size = 1 + np.max([np.max(np.abs(side.now)) for pair in pairs for side in pair])
+    between = [np.max(np.abs(one.now - other.now), axis=-1) for one, other in pairs]
+    apart = np.max(np.stack(np.broadcast_arrays(*between)), axis=0)
+    if not np.all(np.isfinite(apart)) or not np.isfinite(size):
+        return None
+    if np.all(apart > TOLERANCE * size):
+        return False
+    return True if np.all(apart <= TOLERANCE * size) else None

@@ -1,0 +1,207 @@
+"""Random motions of everything on a page, and the values of expressions at them, with all their rates."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from math import factorial
+from types import MappingProxyType
+
+import numpy as np
+
+from chasles.evaluation import matrices
+from chasles.evaluation.interpreter import Interpreter
+from chasles.evaluation.matrices import Matrix, each
+from chasles.pages.premises import Rules
+from chasles.pages.time_series import Array, TimeSeries, function_of
+from chasles.statements import Hypothesis
+from chasles.vocabulary import PI, At, Call, Integral, Inverse, Node, Norm, Rate, Symbol
+from chasles.vocabulary.functions import FunctionOf
+from chasles.vocabulary.partial import PartialDerivative, with_derivatives
+
+__all__ = ["TERMS", "NoValue", "RandomMotion", "TooFewTerms", "Values", "dotted"]
+
+MOTIONS, ELEMENTS = 2, 7
+"""So many motions are looked at, of bodies of so many elements."""
+TERMS = 7
+"""Terms of each series: so many rates less one may be taken."""
+
+
+class NoValue(Exception):
+    """Something that has no value at a motion, or none that is known here."""
+
+
+class TooFewTerms(Exception):
+    """A rate of what has one term only."""
+
+
+Key = tuple[Symbol, bool, bool]
+"""A symbol, whether it differs from element to element, and whether it may move."""
+
+
+class RandomMotion:
+    """A motion of every symbol that satisfies the `facts` of it; the same symbol moves alike in all that is asked.
+
+    A symbol's series is made of numbers that are free: by rows, columns, terms, motions and elements.
+    """
+
+    def __init__(
+        self,
+        facts: Callable[[Symbol], tuple[Hypothesis, ...]],
+        numbers: Mapping[Key, Array] = MappingProxyType({}),
+    ) -> None:
+        self._facts = facts
+        self.numbers = dict(numbers)
+        self._made: dict[Key, Matrix] = {}
+
+    def with_numbers(self, numbers: Mapping[Key, Array]) -> RandomMotion:
+        """The motion with other free numbers of some symbols."""
+        return RandomMotion(self._facts, {**self.numbers, **numbers})
+
+    def of(self, symbol: Symbol, terms: int, running: Mapping[Symbol, bool]) -> Matrix:
+        """The series of a symbol; one that is `running` differs from element to element, and may move."""
+        key = symbol, symbol in running, running.get(symbol, True)
+        if key not in self._made:
+            self.numbers.setdefault(key, _drawn(*key))
+            self._made[key] = self._satisfying(symbol, self.numbers[key])
+        return each(self._made[key], lambda entry: TimeSeries(entry.terms[:terms]))
+
+    def _satisfying(self, symbol: Symbol, free: Array) -> Matrix:
+        made = [[TimeSeries(entry) for entry in row] for row in free]
+        for fact in self._facts(symbol):
+            if fact.kind not in SATISFYING or fact.subjects != (symbol,):
+                raise NoValue
+            made = SATISFYING[fact.kind](made)
+        return made
+
+
+def _drawn(symbol: Symbol, runs: bool, moves: bool) -> Array:
+    numbers = np.random.default_rng(list(f"{symbol.name} {symbol.letter} {symbol.shape}".encode()))
+    free = numbers.uniform(-1, 1, (*symbol.shape, TERMS, MOTIONS, ELEMENTS if runs else 1))
+    if symbol.constant or not moves:
+        free[:, :, 1:] = 0
+    return free
+
+
+def _normalized(column: Matrix) -> Matrix:
+    square = matrices.product(matrices.transposed(column), column)[0][0]
+    length = function_of("sqrt")(square)
+    return each(column, lambda entry: entry / length)
+
+
+def _rotation(free: Matrix) -> Matrix:
+    """The columns made orthonormal one after the other, the last their cross product."""
+    first, second = ([[row[k]] for row in free] for k in range(2))
+    first = _normalized(first)
+    along = matrices.product(matrices.transposed(first), second)[0][0]
+    second = _normalized([[a - along * b] for (a,), (b,) in zip(second, first, strict=True)])
+    third = matrices.cross(first, second)
+    return [[a, b, c] for (a,), (b,), (c,) in zip(first, second, third, strict=True)]
+
+
+SATISFYING: dict[str, Callable[[Matrix], Matrix]] = {
+    "unit": _normalized,
+    "rotation": _rotation,
+    "symmetric": lambda free: matrices.plus(free, matrices.transposed(free)),
+    "positive-definite": lambda free: matrices.product(matrices.transposed(free), free),
+    "positive": lambda free: each(free, function_of("exp")),
+}
+"""By the kind of a hypothesis, what satisfies it, made of what is free."""
+
+
+class Values(Interpreter):
+    """The values of expressions at a motion, under rules for quantities; raises `NoValue` for what has none.
+
+    `begun` are the first terms of quantities whose later ones are being found.
+    """
+
+    def __init__(
+        self,
+        motion: RandomMotion,
+        rules: Rules,
+        running: Mapping[Symbol, bool],
+        terms: int,
+        begun: Mapping[Symbol, Matrix] = MappingProxyType({}),
+    ) -> None:
+        super().__init__({dotted(*quantity): rule.right for quantity, rule in rules.items()})
+        self.motion, self.rules_of, self.running = motion, rules, running
+        self.terms, self.begun = terms, begun
+
+    def entries(self, node: Node) -> Matrix:
+        if isinstance(node, At) and node.argument != "t" and node not in self.rules:
+            raise NoValue
+        return super().entries(node)
+
+    def constant(self, value: Fraction) -> TimeSeries:
+        return self._resting(float(value))
+
+    def quotient(self, numerator: Matrix, denominator: Node) -> Matrix:
+        below = self.scalar(denominator)
+        return each(numerator, lambda entry: entry / below)
+
+    def own(self, node: Node) -> Matrix:
+        match node:
+            case Symbol():
+                return [[self._resting(np.pi)]] if node == PI else self._moved(node)
+            case Rate(of):
+                return each(self(of), _rate)
+            case Call(function, argument):
+                return [[function_of(function)(self.scalar(argument))]]
+            case FunctionOf(function, arguments):
+                return [[function_of(function)(*map(self.scalar, arguments))]]
+            case Norm(of):
+                square = matrices.product(matrices.transposed(self(of)), self(of))[0][0]
+                return [[function_of("sqrt")(square)]]
+            case Inverse(of):
+                return self.inverse(of)
+            case PartialDerivative():
+                return self(with_derivatives(node, self.rules))
+            case Integral(of):
+                return each(self(of), lambda entry: TimeSeries(entry.terms.sum(axis=-1, keepdims=True)))
+            case _:
+                raise NoValue
+
+    def _resting(self, value: float) -> TimeSeries:
+        terms = np.zeros((self.terms, 1, 1))
+        terms[0] = value
+        return TimeSeries(terms)
+
+    def _moved(self, symbol: Symbol) -> Matrix:
+        """The series of a symbol; where a rule says what its rate is, its later terms are found by that one by one."""
+        if symbol in self.begun:
+            return self.begun[symbol]
+        found = self.motion.of(symbol, self.terms, self.running)
+        for order in sorted(order for s, order in self.rules_of if s == symbol and order):
+            found = self._continued(symbol, order, found)
+        return found
+
+    def _continued(self, symbol: Symbol, order: int, start: Matrix) -> Matrix:
+        found = each(start, lambda entry: TimeSeries(entry.terms[:order]))
+        known = order
+        while known < self.terms:
+            begun = {**self.begun, symbol: found}
+            following = Values(self.motion, self.rules_of, self.running, self.terms, begun)
+            longer = following(self.rules_of[symbol, order].right)
+            for k in reversed(range(order)):
+                longer = [
+                    [entry.integrated(first.terms[k] * factorial(k)) for entry, first in zip(*rows, strict=True)]
+                    for rows in zip(longer, start, strict=True)
+                ]
+            reached = min(len(entry) for row in longer for entry in row)
+            if reached <= known:
+                break
+            found, known = longer, reached
+        return each(found, lambda entry: TimeSeries(entry.terms[: self.terms]))
+
+
+def _rate(series: TimeSeries) -> TimeSeries:
+    if len(series) == 1:
+        raise TooFewTerms
+    return series.rate
+
+
+def dotted(node: Node, order: int) -> Node:
+    """The rate of a quantity of that order."""
+    for _ in range(order):
+        node = Rate(node)
+    return node

@@ -1,0 +1,132 @@
+"""Power series in time, a few terms of each: a quantity with its rates, at several motions and elements at once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import reduce
+from typing import Any
+
+import numpy as np
+
+__all__ = ["Array", "TimeSeries", "function_of"]
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+
+
+class TimeSeries:
+    """The coefficients of 1, t, t^2, ...; arithmetic keeps as many as both sides have."""
+
+    __slots__ = ("terms",)
+
+    def __init__(self, terms: Array) -> None:
+        self.terms = terms
+
+    def __add__(self, other: TimeSeries) -> TimeSeries:
+        n = min(len(self.terms), len(other.terms))
+        return TimeSeries(self.terms[:n] + other.terms[:n])
+
+    def __sub__(self, other: TimeSeries) -> TimeSeries:
+        n = min(len(self.terms), len(other.terms))
+        return TimeSeries(self.terms[:n] - other.terms[:n])
+
+    def __neg__(self) -> TimeSeries:
+        return TimeSeries(-self.terms)
+
+    def __mul__(self, other: TimeSeries) -> TimeSeries:
+        n = min(len(self.terms), len(other.terms))
+        found = self.terms[0] * other.terms[:n]
+        for k in range(1, n):
+            found[k:] += self.terms[k] * other.terms[: n - k]
+        return TimeSeries(found)
+
+    def __truediv__(self, other: TimeSeries) -> TimeSeries:
+        n = min(len(self.terms), len(other.terms))
+        found: list[Array] = []
+        for k in range(n):
+            rest = self.terms[k] - sum((found[j] * other.terms[k - j] for j in range(k)), np.float64(0.0))
+            found.append(rest / other.terms[0])
+        return TimeSeries(np.stack(np.broadcast_arrays(*found)))
+
+    @property
+    def rate(self) -> TimeSeries:
+        """The time derivative, which has one term less."""
+        n = len(self.terms)
+        places = np.arange(1, n).reshape(-1, *[1] * (self.terms.ndim - 1))
+        return TimeSeries(self.terms[1:] * places)
+
+    def integrated(self, start: Array) -> TimeSeries:
+        """What has this rate, and this value at the start."""
+        places = np.arange(1, len(self.terms) + 1).reshape(-1, *[1] * (self.terms.ndim - 1))
+        return TimeSeries(np.stack(np.broadcast_arrays(start, *(self.terms / places))))
+
+    @property
+    def now(self) -> Array:
+        """The value at the time zero."""
+        now: Array = self.terms[0]
+        return now
+
+    def __len__(self) -> int:
+        return len(self.terms)
+
+
+def function_of(name: str) -> Callable[..., TimeSeries]:
+    """The function of that name, NaN where it is not real; raises KeyError for an unknown one."""
+    return FUNCTIONS[name]
+
+
+def _by_slope(value: Callable[[Array], Array], slope: str | Callable[..., TimeSeries]) -> Callable[..., TimeSeries]:
+    """A function by its value now and its derivative, or the name of that, which is asked for one term less."""
+
+    def function(x: TimeSeries) -> TimeSeries:
+        start = value(x.now)
+        if len(x) == 1:
+            return TimeSeries(start[None])
+        derivative = FUNCTIONS[slope] if isinstance(slope, str) else slope
+        return (derivative(TimeSeries(x.terms[:-1])) * x.rate).integrated(start)
+
+    return function
+
+
+def _times(number: float, x: TimeSeries) -> TimeSeries:
+    return TimeSeries(number * x.terms)
+
+
+def _one(x: TimeSeries) -> TimeSeries:
+    return x / x
+
+
+def _chosen(x: TimeSeries, other: TimeSeries, taken: Array) -> TimeSeries:
+    n = min(len(x), len(other))
+    return TimeSeries(np.where(taken, x.terms[:n], other.terms[:n]))
+
+
+def _atan2(y: TimeSeries, x: TimeSeries) -> TimeSeries:
+    start = np.arctan2(y.now, x.now)
+    if min(len(x), len(y)) == 1:
+        return TimeSeries(start[None])
+    return ((x * y.rate - y * x.rate) / (x * x + y * y)).integrated(start)
+
+
+def _root_of_rest(x: TimeSeries) -> TimeSeries:
+    """The cosine of an angle by its sine, or its sine by its cosine."""
+    return FUNCTIONS["sqrt"](_one(x) - x * x)
+
+
+FUNCTIONS: dict[str, Callable[..., TimeSeries]] = {
+    "sin": _by_slope(np.sin, "cos"),
+    "cos": _by_slope(np.cos, lambda x: -FUNCTIONS["sin"](x)),
+    "sqrt": _by_slope(np.sqrt, lambda x: _times(0.5, _one(x) / FUNCTIONS["sqrt"](x))),
+    "exp": _by_slope(np.exp, "exp"),
+    "log": _by_slope(np.log, lambda x: _one(x) / x),
+    "arcsin": _by_slope(np.arcsin, lambda x: _one(x) / _root_of_rest(x)),
+    "arccos": _by_slope(np.arccos, lambda x: -(_one(x) / _root_of_rest(x))),
+    "arctan": _by_slope(np.arctan, lambda x: _one(x) / (_one(x) + x * x)),
+    "sinh": _by_slope(np.sinh, "cosh"),
+    "cosh": _by_slope(np.cosh, "sinh"),
+    "tanh": lambda x: FUNCTIONS["sinh"](x) / FUNCTIONS["cosh"](x),
+    "atan2": _atan2,
+    "abs": lambda x: TimeSeries(x.terms * np.sign(x.now)),
+    "sign": lambda x: TimeSeries(np.concatenate([np.sign(x.now)[None], 0.0 * x.terms[1:]])),
+    "max": lambda *xs: reduce(lambda x, y: _chosen(x, y, x.now >= y.now), xs),
+    "min": lambda *xs: reduce(lambda x, y: _chosen(x, y, x.now <= y.now), xs),
+}
