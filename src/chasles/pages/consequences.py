@@ -12,7 +12,7 @@ import numpy as np
 
 from chasles.evaluation.matrices import Matrix
 from chasles.pages.premises import PosedEquation, Rules, chosen_rules
-from chasles.pages.random_motion import TERMS, NoValue, RandomMotion, TooFewTerms, Values, dotted
+from chasles.pages.random_motion import TERMS, NoValue, RandomMotion, TooFewTerms, ValuesInMotion, dotted
 from chasles.pages.time_series import Array
 from chasles.statements import Hypothesis
 from chasles.vocabulary import Integral, Node, Symbol, walk
@@ -56,7 +56,7 @@ class Consequences:
                     motion = self._satisfying(pairs, rules, running, terms, posed) if pairs else self.motion
                     if motion is None:
                         return False
-                    values = Values(motion, rules, running, terms)
+                    values = ValuesInMotion(motion, rules, running, terms)
                     return _equal(values(left), values(right))
             except TooFewTerms:
                 continue
@@ -94,7 +94,7 @@ def satisfying(
 ) -> RandomMotion | None:
     """A motion nearby at which equations hold with their rates, by Newton's method; None if none is found."""
     known = motion.with_numbers({})
-    _residual(equations, Values(known, rules, running, terms))
+    _residual(equations, ValuesInMotion(known, rules, running, terms))
     keys = [key for key in known.numbers if not key[1]]
     numbers = {key: known.numbers[key][:, :, :, :1].copy() for key in known.numbers}
     places = [(key, place) for key in keys for place in np.ndindex(*key[0].shape, 1 if key[0].constant else terms)]
@@ -105,7 +105,7 @@ def satisfying(
         lanes = {key: np.repeat(numbers[key], 1 + len(places), axis=3) for key in keys}
         for lane, (key, place) in enumerate(places, 1):
             lanes[key][*place, lane] += SMALL_CHANGE
-        values = Values(motion.with_numbers({**numbers, **lanes}), rules, running, terms)
+        values = ValuesInMotion(motion.with_numbers({**numbers, **lanes}), rules, running, terms)
         residual, size = _residual(equations, values)
         if not np.all(np.isfinite(residual)):
             return None
@@ -121,7 +121,7 @@ def satisfying(
     return None
 
 
-def _residual(equations: Sequence[Pair], values: Values) -> tuple[Array, float]:
+def _residual(equations: Sequence[Pair], values: ValuesInMotion) -> tuple[Array, float]:
     """What is left of the equations, term by term, and the size of their sides."""
     rows, size = [], 1.0
     for left, right in equations:

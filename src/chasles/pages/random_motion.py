@@ -19,7 +19,7 @@ from chasles.vocabulary import PI, At, Call, Integral, Inverse, Node, Norm, Rate
 from chasles.vocabulary.functions import FunctionOf
 from chasles.vocabulary.partial import PartialDerivative, with_derivatives
 
-__all__ = ["TERMS", "NoValue", "RandomMotion", "TooFewTerms", "Values", "dotted"]
+__all__ = ["TERMS", "NoValue", "RandomMotion", "TooFewTerms", "ValuesInMotion", "dotted"]
 
 MOTIONS, ELEMENTS = 2, 7
 """So many motions are looked at, of bodies of so many elements."""
@@ -109,7 +109,7 @@ SATISFYING: dict[str, Callable[[Matrix], Matrix]] = {
 """By the kind of a hypothesis, what satisfies it, made of what is free."""
 
 
-class Values(Interpreter):
+class ValuesInMotion(Interpreter):
     """The values of expressions at a motion, under rules for quantities; raises `NoValue` for what has none.
 
     `begun` are the first terms of quantities whose later ones are being found.
@@ -180,7 +180,7 @@ class Values(Interpreter):
         known = order
         while known < self.terms:
             begun = {**self.begun, symbol: found}
-            following = Values(self.motion, self.rules_of, self.running, self.terms, begun)
+            following = ValuesInMotion(self.motion, self.rules_of, self.running, self.terms, begun)
             longer = following(self.rules_of[symbol, order].right)
             for k in reversed(range(order)):
                 longer = [
