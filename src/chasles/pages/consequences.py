@@ -12,7 +12,7 @@ import numpy as np
 
 from chasles.evaluation.matrices import Matrix
 from chasles.pages.premises import PosedEquation, Rules, chosen_rules
-from chasles.pages.random_motion import TERMS, NoValue, RandomMotion, TooFewTerms, ValuesInMotion, dotted
+from chasles.pages.random_motion import TERMS, NotInMotion, RandomMotion, TooFewTerms, ValuesInMotion, dotted
 from chasles.pages.time_series import Array
 from chasles.statements import Hypothesis
 from chasles.vocabulary import Integral, Node, Symbol, walk
@@ -60,7 +60,7 @@ class Consequences:
                     return _equal(values(left), values(right))
             except TooFewTerms:
                 continue
-            except (NoValue, KeyError, TypeError, ValueError, RecursionError, np.linalg.LinAlgError):
+            except (NotInMotion, KeyError, TypeError, ValueError, RecursionError, np.linalg.LinAlgError):
                 return None
         return None
 

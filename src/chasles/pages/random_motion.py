@@ -19,7 +19,7 @@ from chasles.vocabulary import PI, At, Call, Integral, Inverse, Node, Norm, Rate
 from chasles.vocabulary.functions import FunctionOf
 from chasles.vocabulary.partial import PartialDerivative, with_derivatives
 
-__all__ = ["TERMS", "NoValue", "RandomMotion", "TooFewTerms", "ValuesInMotion", "dotted"]
+__all__ = ["TERMS", "NotInMotion", "RandomMotion", "TooFewTerms", "ValuesInMotion", "dotted"]
 
 MOTIONS, ELEMENTS = 2, 7
 """So many motions are looked at, of bodies of so many elements."""
@@ -27,7 +27,7 @@ TERMS = 7
 """Terms of each series: so many rates less one may be taken."""
 
 
-class NoValue(Exception):
+class NotInMotion(Exception):
     """Something that has no value at a motion, or none that is known here."""
 
 
@@ -70,7 +70,7 @@ class RandomMotion:
         made = [[TimeSeries(entry) for entry in row] for row in free]
         for fact in self._facts(symbol):
             if fact.kind not in SATISFYING or fact.subjects != (symbol,):
-                raise NoValue
+                raise NotInMotion
             made = SATISFYING[fact.kind](made)
         return made
 
@@ -110,7 +110,7 @@ SATISFYING: dict[str, Callable[[Matrix], Matrix]] = {
 
 
 class ValuesInMotion(Interpreter):
-    """The values of expressions at a motion, under rules for quantities; raises `NoValue` for what has none.
+    """The values of expressions at a motion, under rules for quantities; raises `NotInMotion` for what has none.
 
     `begun` are the first terms of quantities whose later ones are being found.
     """
@@ -129,7 +129,7 @@ class ValuesInMotion(Interpreter):
 
     def entries(self, node: Node) -> Matrix:
         if isinstance(node, At) and node.argument != "t" and node not in self.rules:
-            raise NoValue
+            raise NotInMotion
         return super().entries(node)
 
     def constant(self, value: Fraction) -> TimeSeries:
@@ -159,7 +159,7 @@ class ValuesInMotion(Interpreter):
             case Integral(of):
                 return each(self(of), lambda entry: TimeSeries(entry.terms.sum(axis=-1, keepdims=True)))
             case _:
-                raise NoValue
+                raise NotInMotion
 
     def _resting(self, value: float) -> TimeSeries:
         terms = np.zeros((self.terms, 1, 1))
