@@ -6,7 +6,25 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
-from sympy import Eq, Rational, cbrt, cos, cot, csc, diff, log, sin, sqrt, symbols, tan
+from sympy import (
+    Eq,
+    Rational,
+    acot,
+    acoth,
+    acsch,
+    cbrt,
+    cos,
+    cosh,
+    cot,
+    csc,
+    diff,
+    log,
+    sin,
+    sinh,
+    sqrt,
+    symbols,
+    tan,
+)
 
 from chasles.prove import Rejected, prove, recheck
 from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder
@@ -26,6 +44,11 @@ ROOTS: list[tuple[Any, Any]] = [
     (diff((a + b * x) ** (n + 1), x), b * (n + 1) * (a + b * x) ** n),
     ((a + b * log(x)) ** (1 - n) / (x * (a + b * log(x))), 1 / (x * (a + b * log(x)) ** n)),
     ((2 * x**2 + 1) ** Rational(1, 6) ** 1 * sqrt(2 * x**2 + 1), (2 * x**2 + 1) ** Rational(2, 3)),
+    (cbrt(x**3 + 3 * x**2 + 3 * x + 1), x + 1),
+    (cbrt(x / (x + 1)), cbrt(x) / cbrt(x + 1)),
+    (cbrt(1 - 3 / x) ** 2 * x, cbrt(1 - 3 / x) ** 5 * x / (1 - 3 / x)),
+    (cbrt((x - 1) ** 7 * (x + 1) ** 2) ** 3, (x - 1) ** 7 * (x + 1) ** 2),
+    (sqrt(x**2 + x + 1) ** 3, (x**2 + x + 1) * sqrt(x**2 + x + 1)),
     (1 / ((1 - 2 * cbrt(x - 1)) ** 2 / 3 + 1), 3 / (4 - 4 * cbrt(x - 1) + 4 * cbrt(x - 1) ** 2)),
 ]
 DIVISORS: list[tuple[Any, Any]] = [
@@ -37,6 +60,12 @@ DIVISORS: list[tuple[Any, Any]] = [
     (1 / (1 - sqrt(a**2 - csc(x)) / a), a * (a + sqrt(a**2 - csc(x))) * sin(x)),
     (1 / (1 - 2 * cos(x) ** 2 / cos(2 * x)), -cos(2 * x)),
     (1 / (1 - cot(x) / (1 + cot(x))), 1 + cot(x)),
+    (sinh(x) / (a * (cosh(x) + 1)), sinh(x) / (a * cosh(x) + a)),
+    (acot(a * x**2) + 1, acot(a * x**2) + sin(x) ** 2 + cos(x) ** 2),
+    (acoth(a * x) + acsch(x), acsch(x) + acoth(a * x) * (1 + x - x)),
+    (log(x) ** (n + 1) / log(x), log(x) ** n),
+    (sin(x) ** (n + 1) / sin(x), sin(x) ** n),
+    (cosh(x) ** (n + 1) / cosh(x), cosh(x) ** n),
 ]
 DEFINITE: list[tuple[Any, Any, Any]] = [
     (x, 1, Eq(x**3, 1)),

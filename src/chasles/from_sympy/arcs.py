@@ -17,7 +17,7 @@ import sympy
 from chasles.from_sympy.divisors import CIRCULAR
 from chasles.from_sympy.opening import FunctionSymbol
 
-__all__ = ["INVERSE", "Arc", "arc_of", "turned", "without_arcs"]
+__all__ = ["INVERSE", "RECIPROCAL", "Arc", "arc_of", "turned", "without_arcs"]
 
 LARGEST_MULTIPLE = 16
 MOST_HALVINGS = 4
@@ -49,6 +49,8 @@ INVERSE: Mapping[type, Any] = {
     sympy.acsc: lambda u: (sympy.S.Zero, 1, sympy.asin, (1 / u,)),
     sympy.atan2: lambda y, x: (sympy.S.Zero, 1, sympy.atan2, (y, x)),
 }
+RECIPROCAL = (sympy.acot, sympy.asec, sympy.acsc)
+"""What is said by one over the argument."""
 
 
 def arc_of(function: type, arguments: tuple[Any, ...]) -> Arc:

@@ -14,7 +14,7 @@ from typing import Any
 import sympy
 
 from chasles.algebra.work_limit import check
-from chasles.from_sympy.arcs import INVERSE, Arc, arc_of, without_arcs
+from chasles.from_sympy.arcs import INVERSE, RECIPROCAL, Arc, arc_of, without_arcs
 from chasles.from_sympy.divisors import CIRCULAR
 from chasles.from_sympy.factors import factors_of, is_entire, is_evident
 from chasles.from_sympy.hyperbolic import EXPONENTIALS, LOGARITHMS
@@ -91,6 +91,8 @@ class Elementary:
             return self.read(sympy.log(e.args[0]) / sympy.log(e.args[1]))
         arguments = tuple(map(self.read, e.args))
         if e.func in INVERSE:
+            if e.func in RECIPROCAL:
+                self.nonvanishing(arguments[0])
             return self._arc(*INVERSE[e.func](*arguments))
         if e.func in CIRCULAR and self.arcs:
             return without_arcs(e.func, arguments[0], self.arcs)
@@ -233,16 +235,21 @@ class Elementary:
             raise Untreatable(f"log({excerpt(spelled)}) is not treated: it is not real")
         if sign == 0:
             self.needs[f"{spelled} > 0"] = sympy.log(spelled, evaluate=False)
-        for base, _, _ in factors_of(value) if sign else ():
-            if not (
-                base.is_Rational or is_evident(base) or (isinstance(base, Signed) and base != self._original(base))
-            ):
-                self.needs[f"{self._original(base)} != 0"] = 1 / self._original(base)
+        if sign:
+            self.nonvanishing(value)
+
+    def nonvanishing(self, value: Any) -> None:
+        """Say that something does not vanish, factor by factor, as far as that is not seen."""
+        for base, _, _ in factors_of(value):
+            original = self._original(base)
+            seen = base.is_Rational or base in self.exponents or is_evident(base)
+            if not (seen or (isinstance(base, Signed) and base != original)):
+                self.needs[f"{original} != 0"] = 1 / original
 
     def _learn(self, base: Any, sign: int) -> None:
         """The sign of a factor, by which an atom is written as a variable that has it."""
         original = self._original(base)
-        if isinstance(base, FunctionSymbol) and not is_atom(original):
+        if base in self.exponents:
             return
         if not is_evident(base) and self.signs.setdefault(original if is_atom(original) else base, sign) != sign:
             raise Untreatable(f"where roots and logarithms of {excerpt(original)} are real, others are not")

@@ -17,6 +17,7 @@ class Exponentials(Protocol):
 
     def exp(self, exponent: Any) -> Any: ...
     def log(self, value: Any, spelled: Any, evident: bool = False) -> Any: ...
+    def nonvanishing(self, value: Any) -> None: ...
 
 
 def _squared(function: Callable[[Any], Any]) -> Callable[[Exponentials, Any, Any], Any]:
@@ -47,7 +48,11 @@ def _atanh(words: Exponentials, u: Any, spelled: Any) -> Any:
 
 
 def _inverted(rule: Callable[[Exponentials, Any, Any], Any]) -> Callable[[Exponentials, Any, Any], Any]:
-    return lambda words, u, spelled: rule(words, 1 / u, 1 / spelled)
+    def of_reciprocal(words: Exponentials, u: Any, spelled: Any) -> Any:
+        words.nonvanishing(u)
+        return rule(words, 1 / u, 1 / spelled)
+
+    return of_reciprocal
 
 
 def _rooted(square: Any) -> Any:

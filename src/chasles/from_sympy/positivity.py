@@ -14,7 +14,7 @@ from chasles.algebra.rings import Polynomial, Ring
 
 __all__ = ["definite_by", "is_definite"]
 
-MOST_SQUARES, MOST_TERMS = 4, 16
+MOST_SQUARES, MOST_TERMS = 3, 16
 Exponents = tuple[int, ...]
 Terms = Mapping[Exponents, Fraction]
 

@@ -51,10 +51,10 @@ class Facts:
         if found is None:
             raise Rejected(f"{label!r} names nothing that is given")
         rates = int(found[5] or 0)
-        if found[1] == "zero" and not found[3] and not rates:
-            return self._zero(found[2])
-        if found[1] == "root" and not found[3] and not rates:
-            return self.reading.functions.relation(self.reading.places[found[2]])
+        if found[1] in ("zero", "root"):
+            if found[3] or rates:
+                raise Rejected(f"{label!r} names nothing that is given")
+            return self._zero(found[2]) if found[1] == "zero" else self._root(found[2])
         kind, place = found[1], int(found[2])
         entry = (int(found[3]) - 1, int(found[4]) - 1) if found[3] else None
         if kind == "equal" and entry is None and not rates:
@@ -76,6 +76,9 @@ class Facts:
         for _ in range(rates):
             fact = self.reading.rate(fact, time_of(item for item in self.asked.given if item.functions))
         return fact
+
+    def _root(self, name: str) -> Polynomial:
+        return self.reading.functions.relation(self.reading.places[name])
 
     def _zero(self, name: str) -> Polynomial:
         """What SymPy assumes to be zero."""

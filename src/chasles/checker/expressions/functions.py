@@ -137,6 +137,10 @@ class Functions:
     def radical(self, value: Polynomial, exponent: Fraction) -> Polynomial | None:
         """A power of a product of powers that this makes whole again."""
         root, degree = self.roots.get(frozenset(value.terms.items()), (-1, 1))
+        if root < 0 and self.roots and self.reading.is_known(value):
+            square = self.reading.normal(value * value)
+            root, degree = self.roots.get(frozenset(square.terms.items()), (-1, 2))
+            degree //= 2
         if root >= 0 and value.below == 1 and (exponent * degree).denominator == 1:
             return self._power(variable(root), int(exponent * degree))
         pairs = exponents(next(iter(value.terms))) if len(value.terms) == 1 else []

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from functools import reduce
 from operator import mul
@@ -13,7 +13,7 @@ from chasles.checker.expressions.factoring import quotient
 from chasles.checker.expressions.reading_of_proof import Proven
 from chasles.checker.expressions.signs import is_nonnegative, is_positive
 from chasles.checker.expressions.spoken import Spoken
-from chasles.checker.sparse import ZERO, Polynomial, Rejected, variable
+from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, variable
 
 __all__ = ["RELATIONS", "require_needs"]
 
@@ -51,8 +51,8 @@ def require_needs(
             any(map(one.bears_on, reading.inverses))
             or any(map(one.allows, reading.domains))
             or any(odd <= factors for odd, _ in one.signs)
-            or (reading.calls and is_positive(reading, one.polynomial))
             or (one.relation == " != 0" and constant(one.polynomial))
+            or ((reading.calls or one.relation == " >= 0") and is_positive(reading, one.polynomial))
         ):
             raise Rejected(f"the verdict needs {one.text}, of which the question does not speak")
 
@@ -87,7 +87,9 @@ def _is_excluded(reading: Proven, place: int, said: list[_SaidNeed]) -> bool:
         for polynomial in polynomials:
             while constant(rest) is None and (left := quotient(rest, polynomial)) is not None:
                 rest = left
-        if constant(rest) or any(quotient(polynomial, rest) is not None for polynomial in polynomials):
+        if any(quotient(polynomial, rest) is not None for polynomial in (ONE, *polynomials)):
+            return True
+        if rest is not product and (is_positive(reading, rest) or is_positive(reading, -rest)):
             return True
     return False
 
@@ -112,7 +114,7 @@ class _SaidNeed:
     def polynomial(self) -> Polynomial:
         """What the need is about, with nothing divided by."""
         if self._polynomial is None:
-            named = {str(e): variable(place) for place, e in self.reading.atoms.items()}
+            named = {str(e): self.reading.atom(e) for e in self.reading.atoms.values()}
             known = set(self.reading.inverses)
             with suppress(Rejected):
                 self._polynomial = self.reading.cleared(Spoken(self.reading, named)(self.spelled))[0]
@@ -123,28 +125,31 @@ class _SaidNeed:
     @property
     def signs(self) -> list[tuple[frozenset[Terms], int]]:
         """Factors of what is said to be positive, and its sign where these are: all of them, those of any sign."""
-        value = self._value() if self.relation == " > 0" else None
-        if value is None:
-            return []
-        odd, sign = self.reading.functions.signs(value)
-        open_ = frozenset(terms for terms in odd if not is_nonnegative(self.reading, Polynomial(dict(terms))))
-        return [(odd, sign), (open_, sign)]
+        found = []
+        for value in self._values() if self.relation == " > 0" else ():
+            odd, sign = self.reading.functions.signs(value)
+            open_ = frozenset(terms for terms in odd if not is_nonnegative(self.reading, Polynomial(dict(terms))))
+            found += [(odd, sign), (open_, sign)]
+        return found
 
     def implies(self, value: Polynomial) -> bool:
         """Whether something is more by a number than what is said not to be negative."""
-        least = self._value() if self.relation != " != 0" else None
-        rest = None if least is None else constant(self.reading.normal(value - least))
-        return rest is not None and rest > 0
+        rests = [constant(self.reading.normal(value - least)) for least in self._values() if self.relation != " != 0"]
+        return any(rest is not None and rest > 0 for rest in rests)
 
-    def _value(self) -> Polynomial | None:
-        named = {str(e): variable(place) for place, e in self.reading.atoms.items()}
-        known, positives = set(self.reading.inverses), list(self.reading.functions.positives)
-        value = None
-        with suppress(Rejected):
-            value = Spoken(self.reading, named)(self.spelled)
-        # What the need itself is about is not what makes it needed.
-        self.reading.functions.positives[:] = positives
-        return value if known == set(self.reading.inverses) else None
+    def _values(self) -> Iterator[Polynomial]:
+        """What the need is about: in its quantities, and in the roots of which these are powers."""
+        places = self.reading.atoms.items()
+        plain = {str(e): variable(place) for place, e in places}
+        rooted = {str(e): self.reading.atom(e) for _, e in places} if self.reading.rooted else {}
+        for named in filter(None, (plain, rooted)):
+            known, positives = set(self.reading.inverses), list(self.reading.functions.positives)
+            with suppress(Rejected):
+                value = Spoken(self.reading, named)(self.spelled)
+                if known == set(self.reading.inverses):
+                    yield value
+            # What the need itself is about is not what makes it needed.
+            self.reading.functions.positives[:] = positives
 
     def excludes(self, place: int) -> bool:
         """Whether it says that what a variable is the inverse of does not vanish."""
