@@ -40,7 +40,7 @@ a, b, c, d, p, r = (vector(name, name, "a vector") for name in "abcdpr")
 e = vector("e", "e", "unit vector along the axis")
 Q = square("Q", "Q", "rotation")
 M, N = square("M", "M", "a matrix"), square("N", "N", "a matrix")
-x, y, s, m = (scalar(name, name, "a scalar") for name in "xysm")
+x, y, s, m, k = (scalar(name, name, "a scalar") for name in "xysmk")
 phi = scalar("phi", r"\phi", "an angle")
 omega = vector("omega", r"\omega", "angular velocity", FREQUENCY)
 one = Identity(3)
@@ -76,6 +76,9 @@ PAGES: dict[str, tuple[list[Equation], list[str]]] = {
     "a definition, and a sign lost": ([eq(c, cross(a, b)), eq(c, cross(b, a))], ["defined", "fails"]),
     "a definition, and another letter": ([eq(c, cross(a, b) + r), eq(d, b), eq(c, cross(a, p) + r)],
                                          ["defined", "defined", "fails"]),
+    "another choice of two letters": ([eq(x, dot(a, b)), eq(x, dot(a, c))], ["defined", "open"]),
+    "a term more, which one letter would cancel": (
+        [eq(y, x * s), eq(y, x * (s + (m - k) * x))], ["defined", "open"]),
     "defined on the right": ([eq(cross(a, b), c), eq(dot(c, a), number(0))], ["defined", "holds"]),
     "an axis, which is a condition": ([eq(Q @ e, e)], ["open"]),
     "an axis, which follows": ([eq(Q, turn), eq(Q @ e, e)], ["defined", "holds-under"]),

@@ -32,6 +32,7 @@ from chasles.vocabulary import (
     Identity,
     Node,
     Number,
+    Quotient,
     Rate,
     Scale,
     Sum,
@@ -73,7 +74,9 @@ def ungrouped(node: Node) -> Any:
         return "Negative", ungrouped(Number(-node.value))
     if isinstance(node, Number) and node.value.denominator != 1:
         parts = (Number(Fraction(part)) for part in (node.value.numerator, node.value.denominator))
-        return ("Quotient", *map(ungrouped, parts), "True")
+        return ("Quotient", *map(ungrouped, parts))
+    if isinstance(node, Quotient) and isinstance(node.numerator, Number) and isinstance(node.denominator, Number):
+        return ("Quotient", *map(ungrouped, node.below))
     if isinstance(node, Rate) and isinstance(node.of, At):
         return ungrouped(At(Rate(node.of.of), node.of.argument))
     if isinstance(node, Zero | Number) and node in (Zero(1, 1), Number(0)):  # type: ignore[arg-type]

@@ -98,12 +98,27 @@ def test_what_stands_before_an_implication_is_a_condition() -> None:
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
+        (r"\begin{aligned} r &= h \\ h &= r \end{aligned}", ["defined", "holds"]),
+        (r"\mathbf a = \{r, h, p\}", ["unread"]),
+        ("no equation", []),
+    ],
+)
+def test_an_equation_alone_need_not_be_displayed(text: str, expected: list[str]) -> None:
+    page = chasles.read(text, NOTATION)
+    assert [each.verdict for each in page.equations] == expected
+    assert all("list in braces" in each.read.why for each in page.equations if each.verdict == "unread")
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
         (r"\begin{equation} [PB] = [PN_1] [BN_1]^T \end{equation}", 1),
         (r"\begin{equation} [PB] \mathbf b = \mathbf a \end{equation}", 1),
         ("\\begin{align} r &= h \\\\[1em] h &= r \\\\*[-2pt] r &= h \\end{align}", 3),
         ("\\begin{align} r &= h \\\\\n [0.5\\baselineskip] h &= r \\end{align}", 2),
         (r"\usepackage{physics} \[ \dv{\vb{a}}{t} = \abs{\vb a} \vb b \]", 1),
         (r"\[ m_{\text{\text{hub}}} = r \]", 1),
+        (r"\begin{align} r &= \textcolor{red}{h} \\[5px] \mathcolor[rgb]{1,0,0}{h} &= r \end{align}", 2),
     ],
 )
 def test_displays_keep_what_stands_in_them(text: str, expected: int) -> None:

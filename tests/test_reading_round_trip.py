@@ -27,12 +27,11 @@ MODULE.__dict__.update(one=Identity(3), zero=Zero(3, 3))
 NOTATION = in_module(MODULE)
 
 
-@settings(max_examples=120, deadline=None)
+@settings(max_examples=400, deadline=None)
 @given(st.sampled_from(("scalar", "vector", "matrix")).flatmap(lambda kind: expressions(kind, 2)))
 def test_a_random_word_is_read_back(node: Node) -> None:
     """A letter alone in brackets is left out: behind a letter it is an argument."""
     assume(node.fault is None)
-    assume(not any(isinstance(each, Number) and (each.value < 0 or each.value.denominator > 1) for each in walk(node)))
     assume(not any(isinstance(each, Group) and isinstance(quantity(each.of), Symbol | Number) for each in walk(node)))
     left = {(1, 1): s, (3, 1): b, (3, 3): Q}[node.shape]
     (found,) = read_equations([PrintedEquation(f"{latex(left)} = {latex(node)}")], NOTATION)

@@ -70,7 +70,9 @@ def test_several_pages(folder: Path) -> None:
 def test_files_that_a_page_includes(folder: Path) -> None:
     (folder / "inner.tex").write_text("\n$$\\mathbf{e}^T\\mathbf{e} = 2$$", "utf-8")
     (folder / "outer.tex").write_text("\\input{inner}", "utf-8")
-    assert "0 displayed" in read("outer.tex", "--notation", "notation.toml").stdout
+    done = read("outer.tex", "--notation", "notation.toml")
+    assert "0 displayed" in done.stdout
+    assert "outer.tex: no displayed equation; --inline reads" in done.stderr
     assert read("outer.tex", "--notation", "notation.toml", "--input").stdout.startswith("inner.tex:2: fails")
     (folder / "inner.tex").write_text("\\input{outer}", "utf-8")
     done = read("outer.tex", "--notation", "notation.toml", "--input")

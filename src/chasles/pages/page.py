@@ -144,7 +144,7 @@ def read(text: str, notation: str | Path | ModuleType | Chapter | Mapping[str, A
     if kind is None and "\\begin{document}" in text:
         kind = "tex"
     known = notation_of_chapter(notation) if isinstance(notation, Chapter) else load_notation(notation)
-    return read_page(displayed(text, kind or looks), known)
+    return read_page(displayed(text, kind or looks) or (() if kind else displayed(text, "equation")), known)
 
 
 def read_page(printed: tuple[PrintedEquation, ...], notation: PageNotation, file: str = "") -> Page:

@@ -20,7 +20,7 @@ from chasles.repairs.modular_testing import REFUSED, modular_test
 from chasles.repairs.repair import Repair, repair
 from chasles.statements import Claim
 from chasles.verdict import Holds, HoldsUnder
-from chasles.vocabulary import Node, Number, Sum, Symbol, Zero, walk
+from chasles.vocabulary import Group, Negative, Node, Number, Sum, Symbol, Zero, walk
 
 __all__ = ["true_but_for_a_slip"]
 
@@ -44,12 +44,13 @@ def true_but_for_a_slip(
     for left, right, said in islice(candidates, MOST_EDITS):
         meant = with_fields(attempts[-1], left=left, right=right, sic=True)
         verdict = None if meant.fault else proof_of(meant, session)
-        if isinstance(verdict, Holds | HoldsUnder):
+        if isinstance(verdict, Holds | HoldsUnder) and not _cancels(claim, (left, right)):
             yield Repair(left, right, (said,), 1, verdict)
     for attempt in attempts:
         for found in repair(attempt, session.accepted, EFFORT):
-            if found.edits == 1 and found.left != found.right and _is_slip(claim, found, premises):
-                yield found
+            sides = found.left, found.right
+            if found.edits == 1 and sides[0] != sides[1] and _is_slip(claim, found, premises):
+                yield from () if _cancels(claim, sides) else (found,)
 
 
 def _likely(
@@ -77,18 +78,43 @@ def _likely(
 def _is_slip(claim: Claim, found: Repair, premises: Premises) -> bool:
     """Whether what is changed is a mark; or one letter, in what is said of a quantity that is known.
 
-    Another letter, or another term, may make any condition true.
+    Another letter, or another term, may make any condition true; of a side that is one product of two letters it leaves
+    too little to say that this was meant.
     """
     before, after = _symbols(claim.printed), _symbols((found.left, found.right))
     if before == after:
         return True
     known = {**premises.defined(), **premises.proved}
     is_one_letter = (before - after).total() == (after - before).total() == 1
+    if is_one_letter and min(_symbols((side,)).total() for side in claim.printed) == 1 and before.total() < 4:
+        return False
     said = {symbol for symbol, _ in known}
     is_about_known = any(quantity(side) in known for side in claim.printed) or all(
         symbol in said or premises.facts(symbol) for side in claim.printed for symbol, _ in quantities(side)
     )
     return is_one_letter and is_about_known
+
+
+def _cancels(claim: Claim, sides: tuple[Node, Node]) -> bool:
+    """Whether the change makes terms cancel that did not: what was printed says more than what would be meant."""
+    return sum(map(_cancelling, sides)) > sum(map(_cancelling, claim.printed))
+
+
+def _cancelling(side: Node) -> int:
+    count = 0
+    for part in walk(side):
+        terms = [_unsigned(term) for term in part.terms] if isinstance(part, Sum) else []
+        count += sum((not is_negative, term) in terms for is_negative, term in terms)
+    return count
+
+
+def _unsigned(term: Node) -> tuple[bool, Node]:
+    """Whether a term is negative, and what it is but for that and its brackets."""
+    is_negative = False
+    while isinstance(term, Negative | Group):
+        is_negative ^= isinstance(term, Negative)
+        term = term.below[0]
+    return is_negative, term
 
 
 def _symbols(sides: Iterable[Node]) -> Counter[Node]:

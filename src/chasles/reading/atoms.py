@@ -148,7 +148,10 @@ class _Respelling:
             return self.delimiter(token)
         if text in commands.SPACES:
             return [PrintedAtom([token._replace(text=r"\quad")])]
-        if text in commands.ARGUMENT_KEPT:
+        if text in commands.COLOURED:
+            for brackets in ("[]", "{}") if self.peek() == "[" else ("{}",):
+                self.raw_argument(token, brackets)
+        if text in commands.ARGUMENT_KEPT | commands.COLOURED:
             return self.argument(token)
         if text in commands.TEXT:
             return _text(token, self.raw_argument(token))

@@ -54,6 +54,8 @@ ARGUMENT_KEPT = _commands(
     "boxed mathbin mathrel mathord mathop mathopen mathclose mathpunct mathinner ensuremath smash lefteqn fbox "
     "underbrace overbrace vcenter"
 )
+COLOURED = _commands("textcolor mathcolor")
+"""Commands of which the second argument is kept."""
 ARGUMENT_DROPPED = _commands("label tag phantom hphantom vphantom footnote cite citep citet color index vspace hspace")
 DROPPED = _commands(
     "displaystyle textstyle scriptstyle scriptscriptstyle limits nolimits displaylimits allowbreak nobreak break "

@@ -131,6 +131,9 @@ def _nucleus(atom: Atom, letter: Glyph, ctx: FittingContext) -> list[Fit]:
             return _bracketed(atom, rest, ctx)
         case "BRACKET" if makes := spellings.brackets.get((f"{atom.text},", rest.loose.sub, " ".join(rest.loose.sups))):
             return list(made_of(makes, list(product(*map(ctx.terms, atom.inside))), None, ctx))
+        case "BRACKET" if len(atom.inside) > 1 and atom.text == r"\{\}":
+            ctx.note("no word for a list in braces", atom.place)
+            return []
         case "BRACKET" if atom.inside and atom.text in ("()", "[]"):
             return _column(atom, rest, ctx)
         case "GRID" if atom.grid is not None and atom.grid.name in ENVIRONMENTS:

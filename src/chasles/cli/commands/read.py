@@ -79,6 +79,10 @@ def command(
     found = [page for page, _, _ in read]
     _tell_unmatched(f"{notation}: no letter of the page matches", [entries for _, entries, _ in read])
     _tell_unmatched(f"{notation}: the page has no equation with the number", [numbers for _, _, numbers in read])
+    empty = [page.file for page in found if not page.equations]
+    if empty and not is_quiet():
+        more = "--inline reads those between single dollars, --macros FILE those that macros of a style file open"
+        complain([f"{file}: no displayed equation; {more}" for file in empty])
     if html:
         from chasles.report.read_page import read_page_as_html
 
