@@ -8,17 +8,22 @@ from typing import Any
 import pytest
 from sympy import (
     Eq,
+    Function,
     Rational,
+    Symbol,
     acot,
     acoth,
     acsch,
+    atan,
     cbrt,
     cos,
     cosh,
     cot,
     csc,
     diff,
+    exp,
     log,
+    pi,
     sin,
     sinh,
     sqrt,
@@ -26,11 +31,12 @@ from sympy import (
     tan,
 )
 
-from chasles.prove import Rejected, prove, recheck
+from chasles.prove import Rejected, Untreatable, prove, recheck
 from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder
 
 x, y, z, a, b, n, r = symbols("x y z a b n r")
-third = Rational(1, 3)
+t = symbols("t")
+f, g = Function("f")(t), Function("g")(t)
 
 ROOTS: list[tuple[Any, Any]] = [
     (cbrt(x + 1), cbrt(x + 1)),
@@ -130,3 +136,33 @@ def test_the_root_of_a_multiple_is_no_root() -> None:
         forged = replace(verdict, certificate={**verdict.certificate, "names": {**names, word: text}})
         with pytest.raises(Rejected):
             recheck(forged, left, (x + 1) * cbrt(x + 1))
+
+
+VALUES: list[tuple[Any, Any, Any]] = [
+    (log(x), 0, Eq(x, 1)),
+    (exp(x + y), exp(1) * exp(x), Eq(y, 1)),
+    (atan(x), pi / 4, Eq(x, 1)),
+    (cbrt(x), 2, Eq(x, 8)),
+    (exp(f).diff(t), exp(g + 1) * g.diff(t), Eq(f, g + 1)),
+    (2**x + cosh(y), 4 + cosh(y), Eq(x, 2)),
+]
+
+
+@pytest.mark.parametrize(("left", "right", "given"), VALUES, ids=str)
+def test_a_value_that_is_given_is_put_into_functions(left: Any, right: Any, given: Any) -> None:
+    verdict = prove(left, right, given=given)
+    assert isinstance(verdict, HoldsUnder)
+    recheck(verdict, left, right, given=given)
+    wrong = prove(left, right + 1, given=given)
+    assert not isinstance(wrong, Holds | HoldsUnder)
+    with pytest.raises(Rejected):
+        recheck(verdict, left, right, given=Eq(given.lhs, given.rhs + 1))
+    with pytest.raises(Rejected):
+        recheck(verdict, left, right)
+
+
+def test_a_value_at_which_a_function_is_not_real_contradicts_and_one_at_zero_is_refused() -> None:
+    assert isinstance(prove(log(x), 0, given=Eq(x, -1)), Contradictory)
+    assert not isinstance(prove(1 / log(x), 1, given=Eq(x, 1)), Holds | HoldsUnder | Fails)
+    with pytest.raises(Untreatable, match="assumed to be zero"):
+        prove(0, 1 / Symbol("o", zero=True))

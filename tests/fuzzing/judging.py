@@ -21,6 +21,8 @@ __all__ = ["Alarm", "Judged", "judge", "violations"]
 
 FAR, NEAR = mpf(10) ** -20, mpf(10) ** -30
 POINTS = 4
+OF_ZERO = re.compile("multiplied by zero|assumed to be zero")
+"""Why a question on what is zero may be declined."""
 
 
 @dataclass(frozen=True)
@@ -46,7 +48,7 @@ def judge(question: Equation, draw: Random, answer: Answer | None = None) -> Jud
     if answer.name == "crash":
         return Judged(answer, Alarm("crash", answer.words))
     if answer.name == "untreatable":
-        alarm = None if question.lenient or "multiplied by zero" in answer.words else Alarm("declined", answer.words)
+        alarm = None if question.lenient or OF_ZERO.search(answer.words) else Alarm("declined", answer.words)
         return Judged(answer, alarm)
     if answer.name == "undecided":
         return Judged(answer, None)
@@ -204,9 +206,11 @@ def _met(question: Equation, need: str, evaluate: Values) -> bool:
     one, relation, other = found.groups()
     kinds = {"!=": sp.Ne, ">=": sp.Ge, "<=": sp.Le, ">": sp.Gt, "<": sp.Lt}
     sides = [_expression(question, side) for side in (one, other)]
-    if not set(atoms_of(*sides)) <= evaluate.atoms.keys():
+    unspoken = set(atoms_of(*sides)) - evaluate.atoms.keys()
+    if not all(isinstance(atom, sp.Symbol) for atom in unspoken):
         # It is said not to vanish, and the point does not speak of it.
         return True
+    evaluate = Values({**evaluate.atoms, **{atom: [mpf(7) / 8] for atom in unspoken}}, evaluate.like)
     return evaluate.truth(kinds[relation](*sides, evaluate=False))
 
 

@@ -142,9 +142,9 @@ def _without_given_angles(result: SideConditions, expressions: list[Any]) -> lis
     """Use equations between angles, such as alpha + beta + gamma = pi, to eliminate one of the angles."""
     for item in list(result.equations):
         for pair in list(item.pairs):
-            angles = _angles_in([*expressions, *(side for other in result.equations for side in other.sides)])
-            solved = _solved_for_angle(pair[0] - pair[1], angles)
-            if solved is None:
+            spoken = [*expressions, *(side for other in result.equations for side in other.sides)]
+            solved = _solved_for_angle(pair[0] - pair[1], _angles_in(spoken))
+            if solved is None or not _keeps_its_meaning(spoken, *solved):
                 continue
             atom, value = solved
             item.pairs.remove(pair)
@@ -158,9 +158,14 @@ def _without_given_angles(result: SideConditions, expressions: list[Any]) -> lis
 
 def _angles_in(expressions: Iterable[Any]) -> set[Any]:
     """The atoms that occur in arguments of functions, of which the angles are the most common."""
-    kinds = (*CIRCULAR, *ELEMENTARY, sympy.Pow)
+    return _arguments(expressions, *CIRCULAR, *ELEMENTARY, sympy.Pow)
+
+
+def _arguments(expressions: Iterable[Any], *kinds: Any) -> set[Any]:
     calls = {call for e in expressions for call in parts_of(e) if isinstance(call, kinds)}
-    calls = {call for call in calls if not call.is_Pow or call.exp.free_symbols}
+    calls = {
+        call for call in calls if not (call.is_Pow and call.exp.is_Rational and call.exp.q & (call.exp.q - 1) == 0)
+    }
     parts = (part for call in calls for argument in call.args for part in parts_of(argument))
     return {part for part in parts if is_atom(part)}
 
@@ -171,7 +176,7 @@ def _solved_for_angle(difference: Any, angles: set[Any]) -> tuple[Any, Any] | No
     Nothing is lost by putting it in: the angle is no rate, and neither it nor a rate of it occurs in the value.
     """
     terms = sympy.expand(difference).as_coefficients_dict()
-    if not all(term is sympy.pi or is_atom(term) for term in terms):
+    if not all(term in (sympy.pi, sympy.S.One) or is_atom(term) for term in terms):
         return None
     moved = [term.expr for term in terms if isinstance(term, sympy.Derivative)]
     candidates = sorted((term for term in terms if term in angles and term not in moved), key=str)
@@ -180,6 +185,19 @@ def _solved_for_angle(difference: Any, angles: set[Any]) -> tuple[Any, Any] | No
         return None
     atom = candidates[-1]
     return atom, sympy.expand(atom - difference / terms[atom])
+
+
+def _keeps_its_meaning(expressions: list[Any], atom: Any, value: Any) -> bool:
+    """Whether all is real, and an angle or defined, where a value that is no sum of angles is put in, as before."""
+    rest = value.as_coefficients_dict().get(sympy.S.One, 0)
+    if rest == 0 and value.free_symbols:
+        return True
+    powers = [part for e in expressions for part in parts_of(e) if part.is_Pow and part.exp.has(atom)]
+    turned = rest != 0 and atom in _arguments(expressions, *CIRCULAR)
+    if turned or not all(part.base.is_positive for part in powers):
+        return False
+    lost = (sympy.zoo, sympy.nan, sympy.oo, sympy.I)
+    return not any(_put_in(e, atom, value).has(*lost) and not e.has(*lost) for e in expressions)
 
 
 def _put_in(expression: Any, atom: Any, value: Any) -> Any:

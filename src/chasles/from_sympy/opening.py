@@ -119,6 +119,8 @@ def _evaluated(entry: Any) -> Any:
         met = {e.xreplace(zeros) for e in whole.atoms(sympy.Pow, sympy.Function)}
         if any(e.args and e.free_symbols for e in met - entry.atoms(sympy.Pow, sympy.Function)):
             raise Untreatable(f"{excerpt(whole)} is not treated: it is multiplied by zero, and has to be defined")
+        if entry.has(sympy.zoo, sympy.nan):
+            raise Untreatable(f"{excerpt(whole)} is not treated: it divides by what is assumed to be zero")
         parts = list(parts_of(entry))
     for inexact in (part for part in parts if isinstance(part, sympy.Float)):
         exact = str(sympy.nsimplify(inexact, rational=True))

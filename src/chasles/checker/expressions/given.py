@@ -57,12 +57,15 @@ def _eliminate(asked: Asked, point: AtPoint) -> None:
 def eliminate_angle(reading: Expressions, difference: Polynomial, e: Any) -> bool:
     """Let a quantity have the value that a linear equation with rational coefficients gives it, if this is one."""
     terms = [(exponents(monomial), Fraction(c, difference.below)) for monomial, c in difference.terms.items()]
-    if not all(len(pairs) == 1 and pairs[0][1] == 1 and pairs[0][0] in reading.atoms for pairs, _ in terms):
+    if not all(
+        not pairs or (pairs[0][1:] == (1,) and pairs[0][0] in reading.atoms and not pairs[1:]) for pairs, _ in terms
+    ):
         return False
-    places = {pairs[0][0]: slope for pairs, slope in terms}
+    places = {pairs[0][0]: slope for pairs, slope in terms if pairs}
+    least = sum((number(slope) for pairs, slope in terms if not pairs), ZERO)
     own = next((place for place in places if reading.atoms[place] == e), None)
     if own is None:
         return False
     rest = ((variable(place) * number(-slope / places[own])) for place, slope in places.items() if place != own)
-    reading.substitute(e, reduce(add, rest, ZERO))
+    reading.substitute(e, reduce(add, rest, least * number(-1 / places[own])))
     return True
