@@ -6,12 +6,14 @@ from functools import lru_cache, reduce
 from operator import add, mul
 from typing import Any
 
+import mpmath
 import sympy as sp
 from mpmath.ctx_iv import MPIntervalContext
 from mpmath.libmp import fzero, mpf_lt
 
 __all__ = ["INVERSES", "NoEnclosure", "enclosed", "intervals", "is_bounded", "sign_by_enclosure"]
 
+FEW_BITS = 64
 INVERSES = (sp.acos, sp.asin, sp.atan, sp.acot, sp.asec, sp.acsc)
 
 
@@ -59,8 +61,26 @@ def intervals(bits: int) -> MPIntervalContext:
 
 @lru_cache(maxsize=1000)
 def _near(root: Any, bits: int) -> Any:
-    """A rational number that far from the root at most."""
-    return root.eval_rational(sp.Rational(1, 2**bits))
+    """A rational number that far from the root at most: Newton's, where the signs beside it differ, else by halving."""
+    near = root.eval_rational(sp.Rational(1, 2**FEW_BITS))
+    if bits > FEW_BITS:
+        polynomial, unit = root.poly, sp.Rational(1, 2**bits)
+        found = _by_newton(polynomial, near, bits)
+        low, high = near - sp.Rational(1, 2**FEW_BITS), near + sp.Rational(1, 2**FEW_BITS)
+        apart = low <= found - unit and found + unit <= high and polynomial.count_roots(low, high) == 1
+        is_it = apart and polynomial.eval(found - unit) * polynomial.eval(found + unit) <= 0
+        near = found if is_it else root.eval_rational(unit)
+    return near
+
+
+def _by_newton(polynomial: Any, start: Any, bits: int) -> Any:
+    """Newton's approximation to a root with 64 known bits, as a multiple of 1 / 2^bits."""
+    with mpmath.workprec(bits + 64):
+        x = mpmath.mpf(int(start.p)) / int(start.q)
+        for _ in range((bits // FEW_BITS).bit_length() + 1):
+            value, slope = mpmath.polyval([int(c) for c in polynomial.all_coeffs()], x, derivative=True)
+            x -= value / slope if slope else 0
+        return sp.Rational(int(mpmath.nint(mpmath.ldexp(x, bits))), 2**bits)
 
 
 class _Intervals:

@@ -101,27 +101,18 @@ def _row_at_root(matrix: Any, value: Root) -> list[Any]:
 def _entry(polynomial: Poly, square: Poly, signed: Poly, value: Root, field: NumberField) -> Any:
     """The number whose square is one element of the field of the root, and whose sign is that of another."""
     square, signed = square.rem(polynomial), signed.rem(polynomial)
-
-    def near(digits: int) -> Any:
-        x = value.value.evalf(2 * digits)
-        turn = 1 if _at(signed, x, 2 * digits) > 0 else -1
-        return turn * sp.sqrt(_at(square, x, 2 * digits)).evalf(digits)
-
-    if square.degree() <= 0:
-        return sp.sign(near(30)) * root(field.expression(square.rep.to_list()[0]))
+    turn = sign_of(signed.as_expr().xreplace({X: value.value}))
+    if square.degree() == 0:
+        return turn * root(field.expression(square.rep.to_list()[0]))
     least = _characteristic_of_multiplication(square, polynomial, field).compose(Poly(X**2, X, domain=field.domain))
-    return place_of(least.norm() if field.domain.is_Algebraic else least, near)
+    number = turn * sp.sqrt(square.as_expr().xreplace({X: value.value}))
+    return place_of(least.norm() if field.domain.is_Algebraic else least, number)
 
 
 def _characteristic_of_multiplication(element: Poly, polynomial: Poly, field: NumberField) -> Poly:
     columns = [(element * Poly(X**k, X, domain=field.domain)).rem(polynomial) for k in range(3)]
     rows = [[column.rep.nth(i) for column in columns] for i in range(3)]
     return Poly.from_list(DomainMatrix(rows, (3, 3), field.domain).charpoly(), X, domain=field.domain)
-
-
-def _at(element: Poly, x: Any, digits: int) -> Any:
-    terms = element.as_expr().as_poly(X, domain="EX").terms()
-    return sum((c.evalf(digits) * x**k for (k,), c in terms), sp.Integer(0))
 
 
 def _over(field: NumberField, coefficients: list[Any]) -> Poly:

@@ -16,6 +16,7 @@ from typing import Any
 import sympy as sp
 from sympy import CRootOf, Poly, Symbol, latex
 
+from chasles.exact.enclosures import enclosed
 from chasles.exact.fields import NumberField, sign_of
 from chasles.exact.numbers import NotDecided, is_zero, normal, root
 from chasles.exact.square_roots import independent_atoms
@@ -118,18 +119,22 @@ def remainders(coefficients: list[Any], values: list[Any]) -> list[Any]:
     return [*found, sp.Integer(rest.degree() - len(places))]
 
 
-def place_of(polynomial: Poly, near: Callable[[int], Any]) -> Root:
-    """The root of a rational polynomial that `near` gives to so many digits: its irreducible factor and its place."""
+def place_of(polynomial: Poly, number: Any) -> Root:
+    """The root of a rational polynomial that the number is: its irreducible factor and its place."""
     factors = [factor for factor, _ in polynomial.factor_list()[1]]
-    return _only([Root(_integers(factor), index) for factor in factors for index in range(factor.count_roots())], near)
+    places = [Root(_integers(factor), index) for factor in factors for index in range(factor.count_roots())]
+    (found,) = _where_zero(places, lambda x: x - number, 1)
+    return found
 
 
-def _only(places: list[Root], near: Callable[[int], Any]) -> Root:
-    digits = 30
-    while len(places) > 1:
-        places = [place for place in places if abs(place.value.evalf(digits) - near(digits)) < 10 ** -(digits // 2)]
-        digits *= 2
-    return places[0]
+def _where_zero(places: list[Root], value: Callable[[Any], Any], count: int) -> list[Root]:
+    """The places, so many in number, at which a value is zero: enclosures leave out the others."""
+    bits = 128
+    while len(places) > count:
+        within = [(place, enclosed(value(place.value), bits)) for place in places]
+        places = [place for place, interval in within if not (interval > 0 or interval < 0)]
+        bits *= 2
+    return places
 
 
 def _value(found: Any) -> Any:
@@ -187,17 +192,7 @@ def _places(factor: Poly) -> list[Any]:
     rational = factor.norm() if factor.domain.is_Algebraic else factor
     least = rational.sqf_part()
     places = [Root(_integers(least), index) for index in range(least.count_roots())]
-    digits = DIGITS // 2
-    while len(places) > factor.degree():
-        places = [place for place in places if _may_vanish(factor, place, digits)]
-        digits *= 2
-    return list(places)
-
-
-def _may_vanish(factor: Poly, place: Root, digits: int) -> bool:
-    x = place.value.evalf(2 * digits)
-    value = sum(c.evalf(2 * digits) * x**k for (k,), c in factor.as_expr().as_poly(X, domain="EX").terms())
-    return bool(abs(value) < sp.Rational(10) ** -digits)
+    return [*_where_zero(places, lambda x: factor.as_expr().xreplace({X: x}), factor.degree())]
 
 
 def _integers(polynomial: Poly) -> tuple[int, ...]:

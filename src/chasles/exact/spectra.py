@@ -35,7 +35,8 @@ __all__ = [
 def characteristic(matrix: Any) -> list[Any]:
     """The coefficients of det(x 1 - matrix), highest power first."""
     if matrix.rows < 3:
-        values = [-matrix.trace(), matrix.det()]
+        a, d = matrix[0, 0], matrix[-1, -1]
+        values = [-a, sp.Integer(1)] if matrix.rows == 1 else [-a - d, a * d - matrix[0, 1] * matrix[1, 0]]
         return [sp.Integer(1), *(normal(value) for value in values[: matrix.rows])]
     field = NumberField(*matrix)
     rows = [[field(matrix[i, j]) for j in range(matrix.cols)] for i in range(matrix.rows)]

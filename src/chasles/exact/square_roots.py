@@ -127,11 +127,18 @@ def independent_atoms(*values: Any) -> tuple[Any, ...] | None:
     related = len(angles) > 1 and not all(isinstance(atom, sp.cot) for atom in angles)
     if related:
         return None
-    hidden = {atom: sp.Dummy() for value in values for atom in value.atoms(TrigonometricFunction)}
-    powers = set().union(*(value.xreplace(hidden).atoms(sp.Pow) for value in values))
-    under = {int(x.base) for x in powers if x.base.is_Integer and x.exp.q == 2}
+    under = {under for value in values for under in _integers_under_roots(value)}
     beside = sp.sqrt(lcm(*under))
     return tuple(beside * atom for atom in sorted(found, key=sp.default_sort_key))
+
+
+def _integers_under_roots(value: Any) -> Iterator[int]:
+    """The integers whose square roots occur, not those within angles."""
+    if value.is_Pow and value.base.is_Integer and value.exp.q == 2:
+        yield int(value.base)
+    elif not isinstance(value, TrigonometricFunction):
+        for part in value.args:
+            yield from _integers_under_roots(part)
 
 
 def has_roots_of_atoms(value: Any) -> bool:
