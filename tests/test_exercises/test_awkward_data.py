@@ -94,3 +94,28 @@ def test_rotations_through_tiny_angles(size: int) -> None:
     columns = {"i": [cosine, sine, 0], "j": [f"-{sine}", cosine, 0], "k": [0, 0, 1]}
     with at_most(ENDLESS):
         assert solve_with("3.6", columns).status == "screw"
+
+
+FAR_APART = ["1268/169", "-180/169", "96/169"], ["-180/169", "749/169", "-84/169"], ["96/169", "-84/169", "856/169"]
+
+
+def test_moments_that_are_far_apart_are_told_apart() -> None:
+    """Eigenvalues beyond square roots, some of them 100 digits longer than the others."""
+    solution = solve_with("3.16", {"I_C": FAR_APART, "m": 1, "d": [["3/13", "12/13", "10^50*sqrt(2)"]]})
+    least, *others = solution.answers["moments_P"][0]
+    assert [least.index, *(other.index for other in others)] == [0, 1, 2]
+    assert least.value.evalf(10) < 10
+    assert all(other.value.evalf(10) > 10**99 for other in others)
+
+
+@pytest.mark.parametrize(
+    ("number", "data"),
+    [
+        ("3.12", {"side": "pi^64"}),
+        ("3.5", {"pi": ["-sqrt(2)/2", 0, "sqrt(2)/10^50", 0, "-sqrt(2)", 0]}),
+        ("3.5", {"pi": [f"sqrt({25 * 10**98 + 1})", 0, 0, 0, 0, 0]}),
+    ],
+)
+def test_what_grows_too_long_is_refused(number: str, data: dict[str, Any]) -> None:
+    with at_most(ENDLESS), pytest.raises(DataError):
+        solve_with(number, data)

@@ -9,7 +9,9 @@ import mpmath
 import pytest
 import sympy as sp
 from mpmath.ctx_iv import MPIntervalContext
+from mpmath.libmp import to_rational
 
+from chasles.exact.enclosures import enclosed
 from chasles.exact.grammar import read_number
 from chasles.exact.numbers import NotDecided, angle, decimals, is_zero, normal, root, sign
 from chasles.exact.spelling import text_of
@@ -162,3 +164,16 @@ def test_decimals_are_those_of_both_ends(monkeypatch: pytest.MonkeyPatch) -> Non
     monkeypatch.setattr("chasles.exact.numbers.enclosed", lambda *_: nothing)
     with pytest.raises(NotDecided, match="nothing tells 10 digits"):
         decimals(sp.cot(sp.Rational(1, 7)))
+
+
+@pytest.mark.parametrize("bits", [64, 700])
+@pytest.mark.parametrize(
+    "coefficients", [(1, 0, -3, 1), (7, 0, 0, -(2 * 10**40), 0, 1), (1, 0, 0, 0, 0, -2 * 10**24, 4 * 10**12, -2)]
+)
+def test_roots_of_polynomials_are_enclosed(coefficients: tuple[int, ...], bits: int) -> None:
+    polynomial = sp.Poly(coefficients, sp.Symbol("x"))
+    for index in range(polynomial.count_roots()):
+        root_of = sp.CRootOf(polynomial, index, radicals=False)
+        ends = [sp.Rational(*map(int, to_rational(end))) for end in enclosed(root_of, bits)._mpi_]
+        assert ends[1] - ends[0] < sp.Rational(8, 2**bits) * (1 + abs(ends[0]))
+        assert ends[0] <= root_of.eval_rational(sp.Rational(1, 2 ** (bits + 9))) <= ends[1]

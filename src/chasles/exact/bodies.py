@@ -31,6 +31,7 @@ __all__ = [
 
 MOST_ROOTS, MOST_ROOTS_BESIDE = 4, 3
 """Square roots, that of three among them, with which a cut prism takes seconds: alone, and beside others."""
+HIGHEST_POWER = 8
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,6 +102,9 @@ def cut_hexagonal_prism(side: Any, height: Any, slope: Any) -> tuple[Body, Body]
     field = SurdField(side, height, slope)
     for number in (side, height, slope, sp.sqrt(3)):
         field(number)
+    powers = [int(abs(power.exp)) for number in (side, height, slope) for power in number.atoms(sp.Pow)]
+    if atoms and max(powers, default=1) > HIGHEST_POWER:
+        raise NotDecided(f"powers above {HIGHEST_POWER} of {atoms[0]} grow too long")
     if len(field.tower.radicands) > (MOST_ROOTS_BESIDE if atoms else MOST_ROOTS):
         raise NotDecided("the sizes and the angle have too many different square roots in them")
     hexagon = [column_of(*corner) for corner in ((2, 0), (1, 1), (-1, 1), (-2, 0), (-1, -1), (1, -1))]

@@ -62,25 +62,31 @@ def intervals(bits: int) -> MPIntervalContext:
 @lru_cache(maxsize=1000)
 def _near(root: Any, bits: int) -> Any:
     """A rational number that far from the root at most: Newton's, where the signs beside it differ, else by halving."""
-    near = root.eval_rational(sp.Rational(1, 2**FEW_BITS))
-    if bits > FEW_BITS:
-        polynomial, unit = root.poly, sp.Rational(1, 2**bits)
-        found = _by_newton(polynomial, near, bits)
-        low, high = near - sp.Rational(1, 2**FEW_BITS), near + sp.Rational(1, 2**FEW_BITS)
-        apart = low <= found - unit and found + unit <= high and polynomial.count_roots(low, high) == 1
-        is_it = apart and polynomial.eval(found - unit) * polynomial.eval(found + unit) <= 0
-        near = found if is_it else root.eval_rational(unit)
-    return near
+    near, width = root.eval_rational(sp.Rational(1, 2**FEW_BITS)), sp.Rational(1, 2**FEW_BITS)
+    if bits <= FEW_BITS:
+        return near
+    coefficients = [int(c) for c in root.poly.all_coeffs()]
+    times = _by_newton(coefficients, near, bits)
+    low, high = (sp.Rational(times + beside, 2**bits) for beside in (-1, 1))
+    is_alone = near - width <= low and high <= near + width and root.poly.count_roots(near - width, near + width) == 1
+    if is_alone and _scaled_value(coefficients, times - 1, bits) * _scaled_value(coefficients, times + 1, bits) <= 0:
+        return sp.Rational(times, 2**bits)
+    return root.eval_rational(sp.Rational(1, 2**bits))
 
 
-def _by_newton(polynomial: Any, start: Any, bits: int) -> Any:
-    """Newton's approximation to a root with 64 known bits, as a multiple of 1 / 2^bits."""
-    with mpmath.workprec(bits + 64):
+def _by_newton(coefficients: list[int], start: Any, bits: int) -> int:
+    """Newton's approximation to a root with FEW_BITS known bits, as a multiple of 1 / 2^bits."""
+    with mpmath.workprec(bits + FEW_BITS):
         x = mpmath.mpf(int(start.p)) / int(start.q)
         for _ in range((bits // FEW_BITS).bit_length() + 1):
-            value, slope = mpmath.polyval([int(c) for c in polynomial.all_coeffs()], x, derivative=True)
+            value, slope = mpmath.polyval(coefficients, x, derivative=True)
             x -= value / slope if slope else 0
-        return sp.Rational(int(mpmath.nint(mpmath.ldexp(x, bits))), 2**bits)
+        return int(mpmath.nint(mpmath.ldexp(x, bits)))
+
+
+def _scaled_value(coefficients: list[int], times: int, bits: int) -> int:
+    """The value of the polynomial at times / 2^bits, times a power of two."""
+    return reduce(lambda value, term: value * times + (term[1] << bits * term[0]), enumerate(coefficients), 0)
 
 
 class _Intervals:

@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping
 from functools import lru_cache, reduce
 from math import gcd
 from operator import add, mul
+from textwrap import shorten
 from typing import Any
 
 from sympy import (
@@ -121,7 +122,7 @@ def sign_of(value: Expr) -> int:
         if abs(decimal) > Rational(10) ** -(digits - 10):
             return 1 if decimal > 0 else -1
         digits *= 2
-    raise NotDecided(f"nothing decides the sign of {value}")
+    raise NotDecided(f"nothing decides the sign of {shorten(str(value), 80)}")
 
 
 @lru_cache(maxsize=200)

@@ -182,7 +182,11 @@ class _Reader:
             raise NotANumber(self.text, token.at, f"{token.text!r} is not known here; known are {_NAMES}")
         if not self.take("("):
             raise self.unexpected(f"'(' after {token.text}")
-        value = function(self.closed())
+        inside = self.closed()
+        try:
+            value = function(inside)
+        except ValueError:  # SymPy 1.14 on the root of an integer with two large factors that are close
+            raise NotANumber(self.text, token.at, f"{token.text} of so large a number is not found") from None
         if not (value.is_real or (value.is_real is None and is_bounded(value))) or value.has(sp.zoo, sp.nan, sp.oo):
             raise NotANumber(self.text, token.at, f"{token.text} has no real value there")
         return value

@@ -12,6 +12,7 @@ from fractions import Fraction
 from functools import lru_cache, reduce
 from math import gcd, isqrt, lcm, prod
 from operator import mul
+from textwrap import shorten
 from typing import Any
 
 import sympy as sp
@@ -92,7 +93,7 @@ class RationalFunctions:
                 return prod(signs)
             bits *= 2
         if x:
-            raise NotDecided(f"nothing decides the sign of {self.expression(x)}")
+            raise NotDecided(f"nothing decides the sign of {shorten(str(self.expression(x)), 80)}")
         return 0
 
     def root(self, x: Any) -> Any:

@@ -11,6 +11,7 @@ from __future__ import annotations
 from contextlib import suppress
 from fractions import Fraction
 from functools import lru_cache, reduce
+from textwrap import shorten
 from typing import Any
 
 import sympy as sp
@@ -92,7 +93,7 @@ def _number_is_zero(number: Any) -> bool:
     if found is None and is_surd(number):
         return bool(normal(number) == 0)
     if found is None and not sign_by_enclosure(number, MOST_BITS):
-        raise NotDecided(f"nothing decides whether {number} is zero")
+        raise NotDecided(f"nothing decides whether {shorten(str(number), 80)} is zero")
     return bool(found)
 
 
@@ -109,7 +110,7 @@ def sign(value: Any) -> int:
         return 0
     if found := sign_by_enclosure(expression, MOST_BITS):
         return found
-    raise NotDecided(f"nothing decides the sign of {expression}")
+    raise NotDecided(f"nothing decides the sign of {shorten(str(expression), 80)}")
 
 
 def compare(one: Any, other: Any) -> int:
@@ -147,7 +148,7 @@ def decimals(value: Any, digits: int = 10) -> str:
             bits *= 2
     if expression.has(sp.cot):
         # Near a right angle SymPy's decimals of it are not what they say.
-        raise NotDecided(f"nothing tells {digits} digits of {expression}")
+        raise NotDecided(f"nothing tells {digits} digits of {shorten(str(expression), 80)}")
     return str(sp.N(expression, digits))
 
 
