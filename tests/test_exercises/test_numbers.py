@@ -175,5 +175,5 @@ def test_roots_of_polynomials_are_enclosed(coefficients: tuple[int, ...], bits: 
     for index in range(polynomial.count_roots()):
         root_of = sp.CRootOf(polynomial, index, radicals=False)
         ends = [sp.Rational(*map(int, to_rational(end))) for end in enclosed(root_of, bits)._mpi_]
-        assert ends[1] - ends[0] < sp.Rational(8, 2**bits) * (1 + abs(ends[0]))
+        assert ends[1] - ends[0] < sp.Rational(32, 2**bits) * (1 + abs(ends[0]))
         assert ends[0] <= root_of.eval_rational(sp.Rational(1, 2 ** (bits + 9))) <= ends[1]
