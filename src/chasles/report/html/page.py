@@ -10,7 +10,7 @@ from typing import Any
 from chasles import __version__
 from chasles.decisions.session import Decision
 from chasles.report.details import number_in_words
-from chasles.report.findings import DecisionsByName, ordered
+from chasles.report.findings import SLIPS, DecisionsByName, Pairs, ordered, slips
 from chasles.report.html.citing import Book, place_of_number, slug
 from chasles.report.html.error_plots import plotted
 from chasles.report.html.exercises import WorkedView
@@ -21,8 +21,8 @@ from chasles.report.html.measured import measured
 from chasles.report.html.notation import notation_of
 from chasles.report.html.overview import overview
 from chasles.report.html.palette import DARK, LIGHT
-from chasles.report.html.shown import Badge, DerivationView, KernelRow, NumberShown, badge_of
-from chasles.report.html.statements import part_of
+from chasles.report.html.shown import Badge, DerivationView, KernelRow, NumberShown, Part, badge_of
+from chasles.report.html.statements import part_of, place_of_part
 from chasles.report.html.trusted import Trusted
 from chasles.report.verdict_page import WORST_FIRST
 from chasles.report.words import VERDICTS
@@ -86,7 +86,7 @@ def contents(chapter: Chapter, decisions: DecisionsByName, sources: PageContents
         "version": __version__,
         "overview": overview(book, decided, sources.roads, sources.trusted),
         "sections": sections,
-        "errata": [(n, part) for n in numbers for part in n.parts if part.slip],
+        "errata": _errata(decided, numbers),
         "kernels": tuple(kernels.values()),
         "measured": figures,
         "errors": plotted(figures.curves),
@@ -99,6 +99,13 @@ def contents(chapter: Chapter, decisions: DecisionsByName, sources: PageContents
         "dark": DARK,
         "letters": notation_of(chapter),
     }
+
+
+def _errata(decided: Pairs, numbers: Sequence[NumberShown]) -> list[tuple[str, list[tuple[NumberShown, Part]]]]:
+    """What is wrong as printed, by whose slip it probably is."""
+    shown = {part.place: (number, part) for number in numbers for part in number.parts}
+    found = slips(decided)
+    return [(SLIPS[slip], [shown[place_of_part(entry)] for entry, _ in pairs]) for slip, pairs in found.items()]
 
 
 def _sections(
