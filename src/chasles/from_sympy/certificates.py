@@ -56,6 +56,7 @@ class Writing:
             "variant": 0,
             "names": {word.name: str(atom) for atom, word in self.reader.atoms.words.items()},
             "positive": list(self._positive(context)),
+            "squares": list(self._squares(context)),
             "turned": {f"{i + 1},{j + 1}": halvings for (i, j), halvings in self.elementary.halvings.items()},
             "angles": {word.name: _product(powers) for word, powers in self.reader.angles.products.items()},
             "substituted": {str(atom): text for text, atom, _ in self.given.substitutions},
@@ -87,6 +88,13 @@ class Writing:
                     yield _text(context, self.reader(sign * e))
             elif not isinstance(e, FunctionSymbol):
                 yield f"{sign}*{self._name(e)}"
+
+    def _squares(self, context: Context) -> Iterator[dict[str, Any]]:
+        """Sums of squares that are given to vanish."""
+        for found in self.given.squares:
+            with suppress(KeyError, Untreatable):
+                squares = [[_text(context, self.reader(part)) for part in pair] for pair in found.squares]
+                yield {"of": [found.label, _text(context, self.reader(found.factor))], "squares": squares}
 
     def _name(self, atom: Any) -> str:
         """The name of the word for an atom, or its spelling if it has none."""
@@ -166,6 +174,8 @@ class _Labels:
             size = len(frame["rows"])
             rows = range(1, size * (2 if frame["proper"] else 1) + 1)
             self.names += [f"frame {k} {i},{j}" for i in rows for j in range(1, size + 1)]
+        for k, found in enumerate(certificate.get("squares", ())):
+            self.names += [f"square {k} {i + 1},1" for i in range(len(found["squares"]))]
         self.names += [f"zero {name}" for name, place in reading.places.items() if _is_zero(reading.atoms.get(place))]
         self.names += [f"root {name}" for name, place in reading.places.items() if place in self._roots()]
         self.equal = [f"equal {k}" for k in range(len(certificate.get("equal", ())))]

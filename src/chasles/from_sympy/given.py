@@ -15,6 +15,7 @@ from chasles.from_sympy.complexes import Parts
 from chasles.from_sympy.divisors import CIRCULAR
 from chasles.from_sympy.opening import is_atom, parts_of, sides
 from chasles.from_sympy.pantelides import offsets
+from chasles.from_sympy.real_zeros import SquaresGiven, squares_in
 from chasles.from_sympy.side_conditions import listed
 from chasles.from_sympy.triads import Triad, triads_of
 from chasles.problems.variables import Untreatable
@@ -47,7 +48,7 @@ class Moving:
 class Equations:
     """Equations under one name, of which the `sources` are what the user gave.
 
-    They are `derived` if they follow by differentiation.
+    They are `derived` if they follow from these. A single one of scalars has the `label` that the checker gives it.
     """
 
     text: str
@@ -56,6 +57,7 @@ class Equations:
     triad: Triad | None = None
     derived: bool = False
     moving: list[Moving] = field(default_factory=list)
+    label: str = ""
 
     @property
     def sides(self) -> list[Any]:
@@ -73,6 +75,7 @@ class SideConditions:
     equations: list[Equations] = field(default_factory=list)
     substitutions: list[tuple[str, Any, Any]] = field(default_factory=list)
     stated: list[Pair] = field(default_factory=list)
+    squares: list[SquaresGiven] = field(default_factory=list)
 
 
 def collected(given: Any, spoken_of: Sequence[Any], parts: Parts) -> tuple[SideConditions, list[Any]]:
@@ -82,15 +85,17 @@ def collected(given: Any, spoken_of: Sequence[Any], parts: Parts) -> tuple[SideC
     """
     result = SideConditions()
     for place, (what, item) in enumerate(listed(given, "given")):
-        said = sides(item, what)
+        said = list(sides(item, what))
         pairs = list(dict.fromkeys(pair for one, other in said for pair in parts.pairs(one, other)))
         result.stated += pairs
         if pairs:
             text = _text(item, what)
             taken = any(text == other.text for other in result.equations)
-            result.equations.append(Equations(f"{text} [{place}]" if taken else text, pairs, (text,)))
+            label = f"given {place} 1,1" if len(said) == len(pairs) == 1 else ""
+            result.equations.append(Equations(f"{text} [{place}]" if taken else text, pairs, (text,), label=label))
     expressions = _without_given_angles(result, list(spoken_of))
     _state_triads(result)
+    _state_squares(result)
     _differentiate(result, expressions)
     return result, expressions
 
@@ -218,6 +223,17 @@ def _state_triads(result: SideConditions) -> None:
         gone = taken.get(id(item), set())
         item.pairs = [pair for k, pair in enumerate(item.pairs) if k not in gone]
     result.equations = [item for item in result.equations if item.pairs]
+
+
+def _state_squares(result: SideConditions) -> None:
+    """Let each square vanish of which others and a given equation make a sum that does."""
+    for item in [item for item in result.equations if item.label and len(item.pairs) == 1 and item.triad is None]:
+        ((one, other),) = item.pairs
+        for number, found in enumerate(squares_in(item.label, one - other)):
+            result.squares.append(found)
+            pairs = [(base, sympy.S.Zero) for _, base in found.squares]
+            text = f"squares {number + 1} in {item.text}"
+            result.equations.append(Equations(text, pairs, item.sources, derived=True))
 
 
 def _differentiate(result: SideConditions, expressions: list[Any]) -> None:

@@ -12,7 +12,7 @@ from itertools import product
 
 from chasles.algebra.rings import Polynomial, Ring
 
-__all__ = ["definite_by", "is_definite"]
+__all__ = ["Terms", "definite_by", "is_definite", "sum_of_squares"]
 
 MOST_SQUARES, MOST_TERMS = 3, 16
 Exponents = tuple[int, ...]
@@ -53,19 +53,28 @@ def _by_squares(ring: Ring, polynomial: Polynomial) -> list[int] | None:
     return [] if is_definite(terms) or is_definite({exponents: -c for exponents, c in terms.items()}) else None
 
 
-def is_definite(terms: Terms, squares: int = MOST_SQUARES) -> bool:
+def is_definite(terms: Terms) -> bool:
     """Whether a polynomial, given by its terms, is a sum of squares and a positive number, by completing squares."""
+    return any(not any(exponents) for _, base in sum_of_squares(terms) for exponents in base if len(base) == 1)
+
+
+def sum_of_squares(terms: Terms, squares: int = MOST_SQUARES) -> list[tuple[Fraction, Terms]]:
+    """A polynomial as a sum of positive multiples of squares, by completing these; nothing if none is found."""
     bad = [m for m, c in terms.items() if c < 0 or any(power % 2 for power in m)]
     if not bad:
-        return any(not any(exponents) for exponents in terms)
+        return [(c, {tuple(power // 2 for power in m): Fraction(1)}) for m, c in terms.items()]
     for square in terms if squares and len(terms) < MOST_TERMS else ():
         half = tuple(power // 2 for power in square)
         if square in bad or not any(half):
             continue
         crossed = [m for m in bad if all(a >= b for a, b in zip(m, half, strict=True))]
-        if crossed and is_definite(_without_square(terms, square, crossed), squares - 1):
-            return True
-    return False
+        rest = _without_square(terms, square, crossed) if crossed else {}
+        found = sum_of_squares(rest, squares - 1) if rest else []
+        if found or (crossed and not rest):
+            c = terms[square]
+            sides = {tuple(a - b for a, b in zip(m, half, strict=True)): terms[m] / (2 * c) for m in crossed}
+            return [(c, {half: Fraction(1), **sides}), *found]
+    return []
 
 
 def _without_square(terms: Terms, square: Exponents, crossed: list[Exponents]) -> dict[Exponents, Fraction]:

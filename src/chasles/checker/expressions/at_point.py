@@ -22,13 +22,9 @@ from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, exponents, n
 __all__ = ["AtPoint"]
 
 SIGNS = {
-    "positive": (1,),
-    "negative": (-1,),
-    "nonnegative": (0, 1),
-    "nonpositive": (-1, 0),
-    "zero": (0,),
-    "nonzero": (-1, 1),
-}
+    "positive": (1,), "negative": (-1,), "nonnegative": (0, 1), "nonpositive": (-1, 0),
+    "zero": (0,), "nonzero": (-1, 1),
+}  # fmt: skip
 NUMBERS = (
     "integer", "noninteger", "even", "odd", "prime", "composite", "rational", "irrational", "algebraic",
     "transcendental",

@@ -93,6 +93,10 @@ def _rewritten(rule: Callable[[Any], Any]) -> Callable[[EnclosedValues, Any], En
     return lambda of, e: of(rule(e.args[0]))
 
 
+def _of_reciprocal(other: Any) -> Callable[[Any], Any]:
+    return lambda x: other(1 / x)
+
+
 def _heaviside(of: EnclosedValues, e: Any) -> Enclosure:
     sign = of.sign(e.args[0])
     return of.at.number(int(sign > 0)) if sign else of(e.args[1])
@@ -132,12 +136,10 @@ ENCLOSED: dict[type, Callable[[EnclosedValues, Any], Enclosure]] = {
         sympy.atanh: lambda x: (sympy.log(1 + x) - sympy.log(1 - x)) / 2,
         sympy.asin: lambda x: 2 * sympy.atan(x / (1 + sympy.sqrt(1 - x**2))),
         sympy.acos: lambda x: sympy.pi / 2 - 2 * sympy.atan(x / (1 + sympy.sqrt(1 - x**2))),
-        sympy.acot: lambda x: sympy.atan(1 / x),
-        sympy.asec: lambda x: sympy.acos(1 / x),
-        sympy.acsc: lambda x: sympy.asin(1 / x),
-        sympy.acsch: lambda x: sympy.asinh(1 / x),
-        sympy.asech: lambda x: sympy.acosh(1 / x),
-        sympy.acoth: lambda x: sympy.atanh(1 / x),
+    }.items()},
+    **{function: _rewritten(_of_reciprocal(other)) for function, other in {
+        sympy.acot: sympy.atan, sympy.asec: sympy.acos, sympy.acsc: sympy.asin,
+        sympy.acsch: sympy.asinh, sympy.asech: sympy.acosh, sympy.acoth: sympy.atanh,
     }.items()},
 }  # fmt: skip
 

@@ -16,11 +16,12 @@ from chasles.checker.expressions.complexes import differences
 from chasles.checker.expressions.motion import time_of
 from chasles.checker.expressions.rates import MOST_RATES
 from chasles.checker.expressions.reading_of_proof import Proven
+from chasles.checker.expressions.signs import is_positive
 from chasles.checker.sparse import ONE, Polynomial, Rejected, number, parsed, variable
 
 __all__ = ["Facts"]
 
-LABEL = re.compile(r"(given|frame|equal|zero|root) (\S+)(?: (\d+),(\d+))?(?: d(\d+))?")
+LABEL = re.compile(r"(given|frame|equal|zero|root|square) (\S+)(?: (\d+),(\d+))?(?: d(\d+))?")
 Frame = tuple[dict[tuple[int, int], Polynomial], set[str], bool]
 """What a frame satisfies, the equations that say that it is one, and whether they hold at all times."""
 
@@ -30,7 +31,7 @@ class Facts:
 
     "frame 0 1,2" is an entry of M M^T - 1 for the first frame M of the certificate, "frame 0 4,2" one of M less its
     cofactors; "equal 0" are two products of the same size, "zero x" is a quantity that SymPy takes to be zero, and
-    "root x" is a power of a root less what it is the root of.
+    "root x" is a power of a root less what it is the root of; "square 0 1,1" is squared in a sum of squares.
     `used` are the texts of the equations that were asked for.
     """
 
@@ -67,6 +68,8 @@ class Facts:
             self.used.add(item.text)
             fact = differences(self.reading, item.pairs)[entry]
             moves = bool(item.functions)
+        elif kind == "square":
+            fact, moves = self._square(place, entry)
         else:
             entries, texts, moves = self._frame(place)
             fact = entries[entry]
@@ -76,6 +79,17 @@ class Facts:
         for _ in range(rates):
             fact = self.reading.rate(fact, time_of(item for item in self.asked.given if item.functions))
         return fact
+
+    def _square(self, place: int, entry: tuple[int, int]) -> tuple[Polynomial, bool]:
+        """What vanishes since the squares of it and others, times positive numbers, add up to a multiple of a fact."""
+        (label, times), said = (self._certificate["squares"][place][part] for part in ("of", "squares"))
+        squares = [[parsed(text, self.reading.places) for text in pair] for pair in said]
+        rest = parsed(times, self.reading.places) * self[label]
+        if not label.startswith("given") or not all(is_positive(self.reading, weight) for weight, _ in squares):
+            raise Rejected("a sum of squares is of nothing that is given, or has a weight that is not positive")
+        if self.reading.normal(rest - reduce(add, (weight * base * base for weight, base in squares))):
+            raise Rejected("what is given is not the sum of squares that it is said to be")
+        return squares[entry[0]][1], bool(self.asked.given[int(label.split()[1])].functions)
 
     def _root(self, name: str) -> Polynomial:
         return self.reading.functions.relation(self.reading.places[name])

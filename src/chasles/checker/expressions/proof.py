@@ -26,7 +26,7 @@ __all__ = ["PARTS", "check_proof", "claims_of"]
 
 Data = Mapping[str, Any]
 PARTS = frozenset((
-    "variant", "names", "positive", "turned", "angles", "substituted", "words", "roots", "equal", "frames",
+    "variant", "names", "positive", "squares", "turned", "angles", "substituted", "words", "roots", "equal", "frames",
     "divisors", "entries", "turns", "witness",
 ))  # fmt: skip
 """What a certificate may say."""

@@ -25,17 +25,8 @@ __all__ = ["check_enclosed", "check_widened"]
 
 PLAIN = re.compile(r"[A-Za-z0-9_+\-*/(), .\[\]]*")
 ASSUMED = (
-    "positive",
-    "negative",
-    "nonnegative",
-    "nonpositive",
-    "zero",
-    "nonzero",
-    "integer",
-    "even",
-    "odd",
-    "rational",
-)
+    "positive", "negative", "nonnegative", "nonpositive", "zero", "nonzero", "integer", "even", "odd", "rational",
+)  # fmt: skip
 PARTS = frozenset(("on", "size", "cases", "proof", "needs", "parts", "facts", "impossible", "witness"))
 """What a certificate by cases, or of a more general question, may say."""
 Standard = Callable[[Mapping[str, Any], Sequence[str], tuple[Any, ...]], None]
