@@ -98,6 +98,51 @@ def test_what_stands_before_an_implication_is_a_condition() -> None:
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
+        (r"\left. \frac{d \mathbf a}{dt} \right|_{t = 0}", r"\left.\dot{\mathbf{a}}\right|_{t=0}"),
+        (r"\mathbf a\big|_{h = 0} + |r| \mathbf a", r"\left.\mathbf{a}\right|_{h=0}+|r|\mathbf{a}"),
+        (r"\textbf{a} + \mbox{\boldmath $a$ \unboldmath}", r"\mathbf{a}+\mathbf{a}"),
+    ],
+)
+def test_bars_that_say_where_something_is_taken_and_letters_in_texts(text: str, expected: str) -> None:
+    assert readings(rf"\mathbf b = {text}") == [rf"\mathbf{{b}}={expected}"]
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        (r"\mathbf b = \mathbf A|_{h}^T \mathbf a", "bears an exponent"),
+        (r"h = \sqrt{\mathbf a + r}", "under a root does not fit"),
+        (r"h = |r|_{h}", "|| has no meaning"),
+    ],
+)
+def test_why_bars_and_roots_are_unread(text: str, why: str) -> None:
+    assert why in readings(text)[0]
+
+
+def test_macros_of_a_style_file_are_those_of_any_page() -> None:
+    macros = (
+        "\\newcommand{\\LU}[2]{{}^{#1}#2}\n\\newcommand{\\vr}[3]{\\begin{bmatrix} #1 \\\\ #2 \\\\ #3 \\end{bmatrix}}\n"
+    )
+    for kind, page in (("rst", ".. math::\n\n   %s\n"), ("md", "$$%s$$"), ("tex", "\\[%s\\]")):
+        (found,) = displayed(page % r"\LU{1}{a} = \vr{1}{2}{3}", kind, macros=macros)  # type: ignore[arg-type]
+        texts = [token.text for token in found.tokens]
+        assert r"\vr" not in texts
+        assert r"\begin{bmatrix}" in texts
+
+
+def test_a_step_of_time_is_one_letter_where_d_is_none() -> None:
+    page = r"\begin{align} x &= y + v dt \\ y &= x + \frac{d v}{d t} \end{align}"
+    equations = displayed(page, "tex")
+    text = proposed(equations)
+    assert "'dt' = " in text.replace(" t'", "t'")
+    assert "'d' = " not in text
+    assert all(each.readings for each in read_equations(equations, load_notation(text)))
+    assert "'d' = " in proposed(displayed(r"$$x = d + y$$ $$x = d v$$", "md"))
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
         (r"\begin{aligned} r &= h \\ h &= r \end{aligned}", ["defined", "holds"]),
         (r"\mathbf a = \{r, h, p\}", ["unread"]),
         ("no equation", []),

@@ -7,26 +7,29 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import product
 
 from chasles.reading.context import FittingContext
-from chasles.reading.fits import Fit, Shape, made
-from chasles.reading.glyphs import Glyph, said_of
+from chasles.reading.fits import Fit, Shape, made, own_quantity
+from chasles.reading.glyphs import Glyph, in_latex, said_of
 from chasles.reading.grammar import Atom
 from chasles.reading.read_back import tokens_of
 from chasles.reading.spellings import Make
 from chasles.vocabulary import (
     Node,
     Power,
+    latex,
 )
+from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.functions import PRINTED, FunctionOf
 from chasles.vocabulary.parts import component, part
 from chasles.vocabulary.spelling import Precedence
 
-__all__ = ["applied", "made_of", "with_marks"]
+__all__ = ["EVALUATED", "applied", "made_of", "with_marks"]
 
 OF_MATRICES = ("exp", "log", "sqrt")
 """What is of numbers alone here, but has a meaning for matrices, too."""
 BACKSLASH = "\\"
 
 EXPONENT = re.compile(r"- \S+|\S+")
+EVALUATED = "| _ "
 PLACES = {"x": 1, "y": 2, "z": 3}
 
 
@@ -49,6 +52,8 @@ def _raised(fits: list[Fit], sup: str, rest: Glyph, ctx: FittingContext) -> list
     words = " ".join(rest.loose.sups) if sup == rest.sups[0] else sup
     if words.isdigit():
         makes: tuple[Make, ...] = (lambda of: Power(of, int(words)),)
+    elif words.startswith(EVALUATED):
+        makes = (lambda of: _taken_at(of, words.removeprefix(EVALUATED), ctx.notation.home),)
     else:
         makes = tuple(ctx.notation.spellings.scripts.get(words, ()))
     if not makes and len(parts := EXPONENT.findall(words)) > 1:
@@ -56,6 +61,11 @@ def _raised(fits: list[Fit], sup: str, rest: Glyph, ctx: FittingContext) -> list
             fits = _raised(fits, word, Glyph("", sups=(word,), place=rest.place), ctx)
         return fits
     return applied(makes, fits, ctx, rest, f"^{{{words}}}")
+
+
+def _taken_at(of: Node, place: str, home: str) -> Node:
+    """What stands before a bar that says where it is taken: a quantity of its own."""
+    return own_quantity(rf"\left. {latex(of)} \right|_{{{in_latex(place)}}}", measured(of), home)
 
 
 def applied(makes: Sequence[Make], fits: list[Fit], ctx: FittingContext, rest: Glyph, mark: str) -> list[Fit]:

@@ -248,14 +248,15 @@ def _text(command: Token, inside: list[Token]) -> list[PrintedAtom]:
     """A text in an equation: a formula in it, a name such as tr, punctuation, or words between equations."""
     words = " ".join(spelled(each for each in inside if each.text not in commands.TEXT).split())
     words = words if "$" in words else re.sub(r"[{}]", "", words).strip()
-    if formula := re.fullmatch(r"(\\boldmath)?\s*\$[^$]*\$", words):
+    if formula := re.fullmatch(r"(\\boldmath)?\s*\$[^$]*\$\s*(?:\\unboldmath)?", words):
         start, end = (at for at, token in enumerate(inside) if token.text == "$")
         atoms = _Respelling(inside[start + 1 : end]).atoms()
         return styled(r"\boldsymbol" if formula[1] else "", atoms, command)
     if not words:
         return []
     if len(words) == 1:
-        return styled(r"\mathrm" if words.isalpha() else "", [PrintedAtom([command._replace(text=words)])], command)
+        style = commands.TEXT_STYLES.get(command.text, r"\mathrm") if words.isalpha() else ""
+        return styled(style, [PrintedAtom([command._replace(text=words)])], command)
     if UNIT.fullmatch(words) and not words.isalpha():
         return [PrintedAtom([command._replace(text=rf"\operatorname{{{words}}}")])]
     is_name = words.isalpha() and words.isascii() and "\\" + words.lower() not in commands.CONNECTIVES

@@ -31,6 +31,8 @@ SWITCHES = {
 """Commands that set the rest of their group in another typeface."""
 
 TEXT = _commands("text textrm textnormal texttt textbf textit textup textsf mbox hbox intertext shortintertext")
+TEXT_STYLES = {r"\textbf": r"\mathbf", r"\textit": "", r"\textsf": r"\mathsf"}
+"""The typeface of one letter in a text; of other texts it is upright."""
 CONNECTIVES = _commands(
     "a all an and any are as at but by each either else every for from given hence i if in is let n of on or "
     "otherwise respectively since so such that the then therefore thus to unless when where which while with"

@@ -15,7 +15,6 @@ from chasles.vocabulary.typesetting import BRACKETS, Latex
 
 __all__ = ["FittingContext"]
 
-MOST_WORK = 50_000
 KINDS = {"()": "()", "[]": "[]", r"\{\}": "{}"}
 
 
@@ -40,7 +39,7 @@ class FittingContext:
     def piece(self, node: Node) -> Piece:
         """How the node is printed, and how tightly that holds together; raises `Unread` after too many nodes."""
         self.work += 1
-        if self.work > MOST_WORK:
+        if self.work > self.notation.most_work:
             raise Unread("it can be read in too many ways: say more of its letters in the notation")
         if node not in self._pieces:
             self._pieces[node] = spell(node, self._style)

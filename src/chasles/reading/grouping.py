@@ -61,7 +61,10 @@ def lines_of(tokens: Iterable[Token], marks: tuple[str, ...]) -> list[list[Token
 
 
 def grouped(tokens: Tokens) -> list[Terminal]:
-    """The terminals of the grammar, each with its tokens; raises `Unread` for what is not closed."""
+    """The terminals of the grammar, each with its tokens; a bar that says where something is taken is its script.
+
+    Raises `Unread` for what is not closed.
+    """
     found: list[Terminal] = []
     place, open_bars = 0, [""]
     while place < len(tokens):
@@ -70,6 +73,12 @@ def grouped(tokens: Tokens) -> list[Terminal]:
         if text in ("^", "_"):
             argument, place = _argument(tokens, place + 1, token)
             found += [_terminal("SUP" if text == "^" else "SUB", token), _terminal("ARGUMENT", argument)]
+        elif text == "|" and open_bars[-1] != "|" and _is_behind(found) and _text_at(tokens, place + 1) == "_":
+            end = closing(tokens, place + 2)
+            if _text_at(tokens, end + 1) == "^":
+                raise Unread("a bar that says where something is taken bears an exponent: put it in brackets", token)
+            found += [_terminal("SUP", token), _terminal("ARGUMENT", tokens[place : end + 1])]
+            place = end + 1
         elif text in ARGUMENTS:
             place = _command(tokens, place, found)
         elif text == "{":
@@ -109,11 +118,19 @@ def _command(tokens: Tokens, place: int, found: list[Terminal]) -> int:
     return place
 
 
+def _is_behind(before: list[Terminal]) -> bool:
+    """Whether something stands before that a bar can close."""
+    return bool(before) and before[-1].type not in ("OPEN", "SIGN", "INFIX", "RELATION", "COMMA")
+
+
+def _text_at(tokens: Tokens, place: int) -> str:
+    return tokens[place].text if place < len(tokens) else ""
+
+
 def _single(token: Token, before: list[Terminal], open_bars: list[str]) -> Terminal:
     text = token.text
     if text in BARS:
-        ends = bool(before) and before[-1].type not in ("OPEN", "SIGN", "INFIX", "RELATION", "COMMA")
-        kind = "CLOSE" if open_bars[-1] == text and ends else "OPEN"
+        kind = "CLOSE" if open_bars[-1] == text and _is_behind(before) else "OPEN"
     elif text in OPENING or text in CLOSING:
         kind = "OPEN" if text in OPENING else "CLOSE"
     elif text in RELATIONS:

@@ -55,6 +55,8 @@ def atom_fits(atom: Atom, ctx: FittingContext) -> list[Fit]:
 
 def _unknown(letter: Glyph, ctx: FittingContext) -> str:
     """Why it is no letter, or one whose marks do not fit what it is."""
+    if letter.base.startswith(r"\sqrt"):
+        return "what stands under a root does not fit together"
     for node, rest in ctx.notation.letters.meanings(letter):
         if replace(rest, base="") != Glyph(""):
             size = "a scalar" if node.is_scalar else " x ".join(map(str, node.shape))

@@ -58,7 +58,8 @@ class PageNotation:
 
     `home` is the module that stands for the page, `assuming` what holds on all of it, in LaTeX, and `notes` are what
     is said of single equations; `checks` raise where something that is declared cannot be read. `functions` are the
-    letters that the page has with arguments, and `matched` says which entries of a file some letter has matched.
+    letters that the page has with arguments, and `matched` says which entries of a file some letter has matched. Of one
+    equation so many nodes are printed again, at `most_work`.
     """
 
     letters: LetterTable = field(default_factory=LetterTable)
@@ -76,6 +77,7 @@ class PageNotation:
     checks: list[Callable[[], Node]] = field(default_factory=list)
     functions: Mapping[Glyph, bool] = field(default_factory=dict)
     matched: dict[str, bool] = field(default_factory=dict)
+    most_work: int = 50_000
 
     def within(self, section: str | None) -> PageNotation:
         """The notation with the letters that mean something else in a section."""

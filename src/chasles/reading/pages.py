@@ -9,7 +9,6 @@ from typing import Literal
 from chasles.reading.lexemes import BadPage, Token
 from chasles.reading.macros import Source
 from chasles.reading.markup import PageBlock, fenced, indented
-from chasles.reading.numbering import Numbering
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.tex_page import Included, TexPage
 
@@ -48,9 +47,9 @@ def displayed(
     """
     pages = {"md": _MarkdownPage, "rst": _StructuredPage}
     page = pages.get(kind, TexPage)(is_inline, included)
-    TexPage.read(page, Source(macros, page.macros, "macros"))
-    page.found.clear()
-    page.numbering = Numbering()
+    style = TexPage(False, included)
+    style.macros = page.macros
+    style.read(Source(macros, page.macros, "macros"))
     source = Source(text, page.macros, file)
     if kind == "equation":
         page.display(Token(""), "", "", source)

@@ -9,17 +9,19 @@ from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Any
 
+from chasles.reading.applying import EVALUATED
 from chasles.reading.commands import MARKS
 from chasles.reading.declared_letters import declare_letter
 from chasles.reading.equations import read_equations, segments
-from chasles.reading.glyphs import Glyph, letter_in, letter_of, spelled
-from chasles.reading.grammar import Terms, formula, terms_in
+from chasles.reading.glyphs import Glyph, joined, letter_in, letter_of, spelled, text_of
+from chasles.reading.grammar import Atom, Terms, formula, terms_in
 from chasles.reading.grouping import TYPEFACES, Unread
 from chasles.reading.letter_table import LetterTable
 from chasles.reading.marks import SIZE, WITHOUT_WORD
 from chasles.reading.notation_file import load_notation
 from chasles.reading.page_notation import PageNotation
 from chasles.reading.printed import PrintedEquation
+from chasles.reading.quotients import upright
 from chasles.reading.reading import ReadEquation
 from chasles.reading.spellings import called
 from chasles.reading.tokens import BadPage, Token
@@ -39,8 +41,8 @@ KINDS = {(True, True): ("matrix", "vector"), (True, False): ("vector", "matrix")
          (False, True): ("matrix", "scalar", "vector"), (False, False): ("scalar", "vector")}  # fmt: skip
 """What a letter may be, by whether it is bold and whether it is a capital."""
 MANY = 3
-LONGEST, MOST_TRIED, ROUNDS = 150, 5, 2
-"""A letter is tried in so many equations that have it, of so many tokens at most, so many times."""
+LONGEST, MOST_TRIED, ROUNDS, MOST_WORK = 150, 5, 2, 2000
+"""A letter is tried in so many equations that have it, of so many tokens at most, so many times, with so much work."""
 
 
 @dataclass
@@ -75,6 +77,8 @@ def proposed(equations: Sequence[PrintedEquation]) -> str:
             continue
     if has_differentials:
         uses.pop(Glyph("d"), None)
+    elif Glyph("d") in uses:
+        uses = {stem: use for stem, use in uses.items() if not stem.base.startswith("d ")}
     uses = dict(sorted(uses.items(), key=lambda each: spelled(each[0])))
     are_bold = sum(_looks(stem)[0] for stem in uses) >= MANY
     for stem, use in uses.items():
@@ -137,7 +141,8 @@ def _read(
     tried: Sequence[PrintedEquation], uses: dict[Glyph, _Use], operators: PageNotation
 ) -> tuple[ReadEquation, ...]:
     """What is read of the equations when the letters are what is proposed."""
-    notation = replace(operators, letters=LetterTable().before(operators.letters), matched={})
+    letters = LetterTable().before(operators.letters)
+    notation = replace(operators, letters=letters, matched={}, most_work=MOST_WORK)
     for stem, use in uses.items():
         for glyph, said in _declared(stem, use):
             if _is_one_letter(glyph):
@@ -185,13 +190,22 @@ def _note(terms: Terms | None, within: str, uses: dict[Glyph, _Use], usual: Page
             if piece.kind == "LETTER" and name in usual.spellings.names:
                 before = name
                 continue
+            if name == "d" and isinstance(after, Atom) and after.kind == "LETTER" and not _is_derivative(terms, within):
+                _note_letter(letter_of(joined((piece, after)) or piece), around, uses, at)
+                before = within
+                continue
+            inside = piece.text if piece.text in (r"\|\|", "||", r"\lfloor\rfloor") else before
+            inside = "d" if len(piece.arguments) == 2 and upright(piece.arguments[0])[:1] == ["d"] else inside
             for inner in terms_in(piece):
-                _note(
-                    inner, piece.text if piece.text in (r"\|\|", "||", r"\lfloor\rfloor") else before, uses, usual, at
-                )
+                _note(inner, inside, uses, usual, at)
             if piece.kind == "LETTER" or piece.text in TYPEFACES or piece.text in MARKS:
                 _note_letter(letter_of(piece), around, uses, at)
             before = within
+
+
+def _is_derivative(terms: Terms | None, within: str) -> bool:
+    """Whether a d is that of a derivative or an integral."""
+    return within == "d" or terms is None or "int" in text_of(terms)
 
 
 def _note_letter(letter: Glyph, around: set[str], uses: dict[Glyph, _Use], at: int) -> None:
@@ -200,7 +214,7 @@ def _note_letter(letter: Glyph, around: set[str], uses: dict[Glyph, _Use], at: i
     if is_bare or letter.base in NO_LETTERS or " , " in letter.base or letter.base.startswith(("[", "(", r"\begin")):
         return
     words = (*TRANSPOSES, *INVERSES, r"\wedge", r"\vee")
-    scripts = {sup for sup in letter.sups if sup in words or sup.isdigit()}
+    scripts = {sup for sup in letter.sups if sup in words or sup.isdigit() or sup.startswith(EVALUATED)}
     accents = tuple(accent for accent in letter.accents if accent not in (*RATES, r"\tilde"))
     own = Glyph(letter.base, accents, letter.sub, letter.primes, tuple(set(letter.sups) - scripts), letter.before)
     stem = replace(own, sub="")
