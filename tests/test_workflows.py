@@ -139,3 +139,22 @@ def test_the_oldest_versions_are_those_that_are_allowed() -> None:
         wanted = [*project["dependencies"], *project["optional-dependencies"]["fast"]]
         wanted += project["optional-dependencies"]["plots"]
         assert any(each.startswith(f"{name}>={least}") for each in wanted), line
+
+
+def test_what_is_published_says_where_the_source_is(tmp_path: Path) -> None:
+    """The address is put into copies; the links of the README then work where the files beside it are not."""
+    for name in ("pyproject.toml", "README.md", ".ci/published"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_bytes((ROOT / name).read_bytes())
+    for _ in range(2):
+        subprocess.run([sys.executable, tmp_path / ".ci/published", "https://example.org/us/chasles/"], check=True)
+        text = (tmp_path / "pyproject.toml").read_text("utf-8")
+        assert tomllib.loads(text)["project"]["urls"]["Source"] == "https://example.org/us/chasles"
+        places = re.findall(r"\]\(([^)]*)\)", (tmp_path / "README.md").read_text("utf-8"))
+        kept = [re.fullmatch(r"https://example\.org/us/chasles/(?:blob|raw)/main/(.+)", place) for place in places]
+        assert len(kept) > 10
+        assert all(found and (ROOT / found[1]).exists() for found in kept)
+    builds = re.compile("cibuildwheel|build --sdist")
+    built = [job for _, job in jobs() if builds.search(str(job["steps"]))]
+    assert len(built) == 2
+    assert all(any(".ci/published" in step.get("run", "") for step in job["steps"]) for job in built)
