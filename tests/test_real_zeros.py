@@ -1,4 +1,4 @@
-"""What follows from an equation for real numbers alone: where a sum of squares vanishes, each of them does."""
+"""What follows from equations of real numbers: each square of a sum that vanishes does; logarithms are equal, too."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
-from sympy import Derivative, Eq, Function, Symbol, symbols
+from sympy import Derivative, Eq, Function, Symbol, cosh, exp, log, symbols
 
 from chasles.prove import Rejected, prove, recheck
 from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided
@@ -67,3 +67,42 @@ def test_what_is_no_sum_of_squares_is_none() -> None:
     assert not isinstance(prove(x, 0, given=Eq(m * x**2 + n * y**2, 0)), Holds | HoldsUnder)
     assert isinstance(prove(x, 0, given=Eq(x**2 + y**2, -1)), Contradictory)
     assert isinstance(prove(x, 0, given=[Eq(x**2 + y**2, 0), Eq(y, 1)]), Contradictory)
+
+
+BOTH: list[tuple[Any, Any, list[Any]]] = [
+    (log(y), 2 * x, [Eq(y, exp(2 * x))]),
+    (x, log(y), [Eq(exp(x), y)]),
+    (y, exp(x), [Eq(log(y), x)]),
+    (x, y, [Eq(exp(x), exp(y))]),
+    (x, y, [Eq(log(x), log(y))]),
+    (x, 0, [Eq(exp(x), 1)]),
+    (x, 1, [Eq(log(x), 0)]),
+    (x, 5, [Eq(2**x, 32)]),
+    (x, 3, [Eq(10**x * 100 ** (2 * x), 10**15)]),
+    (x * y, 1, [Eq(log(x) + log(y), 0)]),
+    (x, log(y) / log(2), [Eq(2**x, y)]),
+    (x**2, exp(2 * a), [Eq(log(x), a)]),
+    (log(x * y), a + b, [Eq(log(x), a), Eq(log(y), b)]),
+    (f, log(g), [Eq(exp(f), g)]),
+]
+
+
+@pytest.mark.parametrize(("left", "right", "given"), BOTH, ids=str)
+def test_logarithms_and_exponentials_of_both_sides_are_equal(left: Any, right: Any, given: list[Any]) -> None:
+    verdict = prove(left, right, given=given)
+    assert isinstance(verdict, HoldsUnder)
+    recheck(verdict, left, right, given=given)
+    assert not isinstance(prove(left, right + 1, given=given), Holds | HoldsUnder)
+    with pytest.raises(Rejected):
+        recheck(verdict, left, right + 1, given=given)
+    with pytest.raises(Rejected):
+        recheck(verdict, left, right, given=[Eq(e.lhs, 2 * e.rhs + 1) for e in given])
+    with pytest.raises(Rejected):
+        recheck(verdict, left, right)
+
+
+def test_no_logarithm_is_taken_of_what_may_be_negative() -> None:
+    assert not isinstance(prove(log(x**2), 2 * log(y), given=Eq(x, y)), Fails)
+    for given in (Eq(x**2, exp(2 * y)), Eq(x * y, exp(2 * x) * y), Eq(cosh(x), cosh(y))):
+        assert not isinstance(prove(x, exp(y), given=given), Holds | HoldsUnder)
+        assert not isinstance(prove(x, y, given=given), Holds | HoldsUnder)

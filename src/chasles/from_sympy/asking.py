@@ -67,7 +67,8 @@ def ask(lhs: Any, rhs: Any, given: Any, nonzero: Any) -> Question | IllFormed | 
 def _rewritten(elementary: Elementary, expressions: list[Any], given: SideConditions) -> list[Any]:
     """Everything in variables that stand for exponentials and logarithms, and what roots of higher order satisfy."""
     pairs = [pair for item in given.equations for pair in item.pairs]
-    found = elementary([*expressions, *(side for pair in pairs for side in pair)])
+    labelled = [item for item in given.equations if item.label and len(item.pairs) == 1]
+    found = elementary([*expressions, *(side for pair in pairs for side in pair)], [item.pairs[0] for item in labelled])
     named = QuantityNames()
     for atom in elementary.atoms:
         named.word(atom)
@@ -75,6 +76,9 @@ def _rewritten(elementary: Elementary, expressions: list[Any], given: SideCondit
     for item in given.equations:
         item.pairs = [(next(sides), next(sides)) for _ in item.pairs]
     given.equations += [Equations(f"{a} = {b}", [(a, b)], ()) for a, b in elementary.equations]
+    for item, (a, b) in zip(labelled, elementary.applied, strict=True):
+        if a != b:
+            given.equations.append(Equations(f"of both sides of {item.text}", [(a, b)], item.sources))
     return [*found[: len(expressions)], *elementary.defined]
 
 

@@ -176,6 +176,8 @@ class _Labels:
             self.names += [f"frame {k} {i},{j}" for i in rows for j in range(1, size + 1)]
         for k, found in enumerate(certificate.get("squares", ())):
             self.names += [f"square {k} {i + 1},1" for i in range(len(found["squares"]))]
+        if reading.calls:
+            self.names += [f"{of} {name}" for name in self.names if name.startswith("given") for of in ("exp", "log")]
         self.names += [f"zero {name}" for name, place in reading.places.items() if _is_zero(reading.atoms.get(place))]
         self.names += [f"root {name}" for name, place in reading.places.items() if place in self._roots()]
         self.equal = [f"equal {k}" for k in range(len(certificate.get("equal", ())))]

@@ -7,7 +7,7 @@ none is missed is Schanuel's conjecture, so that these variables serve to prove,
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from math import lcm
 from typing import Any
 
@@ -54,17 +54,35 @@ class Elementary:
         self.halvings: dict[tuple[int, int], int] = {}
         self._known: dict[Any, Any] = {}
 
-    def __call__(self, expressions: Sequence[Any]) -> list[Any]:
-        """The expressions in the variables; raises `Untreatable` for logarithms of what is not positive."""
+    def __call__(self, expressions: Sequence[Any], equal: Sequence[tuple[Any, Any]] = ()) -> list[Any]:
+        """The expressions in the variables; raises `Untreatable` for logarithms of what is not positive.
+
+        What is `equal` has equal logarithms or exponentials, too: `applied` are these, twice zero where neither helps.
+        """
+        self.applied: list[tuple[Any, Any]] = [(sympy.S.Zero, sympy.S.Zero)] * len(equal)
         if not any(map(is_elementary, expressions)):
             return list(expressions)
         for _ in range(ROUNDS):
             before = dict(self.units), dict(self.signs)
             self._reset()
             found = [self.read(e) for e in expressions]
+            self.applied = [self._of_both(self.read(one), self.read(other)) for one, other in equal]
             if before == (self.units, self.signs):
                 return found
         raise Untreatable("the exponents depend on each other in a way that is not treated")
+
+    def _of_both(self, one: Any, other: Any) -> tuple[Any, Any]:
+        """The logarithms of two positive products of which one has an exponential; or exponentials of logarithms."""
+        words = one.free_symbols | other.free_symbols
+        product = bool(words & self.exponents.keys()) and not (one.is_Add or other.is_Add)
+        if product and (is_evident(one) or is_evident(other)):
+            known = dict(self.signs)
+            logarithms = self.log(one, one, evident=True), self.log(other, other, evident=True)
+            self.signs = known  # A side is positive because of the other, wherever the question is meant.
+            return logarithms
+        if words & self.logs.keys() and all(is_linear(side, self.logs) for side in (one, other)):
+            return self.exp(one), self.exp(other)
+        return sympy.S.Zero, sympy.S.Zero
 
     def read(self, e: Any) -> Any:
         """One expression in the variables."""
@@ -262,6 +280,12 @@ class Elementary:
         word = self._word(sympy.log(size), positive=number)
         self.logs[word] = base
         return word
+
+
+def is_linear(e: Any, logs: Mapping[Any, Any]) -> bool:
+    """Whether a sum has logarithms with rational coefficients."""
+    terms = [term.as_coeff_Mul() for term in sympy.Add.make_args(sympy.expand(e))]
+    return all(c.is_Rational and (rest in logs or not rest.free_symbols & logs.keys()) for c, rest in terms)
 
 
 def is_elementary(e: Any) -> bool:

@@ -11,7 +11,7 @@ from typing import Any
 
 from chasles.checker.determinants import cofactor, determinant
 from chasles.checker.expressions.algebra import primitive
-from chasles.checker.expressions.asked import Asked
+from chasles.checker.expressions.asked import Asked, GivenEquation
 from chasles.checker.expressions.complexes import differences
 from chasles.checker.expressions.motion import time_of
 from chasles.checker.expressions.rates import MOST_RATES
@@ -21,7 +21,7 @@ from chasles.checker.sparse import ONE, Polynomial, Rejected, number, parsed, va
 
 __all__ = ["Facts"]
 
-LABEL = re.compile(r"(given|frame|equal|zero|root|square) (\S+)(?: (\d+),(\d+))?(?: d(\d+))?")
+LABEL = re.compile(r"(exp given|log given|given|frame|equal|zero|root|square) (\S+)(?: (\d+),(\d+))?(?: d(\d+))?")
 Frame = tuple[dict[tuple[int, int], Polynomial], set[str], bool]
 """What a frame satisfies, the equations that say that it is one, and whether they hold at all times."""
 
@@ -31,7 +31,8 @@ class Facts:
 
     "frame 0 1,2" is an entry of M M^T - 1 for the first frame M of the certificate, "frame 0 4,2" one of M less its
     cofactors; "equal 0" are two products of the same size, "zero x" is a quantity that SymPy takes to be zero, and
-    "root x" is a power of a root less what it is the root of; "square 0 1,1" is squared in a sum of squares.
+    "root x" is a power of a root less what it is the root of; "square 0 1,1" is squared in a sum of squares;
+    "exp given 0 1,1" is the difference of the exponentials of both sides, and so is "log given 0 1,1".
     `used` are the texts of the equations that were asked for.
     """
 
@@ -52,17 +53,20 @@ class Facts:
         if found is None:
             raise Rejected(f"{label!r} names nothing that is given")
         rates = int(found[5] or 0)
-        if found[1] in ("zero", "root"):
-            if found[3] or rates:
-                raise Rejected(f"{label!r} names nothing that is given")
-            return self._zero(found[2]) if found[1] == "zero" else self._root(found[2])
-        kind, place = found[1], int(found[2])
+        kind, name = found[1], found[2]
         entry = (int(found[3]) - 1, int(found[4]) - 1) if found[3] else None
+        if (kind in ("zero", "root") and entry) or (kind not in ("given", "frame", "square") and rates):
+            raise Rejected(f"{label!r} names nothing that is given")
+        if kind in ("zero", "root"):
+            return self._zero(name) if kind == "zero" else self.reading.functions.relation(self.reading.places[name])
+        place = int(name)
         if kind == "equal" and entry is None and not rates:
             one, other = self._certificate["equal"][place]
             return self.reading.equal(*([parsed(text, self.reading.places) for text in side] for side in (one, other)))
         if entry is None or kind == "equal" or rates > MOST_RATES:
             raise Rejected(f"{label!r} names nothing that is given")
+        if kind in ("exp given", "log given"):
+            return self._of_both(kind[:3], self.asked.given[place], entry)
         if kind == "given":
             item = self.asked.given[place]
             self.used.add(item.text)
@@ -80,6 +84,16 @@ class Facts:
             fact = self.reading.rate(fact, time_of(item for item in self.asked.given if item.functions))
         return fact
 
+    def _of_both(self, function: str, item: GivenEquation, entry: tuple[int, int]) -> Polynomial:
+        """What vanishes since both sides have equal exponentials, and logarithms if one is positive."""
+        self.used.add(item.text)
+        one, other = (self.reading.normal(self.reading(side)) for side in item.pairs[entry])
+        if function == "exp":
+            return self.reading.exp(one) - self.reading.exp(other)
+        if not any(is_positive(self.reading, side) for side in (one, other)):
+            raise Rejected("a logarithm is taken of a side that is not seen to be positive")
+        return self.reading.log(one, evident=True) - self.reading.log(other, evident=True)
+
     def _square(self, place: int, entry: tuple[int, int]) -> tuple[Polynomial, bool]:
         """What vanishes since the squares of it and others, times positive numbers, add up to a multiple of a fact."""
         (label, times), said = (self._certificate["squares"][place][part] for part in ("of", "squares"))
@@ -90,9 +104,6 @@ class Facts:
         if self.reading.normal(rest - reduce(add, (weight * base * base for weight, base in squares))):
             raise Rejected("what is given is not the sum of squares that it is said to be")
         return squares[entry[0]][1], bool(self.asked.given[int(label.split()[1])].functions)
-
-    def _root(self, name: str) -> Polynomial:
-        return self.reading.functions.relation(self.reading.places[name])
 
     def _zero(self, name: str) -> Polynomial:
         """What SymPy assumes to be zero."""

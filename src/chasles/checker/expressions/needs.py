@@ -114,12 +114,7 @@ class _SaidNeed:
     def polynomial(self) -> Polynomial:
         """What the need is about, with nothing divided by."""
         if self._polynomial is None:
-            named = {str(e): self.reading.atom(e) for e in self.reading.atoms.values()}
-            known = set(self.reading.inverses)
-            with suppress(Rejected):
-                self._polynomial = self.reading.cleared(Spoken(self.reading, named)(self.spelled))[0]
-            if self._polynomial is None or known != set(self.reading.inverses):
-                self._polynomial = ZERO
+            self._polynomial = self.reading.cleared([ZERO, *self._values()][-1])[0]
         return self._polynomial
 
     @property

@@ -140,7 +140,7 @@ def _follows(
             raise Rejected(f"entry {label} is multiplied by a power {power!r}")
         if place is not None:
             powers[place] = powers.get(place, 0) + power
-        elif not (is_positive(reading, divisor) or is_positive(reading, number(-1) * divisor)):
+        elif not (is_positive(reading, divisor) or is_positive(reading, -divisor)):
             raise Rejected(f"entry {label} is multiplied by what the question does not divide by, and may vanish")
         for _ in range(power):
             factor = factor * (divisor if place is None else number(primitive(divisor)[0]))

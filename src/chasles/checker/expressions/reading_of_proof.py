@@ -218,9 +218,10 @@ class Proven(Symbolic):
 
     def is_number(self, polynomial: Polynomial) -> bool:
         """Whether something is made of numbers alone."""
-        return all(map(self._is_numeric, polynomial.places))
+        return all(map(self.is_numeric, polynomial.places))
 
-    def _is_numeric(self, place: int) -> bool:
+    def is_numeric(self, place: int) -> bool:
+        """Whether a variable is a number."""
         parts = (self.inverses[place],) if place in self.inverses else self.calls.get(place, (None, None))[1]
         return place in self.numeric or (parts is not None and all(map(self.is_number, parts)))
 

@@ -71,7 +71,7 @@ def _by_terms(reading: Proven, polynomial: Polynomial) -> bool | None:
     for monomial, coefficient in polynomial.terms.items():
         parts = [0, 0, 0]
         for place, power in exponents(monomial):
-            parts[0 if place in reading.numeric else 1 if place in circular else 2] += power << 8 * place
+            parts[0 if reading.is_numeric(place) else 1 if place in circular else 2] += power << 8 * place
         group = groups.setdefault(parts[2], {})
         group[parts[1]] = group.get(parts[1], ZERO) + Polynomial({parts[0]: coefficient})
     positive = False

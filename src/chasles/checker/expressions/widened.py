@@ -17,7 +17,7 @@ from sympy.core.function import AppliedUndef
 from chasles.checker.expressions.cases import CheckedCase
 from chasles.checker.expressions.enclosed import EnclosedValues, vanishes
 from chasles.checker.expressions.needs import RELATIONS
-from chasles.checker.expressions.quantities import is_atom, require_independent
+from chasles.checker.expressions.quantities import atoms_of, is_atom, require_independent
 from chasles.checker.expressions.readings import CIRCULAR
 from chasles.checker.sparse import Rejected
 
@@ -209,7 +209,7 @@ def check_enclosed(
 def _values(case: CheckedCase, at: Mapping[str, Any]) -> EnclosedValues:
     """The values at a point that the symbols may have, and at which what is given holds."""
     point: dict[Any, Any] = {}
-    atoms = {atom for e in case.spoken for atom in _atoms(e)}
+    atoms = {atom for e in case.spoken for atom in atoms_of(e)}
     require_independent(atoms)
     for atom in atoms:
         if str(atom) not in at:
@@ -225,7 +225,3 @@ def _values(case: CheckedCase, at: Mapping[str, Any]) -> EnclosedValues:
     if any(values.sign(one - other) for one, other in case.pairs) or any(values.sign(e) == 0 for e in case.nonzero):
         raise Rejected("the point does not satisfy the side conditions")
     return values
-
-
-def _atoms(e: Any) -> set[Any]:
-    return {e} if is_atom(e) else {atom for part in e.args for atom in _atoms(part)}
