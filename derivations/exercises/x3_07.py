@@ -97,10 +97,16 @@ exercise = Exercise(
         "Find its Plücker coordinates about the origin.",
     ),
     data=(
-        Datum("a", vector_shape(), [1, 0, 0], "position of A", from_book=True),
-        Datum("b", vector_shape(), [0, 1, 1], "position of B", from_book=True),
-        Datum("nA", vector_shape(), [0, 2, 0], "moment of the axis about A", from_book=True),
-        Datum("nB", vector_shape(), [0, 1, 1], "moment of the axis about B", from_book=True),
+        Datum("a", vector_shape(), [1, 0, 0], "position of A, in any unit of length", from_book=True),
+        Datum("b", vector_shape(), [0, 1, 1], "position of B, in the same unit", from_book=True),
+        Datum(
+            "nA",
+            vector_shape(),
+            [0, 2, 0],
+            "moment of the axis about A, with its unit direction: in the same unit",
+            from_book=True,
+        ),
+        Datum("nB", vector_shape(), [0, 1, 1], "moment of the axis about B, in the same unit", from_book=True),
     ),
     statuses=("compatible", "incompatible", "ambiguous"),
     solve=solve,
@@ -109,9 +115,14 @@ exercise = Exercise(
     orders=(("e_candidates", "p_candidates"),),
     answers=(
         Answer("e", vector_shape(), "the unit direction of the axis", ("compatible",)),
-        Answer("p", vector_shape(), "the point of the axis nearest the origin", ("compatible",)),
-        Answer("n0", vector_shape(), "the moment of the axis about the origin", ("compatible",)),
-        Answer("d", Scalar(), "the distance of the axis from the origin", ("compatible",)),
+        Answer(
+            "p",
+            vector_shape(),
+            "the point of the axis nearest the origin, in the unit of the positions",
+            ("compatible",),
+        ),
+        Answer("n0", vector_shape(), "the moment of the axis about the origin, in the same unit", ("compatible",)),
+        Answer("d", Scalar(), "the distance of the axis from the origin, in the same unit", ("compatible",)),
         Answer(
             "e_candidates",
             Else(ListOf(vector_shape()), ("every unit vector e", "every unit vector e normal to n_A")),

@@ -84,7 +84,8 @@ class SubstitutionCheck:
 class Solution(Displayed):
     """The solution of an exercise for one set of data.
 
-    `answers` are exact: SymPy numbers and matrices, words, truth values, nested lists and dictionaries of them.
+    `answers` are exact: SymPy numbers and matrices, words, truth values, nested lists and dictionaries of them. `means`
+    says what they are, with their units.
     """
 
     exercise: str
@@ -97,6 +98,7 @@ class Solution(Displayed):
     steps: tuple[SolutionStep, ...]
     checks: tuple[SubstitutionCheck, ...]
     picture: Picture | None = field(default=None, repr=False)
+    means: Mapping[str, str] = field(default_factory=dict, repr=False)
 
     def as_data(self) -> dict[str, Any]:
         """What `chasles solve --json` prints; its keys and their order are fixed."""

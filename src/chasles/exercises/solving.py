@@ -69,5 +69,6 @@ def solved_on_sheet(exercise: Exercise, data: Mapping[str, Any]) -> tuple[Soluti
         tuple(sheet.steps),
         tuple(sheet.checks),
         sheet.picture,
+        {answer.name: answer.says for answer in exercise.answers},
     )
     return solution, sheet

@@ -54,7 +54,8 @@ def _parts(solution: Solution) -> Iterator[str]:
     yield from map(_step, solution.steps)
     yield f"</ol>\n<h2>Answer: {escape(solution.outcome)}</h2>\n<table>"
     for name, value in solution.answers.items():
-        yield f"<tr><th>{escape(name)}</th><td>{_answer(value)}</td></tr>"
+        says = escape(solution.means.get(name, ""))
+        yield f"<tr><th>{escape(name)}</th><td>{_answer(value)}<div>{says}</div></td></tr>"
     yield "</table>"
     if solution.checks:
         yield "<h2>Substituted back</h2>\n<ul>" + "".join(map(_step, solution.checks)) + "</ul>"

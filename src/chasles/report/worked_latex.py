@@ -56,7 +56,9 @@ def _step(step: WorkedStep) -> Sentence:
 
 def _answer(answer: AnswerView) -> Sentence:
     words = "; ".join(answer.words)
-    return Sentence(escaped(f"{answer.name}: {words}".rstrip(": ")), tuple(map(_formula, answer.equations)))
+    return Sentence(
+        escaped(f"{answer.name}, {answer.says}: {words}".rstrip(": ")), tuple(map(_formula, answer.equations))
+    )
 
 
 def _formula(equation: Equation) -> tuple[str, str]:

@@ -76,4 +76,6 @@ def _answers(solution: Solution, signs: bool) -> RenderableType:
     grid.add_column(overflow="fold")
     for name, value in solution.answers.items():
         grid.add_row(name, _with_decimals(text_of(value), decimal_text(value), signs))
+        if says := solution.means.get(name):
+            grid.add_row("", Text(says, "dim"))
     return grid

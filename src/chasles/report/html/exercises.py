@@ -42,9 +42,10 @@ class DatumShown:
 
 @dataclass(frozen=True, slots=True)
 class AnswerView:
-    """What was found: its name, the value as a formula, labelled with its decimals, or in `words` if it is words."""
+    """What was found: its name, what it is, and the value as a formula, labelled with its decimals, or in `words`."""
 
     name: str
+    says: str
     equations: tuple[Equation, ...]
     words: tuple[str, ...] = ()
 
@@ -109,7 +110,7 @@ def worked_view(chapter: Chapter, number: str) -> WorkedView:
         assumed=solution.assumptions,
         given=tuple(_given(asked, solution)),
         steps=tuple(_step(known, step) for step in solution.steps),
-        answers=tuple(_answer(name, value) for name, value in solution.answers.items()),
+        answers=tuple(_answer(name, value, solution.means.get(name, "")) for name, value in solution.answers.items()),
         checks=tuple(_step(known, check) for check in solution.checks),
         pictures=pictures,
         captions=(solution.picture.title,) if solution.picture and pictures else (),
@@ -137,11 +138,11 @@ def _given(asked: Exercise, solution: Solution) -> Iterator[DatumShown]:
             yield DatumShown(datum.key, datum.says, text_of(value))
 
 
-def _answer(name: str, value: Any) -> AnswerView:
+def _answer(name: str, value: Any, says: str) -> AnswerView:
     if words := tuple(_words(value)):
-        return AnswerView(name, (), words)
+        return AnswerView(name, says, (), words)
     latex = latex_of(value)
-    return AnswerView(name, (Equation(displayed(latex), text_of(value), _decimals(decimal_text(value)), latex),))
+    return AnswerView(name, says, (Equation(displayed(latex), text_of(value), _decimals(decimal_text(value)), latex),))
 
 
 def _words(value: Any) -> Iterator[str]:
