@@ -100,6 +100,7 @@ def test_what_stands_before_an_implication_is_a_condition() -> None:
     [
         (r"\left. \frac{d \mathbf a}{dt} \right|_{t = 0}", r"\left.\dot{\mathbf{a}}\right|_{t=0}"),
         (r"\mathbf a\big|_{h = 0} + |r| \mathbf a", r"\left.\mathbf{a}\right|_{h=0}+|r|\mathbf{a}"),
+        (r"\|\mathbf a\|_2^2 \mathbf a", r"\|\mathbf{a}\|^2\mathbf{a}"),
         (r"\textbf{a} + \mbox{\boldmath $a$ \unboldmath}", r"\mathbf{a}+\mathbf{a}"),
     ],
 )
@@ -113,6 +114,9 @@ def test_bars_that_say_where_something_is_taken_and_letters_in_texts(text: str, 
         (r"\mathbf b = \mathbf A|_{h}^T \mathbf a", "bears an exponent"),
         (r"h = \sqrt{\mathbf a + r}", "under a root does not fit"),
         (r"h = |r|_{h}", "|| has no meaning"),
+        (r"h = r . p", "a full stop stands inside"),
+        (r"h = 3! r", "no word for a factorial"),
+        (r"h^\# = r", r"^{\sharp} has no meaning"),
     ],
 )
 def test_why_bars_and_roots_are_unread(text: str, why: str) -> None:
@@ -128,6 +132,18 @@ def test_macros_of_a_style_file_are_those_of_any_page() -> None:
         texts = [token.text for token in found.tokens]
         assert r"\vr" not in texts
         assert r"\begin{bmatrix}" in texts
+
+
+def test_a_letter_with_a_tilde_is_one_of_its_own_where_it_stands_for_an_error() -> None:
+    errors = displayed(
+        r"$$\tilde{\mathbf x} = \mathbf x - \hat{\mathbf x}$$ $$\mathbf r = \mathbf H \tilde{\mathbf x}$$", "md"
+    )
+    matrices = displayed(r"$$\tilde{\mathbf w} \mathbf x = \mathbf w \times \mathbf x$$", "md")
+    assert r"'\tilde{\mathbf{x}}' = " in proposed(errors)
+    assert r"skew = ['\tilde{#}'" in proposed(matrices)
+    for equations in (errors, matrices):
+        read = read_equations(equations, load_notation(proposed(equations)))
+        assert all(each.readings and not each.readings[0].parts[0].fault for each in read)
 
 
 def test_a_step_of_time_is_one_letter_where_d_is_none() -> None:

@@ -109,6 +109,9 @@ MACROS = [
     (r"$$\newcommand{\a}{b} \a = c$$ $$\a = d$$", ["b=c", "b=d"]),
     (r"\newcommand{\broken}[1{x} $$a = b$$", ["a=b"]),
     (r"\def\delimited(#1){x} $$a = b$$", ["a=b"]),
+    (r"\DeclareMathAlphabet{\mbf}{OT1}{ptm}{b}{n}$$\mbf{a} = \mbf 1$$", [r"\mathbf{a}=\mathbf{1}"]),
+    (r"\DeclareMathAlphabet\up{OT1}{cmr}{m}{n}$$\up{a} = b$$", [r"\mathrm{a}=b"]),
+    (r"\DeclareMathAlphabet{\broken}$$a = b$$", ["a=b"]),
 ]  # fmt: skip
 
 

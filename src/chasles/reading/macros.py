@@ -16,7 +16,7 @@ MOST_MACROS = 5_000
 MOST_WASTED = 200_000
 DEFINING = re.compile(
     r"\\(?:(?:re|provide)?newcommand|providecommand|DeclareRobustCommand|[gex]?def|let|DeclareMathOperator"
-    r"|DeclarePairedDelimiter|(?:re)?newenvironment|(?:New|Renew|Provide|Declare)DocumentCommand)$"
+    r"|DeclarePairedDelimiter|DeclareMathAlphabet|(?:re)?newenvironment|(?:New|Renew|Provide|Declare)DocumentCommand)$"
 )
 STRUCTURAL = re.compile(r"\\(?:begin|end|\[|\]|(?:sub)*section|chapter|input|include)$")
 
@@ -165,6 +165,12 @@ class Source:
             return {name: self.macros.get(spelled(meaning), Macro(0, None, [Token(r"\noexpand"), *meaning]))}
         if kind == "DeclareMathOperator":
             return {name: Macro(0, None, [Token(r"\operatorname"), *_group(self.argument(command))])}
+        if kind == "DeclareMathAlphabet":
+            said = [spelled(self.argument(command)) for _ in range(4) if self.peek() == "{"]
+            _, family, series, shape = said if len(said) == 4 else ("", "", "", "")
+            style = r"\mathbf" if series.startswith("b") else r"\mathnormal" if shape in ("it", "sl") else r"\mathrm"
+            style = r"\mathcal" if "cmsy" in family else style
+            return {name: Macro(0, None, [Token(style)])}
         if kind == "DeclarePairedDelimiter":
             ends = self.argument(command), self.argument(command)
             return {name: Macro(2, [], [*ends[0], Token("#"), Token("2"), *ends[1]], starred=True)}

@@ -34,6 +34,8 @@ __all__ = ["SIZE", "WITHOUT_WORD", "atom_fits", "letter_fits"]
 GROUPS = {"()": "()", "[]": "[]", r"\{\}": "{}"}
 SIZE = re.compile(r"(\d+)(?: \\times (\d+))?")
 WITHOUT_WORD = {
+    ".": "a full stop stands inside a formula",
+    "!": "no word for a factorial",
     **{sign: f"no word for {sign}" for sign in (r"\sum", r"\prod", r"\int", r"\oint", r"\lim", r"\infty", r"\nabla")},
     **{dots: f"{dots} stands for what is left out" for dots in (r"\dots", r"\ldots", r"\cdots", r"\vdots", r"\ddots")},
 }

@@ -158,6 +158,7 @@ def usual_spellings(notation: PageNotation) -> None:
     spellings.add(r"\cot(#)", cot)
     spellings.add(r"\det(#)", Determinant)
     spellings.add(r"\|#\|", Norm)
+    spellings.add(r"\|#\|_2", Norm)
     spellings.add("|#|", Norm)
     spellings.add("|#|", _determinant)
     for order in range(1, 4):
