@@ -17,7 +17,7 @@ from chasles.coq.folder import chunks, files_of
 from chasles.coq.names import THEORIES, identifier, theory
 from chasles.coq.points import refutation
 from chasles.coq.proof import proof_of
-from chasles.coq.sentences import failing, holding
+from chasles.coq.sentences import failing
 from chasles.coq.statement import CoqStatement
 from chasles.coq.theorems import Claimed, claims_of
 from chasles.decisions.session import Session
@@ -27,7 +27,6 @@ from chasles.verdict import Fails
 from chasles.vocabulary import Negative, paren
 
 from ..decided import chapter_session
-from ..sampling import WHOLE
 
 needs_coq = pytest.mark.skipif(coq_version() is None, reason=MISSING)
 QUICK = ["3.13", "3.46", "3.109", "text 3.8 f", "Thm 3.7.2", "text 3.8 k"]
@@ -99,23 +98,6 @@ def mutants(problem: Problem) -> list[Problem]:
     return [replace(problem, goals=(*others, Goal(goal.label, left, goal.right))) for left in changed]
 
 
-CHANGED = [*dict.fromkeys(entry.number for entry in load())][::4] if WHOLE else QUICK
-COFACTORS = re.compile(r"(apply \(by_(?:parts|multiple \(.*?\)) _ _ )(\(.*\))(\); \[)")
-
-
-def mutated() -> Iterator[Claimed]:
-    """Other statements, with the proofs of those from which they were made; and the same, with other cofactors."""
-    for which, (problem, certificate) in enumerate(problems(*CHANGED)):
-        proof = proof_of(f"mutant_{which}", CoqStatement(problem), certificate)
-        forged, count = COFACTORS.subn(r"\1(2 * \2)\3", proof, count=1)
-        if count:
-            yield Claimed("", "", f"mutant_{which}", "", holding(f"mutant_{which}", CoqStatement(problem)), forged)
-        for count, mutant in enumerate(mutants(problem)[which % 2 : which % 2 + 1]):
-            name = f"mutant_{which}_{count}"
-            proof = proof_of(name, CoqStatement(problem), certificate)
-            yield Claimed("", "", name, "", holding(name, CoqStatement(mutant)), proof)
-
-
 FAILING = ["3.97a", "3.148"]
 """What fails where a unit vector moves, and where nothing does."""
 
@@ -164,8 +146,8 @@ def misfits() -> Iterator[Claimed]:
 
 @pytest.fixture(scope="module")
 def verdicts() -> dict[str, CoqVerdict]:
-    """What Coq says of true statements, mutants and axioms."""
-    found = [*proved(), *claims("3.94"), *mutated(), *refuted(), *believed(), *misfits()]
+    """What Coq says of true statements, slips and axioms."""
+    found = [*proved(), *claims("3.94"), *refuted(), *believed(), *misfits()]
     return {each.claim.name: each for each in verdicts_of_coq(chunks(found))}
 
 
@@ -181,13 +163,6 @@ def test_coq_accepts(verdicts: dict[str, CoqVerdict]) -> None:
 @pytest.mark.parametrize(("name", "accepted"), [("eq_3_94_1", True), ("fits", False), ("unknown", False)])
 def test_a_misfit_is_refused_for_its_sizes(verdicts: dict[str, CoqVerdict], name: str, accepted: bool) -> None:
     assert verdicts[name].accepted == accepted
-
-
-@needs_coq
-def test_coq_refuses_other_statements_with_the_same_proof_and_other_cofactors(verdicts: dict[str, CoqVerdict]) -> None:
-    found = [name for name in verdicts if name.startswith("mutant")]
-    assert len(found) >= 6
-    assert [name for name in found if verdicts[name].accepted] == []
 
 
 @needs_coq

@@ -10,6 +10,7 @@ from typing import Any
 
 from chasles.cli.failures import FAILED, Failure
 from chasles.cli.writing import write_whole
+from chasles.coq.accepted import accepted_before, keep_accepted
 from chasles.coq.checking import MISSING, CoqVerdict, coq_version, verdicts_of_coq
 from chasles.coq.folder import Chunk, chunks, files_of
 from chasles.coq.theorems import Claimed, claims_of
@@ -79,9 +80,10 @@ class Theorems:
                 yield claim, why_not
 
 
-def written(folder: Path, decisions: Sequence[Decision]) -> Theorems:
+def written(folder: Path, decisions: Sequence[Decision], anew: bool = False) -> Theorems:
     """Write the theorems of the decisions, checked by Coq if it is installed: then only proofs that it accepts.
 
+    Unless all are to be checked `anew`, those that it accepted in an earlier run are not checked again.
     The folder's files are written whole or not at all. Raises Failure where that is not possible.
     """
     claims = tuple(claims_of(decisions))
@@ -92,7 +94,9 @@ def written(folder: Path, decisions: Sequence[Decision]) -> Theorems:
     checked: tuple[CoqVerdict, ...] = ()
     if version is not None:
         try:
-            checked = tuple(progress(verdicts_of_coq(parts), len(proved), "Coq"))
+            before = set() if anew else accepted_before(proved, version)
+            checked = tuple(progress(verdicts_of_coq(parts, before), len(proved), "Coq"))
+            keep_accepted(checked, version)
         except ChildProcessError as error:
             raise Failure(str(error), FAILED) from error
         chosen = {each.claim.name for each in checked if each.accepted}

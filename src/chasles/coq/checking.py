@@ -1,4 +1,4 @@
-"""Does Coq accept it? Files are compiled one at a time, in a folder of their own, with bounded memory."""
+"""Does Coq accept it? Files are compiled two at a time, in a folder of their own, with bounded memory."""
 
 from __future__ import annotations
 
@@ -6,7 +6,8 @@ import os
 import re
 import shutil
 import subprocess
-from collections.abc import Iterable, Iterator
+from collections.abc import Container, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -14,6 +15,7 @@ from tempfile import TemporaryDirectory
 from chasles.coq.folder import Chunk
 from chasles.coq.names import THEORIES, theory
 from chasles.coq.theorems import Claimed
+from chasles.decisions.processes import processors
 
 __all__ = ["AXIOMS", "MISSING", "CoqVerdict", "coq_version", "verdicts_of_coq"]
 
@@ -25,9 +27,9 @@ AXIOMS = frozenset({
 """What the real numbers of Coq's library rest on. A theorem that rests on anything else is not counted as accepted."""
 ANSWER = re.compile(r"^(?=Axioms:|Closed under the global context)", re.MULTILINE)
 REFUSED = "while it is expected to have type"
-MEMORY = 2 * 2**30
-SECONDS = 300
-"""What one file may take: bytes of memory, seconds of processor time."""
+BOUNDED = 'ulimit -v 2097152 2>/dev/null; ulimit -t 300; exec "$@"'
+"""What one file may take: kilobytes of memory, where a system bounds it, and seconds of processor time."""
+AT_ONCE = 2
 FORBIDDEN = re.compile(
     r"\b(?:Admitted|admit|give_up)\b|^\s*(?:Axioms?|Parameters?|Conjecture|Hypothes[ie]s|Variables?)\b", re.MULTILINE
 )
@@ -54,15 +56,26 @@ def coq_version() -> str | None:
     return said[0] if said else None
 
 
-def verdicts_of_coq(parts: Iterable[Chunk]) -> Iterator[CoqVerdict]:
-    """What Coq says of each theorem that has a proof. Raises `ChildProcessError` if it refuses a statement."""
+def verdicts_of_coq(parts: Sequence[Chunk], known: Container[str] = ()) -> Iterator[CoqVerdict]:
+    """What Coq says of each theorem that has a proof; those `known` by their names have been accepted before.
+
+    Raises `ChildProcessError` if it refuses a statement.
+    """
+    todo = []
+    for part in parts:
+        before = [claim for claim in part.claims if claim.proof and claim.name in known]
+        yield from map(CoqVerdict, before)
+        waiting = [claim for claim in part.claims if claim.proof and claim.name not in known]
+        todo += [(part, waiting)] if waiting else []
+    if not todo:
+        return
     with TemporaryDirectory(prefix="chasles-coq-") as name:
         folder = Path(name)
         for each in THEORIES:
             _require(folder, each, theory(each))
-        for part in parts:
-            _require(folder, part.statements, part.said())
-            yield from _proved(folder, part)
+        with ThreadPoolExecutor(max_workers=min(processors(), AT_ONCE)) as pool:
+            for found in pool.map(lambda each: _judged(folder, *each), todo):
+                yield from found
 
 
 def _require(folder: Path, name: str, text: str) -> None:
@@ -74,26 +87,25 @@ def _require(folder: Path, name: str, text: str) -> None:
 def _compiled(folder: Path, name: str, text: str) -> subprocess.CompletedProcess[str]:
     (folder / f"{name}.v").write_text(text, "utf-8")
     command = ["coqc", "-q", "-noglob", "-R", ".", "Chasles", f"{name}.v"]
-    bounded = _bounded if os.name == "posix" else None
-    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False, preexec_fn=bounded)
+    if os.name == "posix":
+        command = ["sh", "-c", BOUNDED, "sh", *command]
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
 
 
-def _bounded() -> None:
-    import resource  # not on every system
-
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-    resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
+def _judged(folder: Path, part: Chunk, claims: list[Claimed]) -> list[CoqVerdict]:
+    _require(folder, part.statements, part.said())
+    return list(_proved(folder, part, claims))
 
 
-def _proved(folder: Path, part: Chunk) -> Iterator[CoqVerdict]:
+def _proved(folder: Path, part: Chunk, claims: list[Claimed]) -> Iterator[CoqVerdict]:
     """Coq stops at the first theorem that it refuses; it goes on with the next one."""
     waiting = []
-    for claim in part.claims:
-        if claim.proof and (found := FORBIDDEN.search(claim.proof)):
+    for claim in claims:
+        if found := FORBIDDEN.search(claim.proof):
             yield CoqVerdict(claim, f"its proof says {found[0]}")
-        elif claim.is_misfit and claim.proof:
-            yield _refused(folder, claim)
-        elif claim.proof:
+        elif claim.is_misfit:
+            yield _refused(folder, part, claim)
+        else:
             waiting.append(claim)
     while waiting:
         done = _compiled(folder, part.proofs, part.proved({claim.name for claim in waiting}))
@@ -112,9 +124,10 @@ def _objection(answer: str) -> str:
     return f"it rests on {', '.join(foreign)}" if (foreign := sorted(axioms - AXIOMS)) else ""
 
 
-def _refused(folder: Path, claim: Claimed) -> CoqVerdict:
+def _refused(folder: Path, part: Chunk, claim: Claimed) -> CoqVerdict:
     """Whether Coq refuses an equation because of its sizes, when `Fail` is left away."""
-    done = _compiled(folder, "Misfit", f"From Chasles Require Import Hypotheses.\n{claim.proof.removeprefix('Fail ')}")
+    name = f"Misfits_{part.number}"
+    done = _compiled(folder, name, f"From Chasles Require Import Hypotheses.\n{claim.proof.removeprefix('Fail ')}")
     is_refused = done.returncode and REFUSED in re.sub(r"\s+", " ", done.stderr)
     return CoqVerdict(claim, "" if is_refused else "Coq finds no fault with its sizes")
 

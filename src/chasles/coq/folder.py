@@ -10,7 +10,7 @@ from chasles.coq.theorems import Claimed
 
 __all__ = ["Chunk", "chunks", "files_of"]
 
-IN_ONE_FILE = 10
+IN_ONE_FILE = 20
 """So many statements are in one file: more would save time, and take more memory."""
 HEAD = "(* SPDX-License-Identifier: BSD-3-Clause *)\n"
 

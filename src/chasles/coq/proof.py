@@ -74,8 +74,8 @@ class _Proof:
         yield from self._named_words()
         if premises := [*self.facts.names_of_words, *self.instant.premises]:
             yield f"intros {' '.join(premises)}."
-        yield from self._definitions_put_in()
         yield from self._apart()
+        yield from self._definitions_put_in()
         yield from self.facts.of_norms()
         yield from self.facts.of_angles()
         yield from self.facts.of_integrals(divided=False)

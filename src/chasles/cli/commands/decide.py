@@ -32,7 +32,11 @@ __all__ = ["command"]
     metavar="FOLDER",
     help="Write verdicts as theorems for Coq to this folder; where Coq is installed, it checks them.",
 )
-@click.option("--anew", is_flag=True, help="Search for all proofs again; do not check what is known.")
+@click.option(
+    "--anew",
+    is_flag=True,
+    help="Search for all proofs again, and let Coq check them again; do not check what is known.",
+)
 def command(
     numbers: tuple[str, ...],
     sections: tuple[str, ...],
@@ -58,7 +62,7 @@ def command(
     if coq is not None:
         from chasles.cli.theorems import written
 
-        theorems = written(coq, [decision for _, decision in outcome.decided])
+        theorems = written(coq, [decision for _, decision in outcome.decided], anew)
     if json:
         records = [record(entry, decision) for entry, decision in outcome.decided]
         click.echo(as_json({"statements": records} | ({"coq": theorems.record} if theorems else {})))

@@ -12,7 +12,7 @@ Proof. intros H ->; exact H. Qed.
 Lemma PI_bounds : 0 < PI <= 4.
 Proof. split; [exact PI_RGT_0 | exact PI_4]. Qed.
 Ltac compared := pose proof PI_bounds; solve [lra | intro; lra | rewrite ?pow_1; lra | rewrite ?pow_1; intro; lra | nra | intro; nra].
-Ltac computed := words; entries; first [reflexivity | lra | field; repeat split; first [not_zero_alone | compared]].
+Ltac computed := words; entries; first [reflexivity | reckon | lra | field; repeat split; first [not_zero_alone | compared]].
 
 (* Angles with a given cosine and sine, as large as one likes; quarter turns. *)
 Lemma later (n : nat) x : cos (x + 2 * INR n * PI) = cos x /\ sin (x + 2 * INR n * PI) = sin x.

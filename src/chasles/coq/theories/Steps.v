@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
 (* Steps of proofs. No statement mentions anything of this file, and nothing here has to be believed. *)
 From Coq Require Export Lra FunctionalExtensionality.
-From Chasles Require Export Hypotheses.
+From Chasles Require Export Hypotheses Reckon.
 
 (* Words are opened into sums of products of entries. *)
 Ltac words := cbv beta iota zeta delta
@@ -50,8 +50,7 @@ Ltac not_zero_alone := first
       | apply (not_zero_factor a b (1/2) K); field | apply (not_zero_factor a b (-1/2) K); field
       | apply (not_zero_factor a b 4 K); ring ] end ].
 Ltac not_zero := repeat split; not_zero_alone.
-Ltac identity := first [ring | field; not_zero].
-Ltac fraction := first [field; not_zero | ring].
+Ltac fraction := identity.
 
 (* Angles and lengths. *)
 Lemma circle x : cos x ^ 2 + sin x ^ 2 - 1 = 0.
@@ -61,11 +60,11 @@ Proof. replace x with (x / 2 + x / 2) at 1 by field. apply cos_plus. Qed.
 Lemma sin_half x : sin x = 2 * (sin (x / 2) * cos (x / 2)).
 Proof. replace x with (x / 2 + x / 2) at 1 by field. rewrite sin_plus. ring. Qed.
 Ltac turned := first
-  [ ring
-  | match goal with |- cos ?x = _ => rewrite (cos_half x); ring | |- sin ?x = _ => rewrite (sin_half x); ring end
+  [ reckon
+  | match goal with |- cos ?x = _ => rewrite (cos_half x); ring | |- sin ?x = _ => rewrite (sin_half x); reckon end
   | repeat first
       [ rewrite cos_plus | rewrite sin_plus | rewrite cos_minus | rewrite sin_minus | rewrite cos_neg | rewrite sin_neg
-      | rewrite cos_PI2 | rewrite sin_PI2 | rewrite cos_PI | rewrite sin_PI | rewrite cos_2a | rewrite sin_2a ]; ring ].
+      | rewrite cos_PI2 | rewrite sin_PI2 | rewrite cos_PI | rewrite sin_PI | rewrite cos_2a | rewrite sin_2a ]; reckon ].
 Lemma dot_not_negative {m} (v : M m 1) : 0 <= dot v v.
 Proof.
   unfold dot. set (f := fun i => entry v i 0 * entry v i 0).

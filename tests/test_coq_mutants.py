@@ -1,0 +1,122 @@
+"""Coq refuses what is not so: statements with something else claimed, other words, and other cofactors.
+
+Each mutant keeps the proof of what it was made from. One Coq reads all of them, and goes on after what it refuses.
+"""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import cache
+from itertools import islice
+from pathlib import Path
+
+import pytest
+
+from chasles.coq.checking import MISSING, coq_version
+from chasles.coq.expressions import Unsaid
+from chasles.coq.names import THEORIES, theory
+from chasles.coq.proof import proof_of
+from chasles.coq.sentences import holding
+from chasles.coq.statement import CoqStatement
+from chasles.decisions.session import Session
+from chasles.statements import Inverse, Problem, Theorem, load, problem_of
+from chasles.statements.problem import Goal
+from chasles.vocabulary import Negative, paren
+
+from .decided import chapter_session
+from .sampling import WHOLE
+
+pytestmark = [pytest.mark.skipif(coq_version() is None, reason=MISSING), pytest.mark.slow]
+MANY = 300 if WHOLE else 12
+"""So many mutants of each kind, of what has the shortest proofs."""
+COFACTOR = re.compile(r"(?<= _ _ \()(\([^;]*?\)) \* \(")
+CHANGES = {"cos ": "sin ", "sin ": "cos ", " + ": " - ", " - ": " + ", "CPM ": "2 *: CPM ", "2 *": "3 *", "det ": "- det ",
+           "trace ": "- trace ", "cross ": "- cross ", "vect ": "- vect ", "norm ": "- norm "}  # fmt: skip
+
+
+@cache
+def proved() -> tuple[tuple[str, Problem, str, str], ...]:
+    """What holds, with its statement and its proof in Coq, the shortest proofs first."""
+    found = []
+    for session in (chapter_session(), Session(book=load("chasles.rotations"))):
+        for entry in session._chapter:  # type: ignore[union-attr]
+            decision = session.decide(entry.statement)
+            certificate = getattr(decision.verdict, "certificate", None)
+            if certificate is None or isinstance(decision.statement, Theorem | Inverse):
+                continue
+            problem = problem_of(decision.statement, "printed", decision.accepted)
+            try:
+                said = CoqStatement(problem)
+                name = f"m{len(found)}"
+                found.append((name, problem, holding(name, said), proof_of(name, said, certificate)))
+            except Unsaid:
+                continue
+    return tuple(sorted(found, key=lambda each: (len(each[3]), each[0])))
+
+
+def changed_statements() -> Iterator[tuple[str, str, str]]:
+    """The opposite of a side of the last equation, or twice a side, in place of the side."""
+    for name, problem, _, proof in proved():
+        *others, goal = problem.goals
+        for count, side in enumerate((Negative(paren(goal.left)), goal.left + goal.left)):
+            mutant = replace(problem, goals=(*others, Goal(goal.label, side, goal.right)))
+            yield renamed(name, f"{name}_s{count}", holding(name, CoqStatement(mutant)), proof)
+
+
+def changed_words() -> Iterator[tuple[str, str, str]]:
+    """One word in place of another, in what is claimed."""
+    for name, _, said, proof in proved():
+        claim = said.rfind("->\n") + 1
+        for count, (word, other) in enumerate(CHANGES.items()):
+            if word in said[claim:]:
+                yield renamed(name, f"{name}_w{count}", said[:claim] + said[claim:].replace(word, other, 1), proof)
+
+
+def changed_cofactors() -> Iterator[tuple[str, str, str]]:
+    """Three times what something that vanishes is multiplied by."""
+    for name, _, said, proof in proved():
+        for count, found in enumerate(islice(COFACTOR.finditer(proof), 3)):
+            text = f"{proof[: found.start(1)]}(3 * {found[1]}){proof[found.end(1) :]}"
+            yield renamed(name, f"{name}_c{count}", said, text)
+
+
+def renamed(name: str, mutant: str, said: str, proof: str) -> tuple[str, str, str]:
+    """Statement and proof under another name."""
+    return mutant, re.sub(rf"\b{name}\b", mutant, said), re.sub(rf"\b{name}(_holds)?\b", rf"{mutant}\1", proof)
+
+
+@pytest.fixture(scope="module")
+def theories(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder: Path = tmp_path_factory.mktemp("coq")
+    for name in THEORIES:
+        (folder / f"{name}.v").write_text(theory(name), "utf-8")
+        subprocess.run(["coqc", "-q", "-noglob", "-R", ".", "Chasles", f"{name}.v"], cwd=folder, check=True)
+    return folder
+
+
+def accepted(theories: Path, mutants: list[tuple[str, str, str]]) -> tuple[set[str], set[str]]:
+    """The names of those that are statements, and of those that are proved."""
+    parts = [f"{said}{proof}Abort All.\nCheck {name}. Check {name}_holds.\n" for name, said, proof in mutants]
+    command = ["coqtop", "-q", "-R", ".", "Chasles"]
+    text = "From Chasles Require Import Forms.\n" + "".join(parts)
+    done = subprocess.run(command, cwd=theories, input=text, capture_output=True, text=True, check=True)
+    answers = re.sub(r"^(\w+ < )+", "", done.stdout, flags=re.MULTILINE)
+    told = re.findall(r"^(m\w+?)(_holds)?\s*\n?\s+: ", answers, re.MULTILINE)
+    return {name for name, holds in told if not holds}, {name for name, holds in told if holds}
+
+
+def test_what_is_so_is_accepted(theories: Path) -> None:
+    some = [(name, said, proof) for name, _, said, proof in proved()[:MANY]]
+    assert accepted(theories, some) == ({name for name, *_ in some},) * 2
+
+
+@pytest.mark.parametrize("mutants", [changed_statements, changed_words, changed_cofactors])
+def test_what_is_not_so_is_refused(theories: Path, mutants) -> None:  # type: ignore[no-untyped-def]
+    some = list(islice(mutants(), MANY))
+    said, proved = accepted(theories, some)
+    assert len(some) == MANY
+    assert proved == set()
+    assert len(said) >= 0.9 * MANY  # the others are not even statements
