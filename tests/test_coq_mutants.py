@@ -33,8 +33,8 @@ pytestmark = [pytest.mark.skipif(coq_version() is None, reason=MISSING), pytest.
 MANY = 300 if WHOLE else 12
 """So many mutants of each kind, of what has the shortest proofs."""
 COFACTOR = re.compile(r"(?<= _ _ \()(\([^;]*?\)) \* \(")
-CHANGES = {"cos ": "sin ", "sin ": "cos ", " + ": " - ", " - ": " + ", "CPM ": "2 *: CPM ", "2 *": "3 *", "det ": "- det ",
-           "trace ": "- trace ", "cross ": "- cross ", "vect ": "- vect ", "norm ": "- norm "}  # fmt: skip
+CHANGES = {"cos ": "sin ", "sin ": "cos ", " + ": " - ", " - ": " + ", "CPM ": "2 *: CPM ", "2 *": "3 *"}
+CHANGES |= {f"{word} ": f"- {word} " for word in ("det", "trace", "cross", "vect", "norm")}
 
 
 @cache
