@@ -221,6 +221,20 @@ def test_the_command_says_what_coq_accepts(run, tmp_path: Path) -> None:  # type
     assert (tmp_path / "out" / "Statements_1.v").is_file()
 
 
+@needs_coq
+def test_what_coq_has_accepted_is_not_checked_again(run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:  # type: ignore[no-untyped-def]
+    monkeypatch.setenv("CHASLES_CACHE", str(tmp_path / "cache"))
+    first = run("decide", "3.13", "--json", "--coq", str(tmp_path / "out"))
+    compiled: list[str] = []
+    monkeypatch.setattr("chasles.coq.checking._compiled", lambda folder, name, text: compiled.append(name))
+    again = run("decide", "3.13", "--json", "--coq", str(tmp_path / "out"))
+    assert json.loads(again.stdout)["coq"] == json.loads(first.stdout)["coq"]
+    assert compiled == []
+    with pytest.raises(AttributeError):  # nothing was compiled, and so nothing has a return code
+        run("decide", "3.13", "--anew", "--coq", str(tmp_path / "out"), catch_exceptions=False)
+    assert compiled == ["Words"]
+
+
 def test_without_coq_the_command_writes_and_says_what_is_missing(
     run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:  # type: ignore[no-untyped-def]

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from chasles import vocabulary as w
 from chasles.coq.names import CoqNames, bare_of
 
-__all__ = ["Spelling", "Unsaid"]
+__all__ = ["Spelling", "Unsaid", "held"]
 
 ATOM, APPLIED, POWER, MINUS, TIMES, PLUS, LOOSE = 0, 10, 30, 35, 40, 50, 200
 """How tightly the parts of a spelling hold together, as Coq counts it."""
@@ -37,11 +37,11 @@ class Spelling:
 
     def number(self, node: w.Node, most: int = LOOSE) -> str:
         """A scalar, in brackets if it is looser than `most`."""
-        return _held(self._number(node), most)
+        return held(self._number(node), most)
 
     def matrix(self, node: w.Node, most: int = LOOSE) -> str:
         """A matrix, in brackets if it is looser than `most`; what is 1 x 1 as one."""
-        return _held(self._matrix(node), most)
+        return held(self._matrix(node), most)
 
     def _number(self, node: w.Node) -> Spelled:
         node = bare_of(node)
@@ -135,7 +135,8 @@ class Spelling:
         raise Unsaid(f"{type(node).__name__} is no word of the theories")
 
 
-def _held(spelled: Spelled, most: int) -> str:
+def held(spelled: Spelled, most: int) -> str:
+    """What is spelled, in brackets if it is looser than `most`."""
     text, level = spelled
     return text if level <= most else f"({text})"
 
@@ -148,7 +149,7 @@ def _folded(word: str, parts: list[Spelled]) -> Spelled:
     """Blocks put together two by two, from the last."""
     folded = parts[-1]
     for part in reversed(parts[:-1]):
-        folded = f"{word} {_held(part, ATOM)} {_held(folded, ATOM)}", APPLIED
+        folded = f"{word} {held(part, ATOM)} {held(folded, ATOM)}", APPLIED
     return folded
 
 

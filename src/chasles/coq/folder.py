@@ -10,8 +10,8 @@ from chasles.coq.theorems import Claimed
 
 __all__ = ["Chunk", "chunks", "files_of"]
 
-IN_ONE_FILE = 20
-"""So many statements are in one file: more would save time, and take more memory."""
+IN_ONE_FILE, TEXT_IN_ONE_FILE = 20, 200_000
+"""So many statements, and characters of proofs, are in one file: more would save time, and take more memory."""
 HEAD = "(* SPDX-License-Identifier: BSD-3-Clause *)\n"
 
 
@@ -44,15 +44,20 @@ class Chunk:
             for claim in self.claims
             if claim.name in chosen
         ]
-        return f"{HEAD}From Chasles Require Import Forms {self.statements}.\n\n" + "\n".join(parts)
+        return f"{HEAD}From Chasles Require Import {THEORIES[-1]} {self.statements}.\n\n" + "\n".join(parts)
 
 
 def chunks(claims: Sequence[Claimed]) -> list[Chunk]:
     """The statements, in files of a size that Coq takes."""
     said = [claim for claim in claims if claim.said]
-    groups = [tuple(said[k : k + IN_ONE_FILE]) for k in range(0, len(said), IN_ONE_FILE)]
+    groups: list[list[Claimed]] = []
+    for claim in said:
+        text = sum(len(each.proof) for each in (*groups[-1], claim)) if groups else 0
+        if not groups or len(groups[-1]) == IN_ONE_FILE or text > TEXT_IN_ONE_FILE:
+            groups.append([])
+        groups[-1].append(claim)
     width = len(str(len(groups)))
-    return [Chunk(f"{count:0{width}}", group) for count, group in enumerate(groups, 1)]
+    return [Chunk(f"{count:0{width}}", tuple(group)) for count, group in enumerate(groups, 1)]
 
 
 def files_of(parts: Sequence[Chunk], chosen: Container[str]) -> dict[str, str]:

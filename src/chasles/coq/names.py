@@ -10,7 +10,7 @@ from chasles import vocabulary as w
 
 __all__ = ["THEORIES", "CoqNames", "identifier", "theory"]
 
-THEORIES = ("Words", "Hypotheses", "Reckon", "Steps", "Motion", "Bodies", "Points", "Forms")
+THEORIES = ("Words", "Hypotheses", "Reckon", "Steps", "Motion", "Bodies", "Points", "Forms", "Scalars")
 """The files that come with every folder, each requiring those before it."""
 BINDERS = ("T", "t", "B", "b", "integral")
 """Instants, one of them, the elements of a body, one of them, the integral over them."""

@@ -1,0 +1,25 @@
+(* SPDX-License-Identifier: BSD-3-Clause *)
+(* Steps of proofs of identities between expressions. Nothing here has to be believed. *)
+From Chasles Require Export Forms.
+
+Ltac nonnegative := first
+  [ assumption | lra | apply Rlt_le; assumption | apply Rmult_le_pos; nonnegative | apply Rplus_le_le_0_compat; nonnegative
+  | apply pow_le; nonnegative | apply pow2_ge_0 | nra
+  | match goal with |- 0 <= ?a => match goal with H : 0 <= ?b |- _ => replace a with b by reckon; exact H end end ].
+Lemma root_of v s : v = sqrt s -> 0 <= s -> v ^ 2 - s = 0.
+Proof. intros -> P. rewrite pow2_sqrt; [ring | exact P]. Qed.
+Lemma size_of v x : v = Rabs x -> v ^ 2 - x ^ 2 = 0.
+Proof. intros ->. rewrite pow2_abs. ring. Qed.
+Lemma root_positive v s : v = sqrt s -> 0 <= v.
+Proof. intros ->. apply sqrt_pos. Qed.
+Lemma size_positive v x : v = Rabs x -> 0 <= v.
+Proof. intros ->. apply Rabs_pos. Qed.
+Lemma root_value v s a : v = sqrt s -> 0 <= a -> s = a ^ 2 -> v = a.
+Proof. intros -> P ->. apply sqrt_pow2, P. Qed.
+Lemma size_value v x a : v = Rabs x -> 0 <= a -> x ^ 2 = a ^ 2 -> v = a.
+Proof. intros -> P E. apply (same_root _ _ (x ^ 2) (a ^ 2)); [apply Rabs_pos | exact P | apply (size_of _ x eq_refl) | ring | exact E]. Qed.
+Lemma not_zero_square v s : v ^ 2 - s = 0 -> s <> 0 -> v <> 0.
+Proof. intros H N ->. apply N. lra. Qed.
+Ltac not_zero_known := first
+  [ assumption | lra | apply Rgt_not_eq; assumption
+  | match goal with K : ?a <> 0 |- ?b <> 0 => apply (not_zero_as _ _ K); reckon end ].

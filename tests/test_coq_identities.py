@@ -1,0 +1,96 @@
+"""Identities of `prove` as theorems: what they say, that Coq accepts them, and not those that are not so."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import pytest
+from sympy import Abs, Eq, Function, Matrix, cos, exp, eye, sign, sin, sqrt, symbols, tan
+
+from chasles import prove
+from chasles.coq.checking import MISSING, coq_version, verdicts_of_coq
+from chasles.coq.folder import chunks
+from chasles.coq.identities import as_theorem
+from chasles.coq.theorems import Claimed
+
+x, y, t, phi = symbols("x y t phi")
+p = symbols("p", positive=True)
+f, g = Function("f")(t), Function("g")(t)
+e = Matrix(symbols("e1:4"))
+CROSS = Matrix([[0, -e[2], e[1]], [e[2], 0, -e[0]], [-e[1], e[0], 0]])
+Q = e * e.T + cos(phi) * (eye(3) - e * e.T) + sin(phi) * CROSS
+UNIT = [Eq(e.dot(e), 1)]
+CIRCLE = [Eq(f**2 + g**2, 1)]
+QUESTIONS: list[tuple[Any, ...]] = [
+    ((x**2 - y**2) / (x - y), x + y),
+    ((1 - cos(x)) / sin(x), tan(x / 2)),
+    (cos(3 * x), 4 * cos(x) ** 3 - 3 * cos(x)),
+    (tan(x + y), (tan(x) + tan(y)) / (1 - tan(x) * tan(y))),
+    (sqrt(x) * sqrt(y), sqrt(x * y)),
+    (sqrt(p**2 * (x - y) ** 2), p * Abs(x - y)),
+    (sqrt(3 + 2 * sqrt(2)), 1 + sqrt(2)),
+    (1 / (sqrt(x) + sqrt(y)), (sqrt(x) - sqrt(y)) / (x - y)),
+    (Q.T * Q, eye(3), UNIT),
+    (f * f.diff(t) + g * g.diff(t), 0, CIRCLE),
+    (f * f.diff(t, 2) + f.diff(t) ** 2 + g * g.diff(t, 2) + g.diff(t) ** 2, 0, CIRCLE),
+]
+
+
+def asked(number: int, *question: Any) -> Claimed:
+    return as_theorem(prove(*question), *question, name=f"identity_{number}")
+
+
+def test_a_statement_says_what_was_asked_and_what_it_needs() -> None:
+    assert asked(1, *QUESTIONS[1]).said == (
+        "Definition identity_1 : Prop :=\n"
+        "  forall (x : R),\n"
+        "  sin x <> 0 ->\n"
+        "  cos (x / 2) <> 0 ->\n"
+        "  (1 - cos x) / sin x = tan (x / 2).\n"
+    )
+
+
+def test_functions_of_time_are_functions() -> None:
+    said = asked(9, *QUESTIONS[9]).said
+    assert "(f : R -> R) (f_dot : R -> R)" in said
+    assert "scalar_rate T f f_dot ->" in said
+    assert "during T (fun t => f t ^ 2 + g t ^ 2 = 1) ->" in said
+
+
+@pytest.mark.parametrize(
+    ("question", "reason"),
+    [
+        ((Abs(x) * sign(x), x), "sign"),
+        ((exp(x) * exp(y), exp(x + y)), "exp"),
+        ((sqrt(1 - cos(x) ** 2), Abs(sin(x))), "of which the question does not speak"),
+    ],
+)
+def test_what_there_is_no_proof_of_has_a_reason(question: tuple[Any, ...], reason: str) -> None:
+    claim = asked(0, *question)
+    assert not claim.proof
+    assert reason in claim.why_not
+
+
+def test_only_what_holds_is_a_theorem() -> None:
+    with pytest.raises(TypeError, match="fails"):
+        asked(0, sqrt(x**2), x)
+
+
+@pytest.mark.skipif(coq_version() is None, reason=MISSING)
+def test_coq_accepts_them_and_nothing_else() -> None:
+    true = [asked(number, *question) for number, question in enumerate(QUESTIONS)]
+    assert [claim.why_not for claim in true if claim.why_not] == []
+    false = []
+    for claim in true[:8]:
+        name = claim.name.replace("identity", "mutant")
+        head, end, last = claim.said.replace(claim.name, name).rpartition(" = ")
+        false.append(
+            replace(claim, name=name, said=f"{head}{end}1 + {last}", proof=claim.proof.replace(claim.name, name))
+        )
+    found = {each.claim.name: each for each in verdicts_of_coq(chunks([*true, *false]))}
+    assert [
+        (each.claim.says, each.why_not) for each in found.values() if not each.accepted and each.claim in true
+    ] == []
+    assert [name for name, each in found.items() if each.accepted and each.claim in false] == []
+    assert len(found) == len(true) + len(false)
