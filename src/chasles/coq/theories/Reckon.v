@@ -24,7 +24,7 @@ Fixpoint ppow (p : poly) (n : nat) : poly := match n with O => Pc 1%Z | S O => p
 Definition peq : poly -> poly -> bool := Peq Zeq_bool.
 Local Notation ring_facts := (Rth_ARth (Eqsth R) (Eq_ext Rplus Rmult Ropp) RTheory).
 Section Values.
-Variable l : list R.
+Context (l : list R).
 Lemma pval_add p q : pval l (padd p q) = pval l p + pval l q.
 Proof. apply (Padd_ok (Eqsth R) (Eq_ext Rplus Rmult Ropp) ring_facts R_rm). Qed.
 Lemma pval_mul p q : pval l (pmul p q) = pval l p * pval l q.
@@ -45,7 +45,7 @@ Qed.
 
 (* A quotient: a polynomial over a number and over powers of the factors that are not zero. *)
 Definition quotient : Type := poly * positive * list nat.
-Variable factors : list poly.
+Context (factors : list poly).
 Fixpoint product (fs : list poly) (e : list nat) : R :=
   match fs with nil => 1 | f :: fs => pval l f ^ List.hd O e * product fs (tl e) end.
 Fixpoint lacking (fs : list poly) (e e' : list nat) : poly := match fs with nil => Pc 1%Z
@@ -57,7 +57,7 @@ Fixpoint together (fs : list poly) (e e' : list nat) : list nat := match fs with
   | f :: fs => (List.hd O e + List.hd O e')%nat :: together fs (tl e) (tl e') end.
 Definition qval (q : quotient) : R := let '(p, d, e) := q in pval l p / (IZR (Zpos d) * product factors e).
 Fixpoint all_nonzero (fs : list poly) : Prop := match fs with nil => True | f :: fs => pval l f <> 0 /\ all_nonzero fs end.
-Hypothesis nonzero : all_nonzero factors.
+Context (nonzero : all_nonzero factors).
 
 Lemma product_nonzero fs e : all_nonzero fs -> product fs e <> 0.
 Proof.
