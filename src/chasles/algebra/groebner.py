@@ -6,18 +6,19 @@ The hypotheses of the book hardly ever need it: they are declared so that they a
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from heapq import heapify, heappop, heappush
 from math import inf
 
 from chasles.algebra.explicit import Explicit, explicit, put_in
+from chasles.algebra.modular import MODULUS, Span, combination
 from chasles.algebra.normal_form import leads_of, reduce_by
 from chasles.algebra.rings import Exponents, Polynomial, Ring
 from chasles.algebra.work_limit import OutOfTime, spend, within
 
-__all__ = ["Basis", "completed", "stated"]
+__all__ = ["Basis", "combined", "completed", "stated"]
 
 Combination = dict[int, Polynomial]
 
@@ -65,6 +66,29 @@ def folded(cofactors: Combination, origins: tuple[Combination, ...]) -> Combinat
             term = cofactor * factor
             total[origin] = total[origin] + term if origin in total else term
     return {k: c for k, c in total.items() if c != 0}
+
+
+def combined(ring: Ring, polynomial: Polynomial, generators: Sequence[Polynomial]) -> Combination | None:
+    """Rational numbers as cofactors, with which the generators add up to a polynomial; None if there are none.
+
+    They are found modulo a prime, and count if they are right.
+    """
+    terms = [dict(ring.terms(each)) for each in (*generators, polynomial)]
+    places = {exponents: k for k, exponents in enumerate(dict.fromkeys(e for each in terms for e in each))}
+    columns = [[0] * len(places) for _ in terms]
+    for column, each in zip(columns, terms, strict=True):
+        for exponents, c in each.items():
+            column[places[exponents]] = c.numerator * pow(c.denominator, -1, MODULUS) % MODULUS
+    span = Span()
+    chosen = [k for k, column in enumerate(columns[:-1]) if span.add(column)]
+    found = combination([columns[k] for k in chosen], columns[-1]) if chosen else None
+    if found is None:
+        return None
+    cofactors = {k: ring.constant(c) for k, c in zip(chosen, found, strict=True) if c}
+    rest = polynomial
+    for k, cofactor in cofactors.items():
+        rest = rest - cofactor * generators[k]
+    return cofactors if rest == 0 else None
 
 
 def stated(ring: Ring, hypotheses: tuple[Polynomial, ...], *, complete: bool, values: Collection[int] = ()) -> Basis:

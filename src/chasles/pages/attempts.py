@@ -10,8 +10,9 @@ from dataclasses import dataclass
 from dataclasses import replace as with_fields
 from itertools import islice
 
+from chasles.pages.consequences import Consequences
 from chasles.pages.facts import divisors
-from chasles.pages.premises import PosedEquation, Premises, Rules, balancing, chosen_rules, free_quantities
+from chasles.pages.premises import PosedEquation, Premises, Rules, balancing, chosen_rules, free_quantities, last_said
 from chasles.statements import Claim, Statement
 from chasles.vocabulary import Node
 
@@ -27,37 +28,48 @@ MOST_BALANCED = 8
 
 @dataclass(frozen=True, slots=True)
 class Attempt:
-    """The claim with some premises, the rules and posed equations among them, and names of open ones that are rules."""
+    """The claim with some premises, from which it is `likely` to follow, and the names of open ones that are rules."""
 
     claim: Claim
-    rules: Rules
-    posed: tuple[PosedEquation, ...]
+    likely: bool
     opened: tuple[str, ...]
 
 
-def attempts(claim: Claim, premises: Premises) -> Iterator[Attempt]:
-    """The claim with ever more premises, each set once."""
-    seen: set[tuple[frozenset[int], frozenset[str]]] = set()
+def attempts(claim: Claim, premises: Premises, consequences: Consequences) -> Iterator[Attempt]:
+    """The claim with premises from which it may follow, few before many, each set once."""
     opened = {id(each): named(each) for each in premises.opened.values()}
+    seen: set[tuple[frozenset[int], frozenset[int]]] = set()
+    asked: set[tuple[frozenset[int], frozenset[int]]] = set()
     for rules, posed in _premise_sets(claim, premises):
-        attempt = with_premises(claim, premises, rules, posed)
-        key = (frozenset(map(id, attempt.given)), frozenset(h.text for h in attempt.assuming))
-        if key not in seen:
-            seen.add(key)
-            names = tuple(opened[id(each)] for each in attempt.given if id(each) in opened)
-            yield Attempt(attempt, rules, posed, names)
+        if _is_new(rules, posed, asked):
+            likely = consequences.may_follow(*claim.printed, rules, posed)
+            if likely:
+                rules, posed = consequences.least(*claim.printed, rules, posed)
+            if likely is not False and _is_new(rules, posed, seen):
+                attempt = with_premises(claim, premises, rules, posed)
+                names = tuple(opened[id(each)] for each in attempt.given if id(each) in opened)
+                yield Attempt(attempt, bool(likely), names)
+
+
+def _is_new(rules: Rules, posed: tuple[PosedEquation, ...], seen: set[tuple[frozenset[int], frozenset[int]]]) -> bool:
+    key = frozenset(map(id, rules.values())), frozenset(map(id, posed))
+    if key in seen:
+        return False
+    seen.add(key)
+    return True
 
 
 def _premise_sets(claim: Claim, premises: Premises) -> Iterator[tuple[Rules, tuple[PosedEquation, ...]]]:
     """Rules to apply and equations to assume: nothing, what is said of what occurs, all that this rests on."""
     sides = claim.printed
     defined = [premises.defined(generation) for generation in range(premises.generations)]
+    place = {id(each): k for k, each in enumerate(premises.said)}
     tables = [table for each in defined for table in ({**each, **premises.proved}, each)]
     yield {}, ()
     shallow: Rules = chosen_rules(sides, tables[0], deep=False)
     yield shallow, ()
+    yield chosen_rules(sides, last_said(tables[0], place), deep=False), ()
     found: list[Rules] = [shallow]
-    place = {id(each): k for k, each in enumerate(premises.said)}
     with_open = {**tables[0], **premises.opened}
     for table in (tables[0], with_open):
         last: Rules = {}
@@ -67,6 +79,7 @@ def _premise_sets(claim: Claim, premises: Premises) -> Iterator[tuple[Rules, tup
     yield chosen_rules(sides, with_open, deep=False), ()
     for table in (*tables, with_open):
         yield chosen_rules(sides, table), ()
+        yield chosen_rules(sides, last_said(table, place)), ()
     for rules, tied in (*((rules, True) for rules in ({}, *found)), (shallow, False)):
         known = premises.restricting(free_quantities(sides, rules), rules, tied)
         posed = tuple(each for each in known if not each.is_rule)[-MOST_POSED:]

@@ -23,7 +23,7 @@ FIRST_TERMS = 3
 """Terms of each series that are tried first."""
 TOLERANCE = 1e-6
 """Relative to the size of what is compared: what is left of rounding is smaller, and mostly what differs is larger."""
-STEPS = 12
+STEPS = 24
 """So many steps Newton's method takes."""
 SLOW = 3
 """Steps after which what is left of the equations has to be half of what it was."""
@@ -64,6 +64,20 @@ class Consequences:
                 return None
         return None
 
+    def least(
+        self, left: Node, right: Node, rules: Rules, posed: tuple[PosedEquation, ...]
+    ) -> tuple[Rules, tuple[PosedEquation, ...]]:
+        """Premises from which the same may follow without any one of them: what is posed goes first, then old rules."""
+        for each in posed:
+            fewer = tuple(other for other in posed if other is not each)
+            if self.may_follow(left, right, rules, fewer):
+                posed = fewer
+        for key in tuple(rules):
+            remaining = {other: rule for other, rule in rules.items() if other != key}
+            if key in rules and self.may_follow(left, right, remaining, posed):
+                rules = chosen_rules((left, right, *(s for each in posed for s in (each.left, each.right))), remaining)
+        return rules, posed
+
     def _satisfying(
         self, pairs: Sequence[Pair], rules: Rules, running: Running, terms: int, posed: Sequence[PosedEquation]
     ) -> RandomMotion | None:
@@ -92,14 +106,17 @@ def _agreements(rules: Rules) -> Iterator[Pair]:
 def satisfying(
     equations: Sequence[Pair], rules: Rules, running: Running, terms: int, motion: RandomMotion
 ) -> RandomMotion | None:
-    """A motion nearby at which equations hold with their rates, by Newton's method; None if none is found."""
+    """A motion nearby at which equations hold with their rates, by Newton's method; None if there is none.
+
+    Raises `NotInMotion` where it is not found soon, or there are too many numbers to look for.
+    """
     known = motion.with_numbers({})
     _residual(equations, ValuesInMotion(known, rules, running, terms))
     keys = [key for key in known.numbers if not key[1]]
     numbers = {key: known.numbers[key][:, :, :, :1].copy() for key in known.numbers}
     places = [(key, place) for key in keys for place in np.ndindex(*key[0].shape, 1 if key[0].constant else terms)]
     if len(places) > MOST_NUMBERS:
-        return None
+        raise NotInMotion
     left = [np.inf] * SLOW
     for _ in range(STEPS):
         lanes = {key: np.repeat(numbers[key], 1 + len(places), axis=3) for key in keys}
@@ -108,7 +125,7 @@ def satisfying(
         values = ValuesInMotion(motion.with_numbers({**numbers, **lanes}), rules, running, terms)
         residual, size = _residual(equations, values)
         if not np.all(np.isfinite(residual)):
-            return None
+            raise NotInMotion
         if np.max(np.abs(residual[:, 0])) < 1e-9 * size:
             return motion.with_numbers(numbers)
         left.append(float(np.max(np.abs(residual[:, 0]))))
@@ -118,7 +135,7 @@ def satisfying(
         step = np.linalg.lstsq(slopes, -residual[:, 0], rcond=1e-9)[0]
         for (key, place), change in zip(places, step, strict=True):
             numbers[key][*place, 0] += change
-    return None
+    raise NotInMotion
 
 
 def _residual(equations: Sequence[Pair], values: ValuesInMotion) -> tuple[Array, float]:

@@ -223,11 +223,8 @@ class Deduction:
 
     def _proof(self, claim: Claim) -> PageFinding | None:
         """The finding on a claim that follows from what the page has said; None for any other."""
-        for attempt in attempts(claim, self.premises):
-            likely = self.consequences.may_follow(*claim.printed, attempt.rules, attempt.posed)
-            if likely is False:
-                continue
-            verdict = proof_of(attempt.claim, self.session, likely=bool(likely))
+        for attempt in attempts(claim, self.premises, self.consequences):
+            verdict = proof_of(attempt.claim, self.session, attempt.likely)
             if verdict is not None:
                 return self._proved(attempt.claim, _resting_on(attempt.opened, verdict))
         return None

@@ -14,7 +14,7 @@ from chasles.vocabulary import Integral, Negative, Node, Rate, Sum, Symbol, undo
 from chasles.vocabulary.families import Member
 
 __all__ = ["PosedEquation", "Premises", "Quantity", "Rules", "balancing", "chosen_rules", "free_quantities",
-           "quantities", "quantity"]  # fmt: skip
+           "last_said", "quantities", "quantity"]  # fmt: skip
 
 Quantity = tuple[Symbol, int]
 """A symbol and how often it is dotted."""
@@ -163,6 +163,16 @@ def chosen_rules(sides: Iterable[Node], rules: Rules, deep: bool = True) -> dict
         if not same:
             return chosen
         rules = {key: rule for key, rule in rules.items() if key not in same}
+
+
+def last_said(rules: Rules, place: Mapping[int, int]) -> Rules:
+    """The rules without those for rates of what has been said anew since; `place` is that of each statement."""
+    when = {key: place.get(id(rule), -1) for key, rule in rules.items()}
+    return {
+        (symbol, order): rule
+        for (symbol, order), rule in rules.items()
+        if not any(s == symbol and k < order and when[s, k] > when[symbol, order] for s, k in rules)
+    }
 
 
 def balancing(left: Node, right: Node, rules: Rules, place: Mapping[int, int]) -> Iterator[dict[Quantity, Statement]]:

@@ -6,7 +6,7 @@ from dataclasses import replace
 from itertools import islice
 from math import inf
 
-from chasles.algebra.groebner import Basis, completed
+from chasles.algebra.groebner import Basis, combined, completed
 from chasles.algebra.work_limit import OutOfTime, remaining, within
 from chasles.checker.any_size.at_sizes import sizes_in
 from chasles.points import sampling as points
@@ -81,7 +81,7 @@ def _refuted(
 ) -> Counterexample | None:
     """A counterexample to one of the entries; None too if the completed hypotheses prove them all."""
     found = source.refute_soon(context, solved, _suspects(unproved))
-    if found is not None or _prove(context, completed(context.basis), unproved):
+    if found is not None or _combine(context, unproved) or _prove(context, completed(context.basis), unproved):
         return found
     return source.refute(context, solved, _suspects(unproved))
 
@@ -134,6 +134,16 @@ def _entries(context: Context) -> list[ProvedEntry]:
         for i, j, ratio in entries(difference(context, goal)):
             found.append(ProvedEntry(goal, f"{number}:{i},{j}", (i + 1, j + 1), ratio))
     return found
+
+
+def _combine(context: Context, todo: list[ProvedEntry]) -> bool:
+    """Try to add every entry up of what is assumed; each that is such a sum gets its cofactors."""
+    generators = [generator.polynomial for generator in context.generators]
+    for entry in _suspects(todo):
+        entry.cofactors = combined(context.field.ring, entry.ratio.numerator, generators)
+        if entry.cofactors is None:
+            return False
+    return True
 
 
 def _prove(context: Context, basis: Basis, todo: list[ProvedEntry]) -> bool:
