@@ -40,15 +40,13 @@ def attempts(claim: Claim, premises: Premises, consequences: Consequences) -> It
     opened = {id(each): named(each) for each in premises.opened.values()}
     seen: set[tuple[frozenset[int], frozenset[int]]] = set()
     asked: set[tuple[frozenset[int], frozenset[int]]] = set()
-    for rules, posed in _premise_sets(claim, premises):
-        if _is_new(rules, posed, asked):
-            likely = consequences.may_follow(*claim.printed, rules, posed)
-            if likely:
-                rules, posed = consequences.least(*claim.printed, rules, posed)
-            if likely is not False and _is_new(rules, posed, seen):
-                attempt = with_premises(claim, premises, rules, posed)
-                names = tuple(opened[id(each)] for each in attempt.given if id(each) in opened)
-                yield Attempt(attempt, bool(likely), names)
+    for tried in _premise_sets(claim, premises):
+        likely = consequences.may_follow(*claim.printed, *tried) if _is_new(*tried, asked) else False
+        chosen = consequences.least(*claim.printed, *tried) if likely else tried
+        if likely is not False and _is_new(*chosen, seen):
+            attempt = with_premises(claim, premises, *chosen)
+            names = tuple(opened[id(each)] for each in attempt.given if id(each) in opened)
+            yield Attempt(attempt, bool(likely), names)
 
 
 def _is_new(rules: Rules, posed: tuple[PosedEquation, ...], seen: set[tuple[frozenset[int], frozenset[int]]]) -> bool:

@@ -76,7 +76,7 @@ class RandomMotion:
 
 
 def _drawn(symbol: Symbol, runs: bool, moves: bool) -> Array:
-    numbers = np.random.default_rng(list(f"{symbol.name} {symbol.letter} {symbol.shape}".encode()))
+    numbers = np.random.default_rng(list(f"{symbol.name} {symbol.letter} {symbol.shape} {symbol.meaning}".encode()))
     free = numbers.uniform(-1, 1, (*symbol.shape, TERMS, MOTIONS, ELEMENTS if runs else 1))
     if symbol.constant or not moves:
         free[:, :, 1:] = 0

@@ -18,7 +18,8 @@ from chasles.reading.fits import own_quantity
 from chasles.reading.glyphs import letter_in
 from chasles.reading.grouping import Unread
 from chasles.reading.letter_table import LetterTable
-from chasles.reading.page_notation import CONVENTIONS, PageNotation, in_module, known_words, usual_spellings
+from chasles.reading.one_meaning import one_meaning_each
+from chasles.reading.page_notation import CONVENTIONS, PageNotation, declared_in, known_words, usual_spellings
 from chasles.reading.spellings import Make
 from chasles.reading.tokens import BadPage
 from chasles.vocabulary import Identity, Node, Rate, Zero, latex, symbols_of
@@ -52,7 +53,7 @@ def load_notation(source: str | Path | ModuleType | Mapping[str, Any]) -> PageNo
     Raises `BadNotation`, which says in one line what is wrong and where.
     """
     if isinstance(source, ModuleType):
-        return in_module(source)
+        return declared_in(source.__name__, one_meaning_each(vars(source).values()))
     if isinstance(source, Path):
         try:
             text = source.read_text(encoding="utf-8")

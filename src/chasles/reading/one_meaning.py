@@ -1,0 +1,57 @@
+"""Letters that a page has for one quantity only, where a notation declares several that look alike."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace as with_fields
+from itertools import count, product
+from typing import Any
+
+from chasles.reading.declared_letters import KINDS
+from chasles.vocabulary import Node, Symbol, replace
+from chasles.vocabulary.families import Family
+
+__all__ = ["one_meaning_each"]
+
+
+def one_meaning_each(values: Iterable[Any]) -> list[Any]:
+    """The values, with one symbol for all that are printed alike and are of the same kind, shape and dimension.
+
+    What is left of symbols and entries with the same name has names of its own. Abbreviations stand for the same.
+    """
+    values = list(values)
+    taken: dict[Node, Node] = {}
+    first: dict[tuple[object, ...], Symbol] = {}
+    named: set[str] = set()
+    for symbol in (value for value in values if isinstance(value, Symbol) and value.stands_for is None):
+        kind = next((kind for kind in KINDS if symbol.meaning.startswith(kind)), "")
+        key = symbol.letter, symbol.size, symbol.constant, kind
+        if key not in first:
+            first[key] = _with_a_name_of_its_own(symbol, named)
+            named |= _names(first[key])
+        taken[symbol] = first[key]
+    for symbol in (value for value in values if isinstance(value, Symbol) and value.stands_for is not None):
+        taken[symbol] = with_fields(symbol, stands_for=replace(symbol.stands_for, taken))
+    return [_changed(value, taken) for value in values]
+
+
+def _changed(value: Any, taken: dict[Node, Node]) -> Any:
+    if isinstance(value, Symbol):
+        return taken[value]
+    if isinstance(value, Family):
+        return with_fields(value, members=tuple(taken.get(member, member) for member in value.members))
+    return value
+
+
+def _with_a_name_of_its_own(symbol: Symbol, named: set[str]) -> Symbol:
+    names = (symbol.name if k == 1 else f"{symbol.name}'{k}" for k in count(1))
+    return next(other for name in names if not _names(other := with_fields(symbol, name=name)) & named)
+
+
+def _names(symbol: Symbol) -> set[str]:
+    """The names of the symbol and of its entries."""
+    rows, columns = symbol.shape
+    if not (isinstance(rows, int) and isinstance(columns, int)):
+        return {symbol.name}
+    places = product(range(1, rows + 1), range(1, columns + 1))
+    return {symbol.name, *(f"{symbol.name}_{i}" if columns == 1 else f"{symbol.name}_{i}{j}" for i, j in places)}
