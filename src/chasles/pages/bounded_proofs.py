@@ -35,8 +35,8 @@ class _Unproved(Exception):
     """An entry does not vanish, or is not seen to."""
 
 
-MORE_WORK = 20
-"""So many times the work is taken where a proof is likely."""
+LESS_WORK = 0.1
+"""The part of the work that is taken where no proof is likely."""
 ATTEMPTS = 24
 """So often a point is drawn."""
 
@@ -105,9 +105,9 @@ FEW_TERMS, NO_COUNTEREXAMPLES, LIKELY = _FewTerms(), _NoCounterexamples(), _Like
 def proof_of(claim: Claim, session: Session, likely: bool = False) -> Verdict | None:
     """The verdict on a claim that follows from its premises, which a point satisfies; None if that is not found.
 
-    More work is taken where it is likely to follow.
+    More work is taken where it is likely to follow than where that is not known.
     """
-    found = _answer(claim, session, LIKELY if likely else NO_COUNTEREXAMPLES, MORE_WORK if likely else 1)
+    found = _answer(claim, session, *((LIKELY, 1.0) if likely else (NO_COUNTEREXAMPLES, LESS_WORK)))
     return found if found.true else None
 
 
@@ -119,13 +119,13 @@ def verdict_on(claim: Claim, session: Session) -> Verdict:
 def posed_on(claim: Claim, session: Session) -> Verdict:
     """The verdict on what is assumed: posed where a point satisfies it; undecided where that takes too long."""
     try:
-        with within(session.budget):
+        with within(LESS_WORK * session.budget):
             return pose(problem_of(claim, "printed", session.accepted), ATTEMPTS)
     except (Misfit, TypeError, OutOfTime) as error:
         return Undecided(str(error))
 
 
-def _answer(claim: Claim, session: Session, source: DeclaredPoints, work: int = 1) -> Verdict:
+def _answer(claim: Claim, session: Session, source: DeclaredPoints, work: float = LESS_WORK) -> Verdict:
     try:
         problem = problem_of(claim, "printed", session.accepted)
         key = session.memory.key_of_verdict(problem, claim.assuming)

@@ -47,7 +47,7 @@ from chasles.vocabulary.families import indices_of
 
 __all__ = ["Deduction"]
 
-WORK = 1.5e5
+WORK = 1e6
 """The work that one attempt at a proof may take, in products of terms."""
 
 

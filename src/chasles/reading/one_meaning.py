@@ -30,8 +30,9 @@ def one_meaning_each(values: Iterable[Any]) -> list[Any]:
             first[key] = _with_a_name_of_its_own(symbol, named)
             named |= _names(first[key])
         taken[symbol] = first[key]
-    for symbol in (value for value in values if isinstance(value, Symbol) and value.stands_for is not None):
-        taken[symbol] = with_fields(symbol, stands_for=replace(symbol.stands_for, taken))
+    for symbol in (value for value in values if isinstance(value, Symbol)):
+        if symbol.stands_for is not None:
+            taken[symbol] = with_fields(symbol, stands_for=replace(symbol.stands_for, taken))
     return [_changed(value, taken) for value in values]
 
 
@@ -39,7 +40,8 @@ def _changed(value: Any, taken: dict[Node, Node]) -> Any:
     if isinstance(value, Symbol):
         return taken[value]
     if isinstance(value, Family):
-        return with_fields(value, members=tuple(taken.get(member, member) for member in value.members))
+        one, two, three = (taken.get(member, member) for member in value.members)
+        return with_fields(value, members=(one, two, three))
     return value
 
 
