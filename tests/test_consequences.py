@@ -137,5 +137,17 @@ def test_an_angle_by_its_tangent_moves_as_its_sine_and_cosine() -> None:
     assert following(rate(rate(angle)), rate(rate(k)))
 
 
+def test_premises_are_the_least_from_which_it_follows() -> None:
+    rules: Rules = {undotted(x): Definition("", x, y) for x, y in ((p, a + b), (rate(a), cross(w, a)), (b, 2 * e))}
+    nothing = Hypothesis("posed", ())
+    needed, other = (PosedEquation(nothing, x, y, False) for x, y in ((dot(a, b), number(3)), (k, number(2))))
+    consequences = Consequences(lambda symbol: ())
+    assert consequences.least(rate(p), cross(w, a) + rate(b), rules, ()) == (
+        {quantity: rules[quantity] for quantity in rules if quantity[0] in (p, a)},
+        (),
+    )
+    assert consequences.least(dot(a, b), number(3), {}, (other, needed))[1] == (needed,)
+
+
 def test_what_has_no_value_is_not_known() -> None:
     assert following(FunctionOf("sqrt", (-dot(a, a),)), number(0)) is None

@@ -74,6 +74,8 @@ def combined(ring: Ring, polynomial: Polynomial, generators: Sequence[Polynomial
     They are found modulo a prime, and count if they are right.
     """
     terms = [dict(ring.terms(each)) for each in (*generators, polynomial)]
+    if any(c.denominator % MODULUS == 0 for each in terms for c in each.values()):
+        return None
     places = {exponents: k for k, exponents in enumerate(dict.fromkeys(e for each in terms for e in each))}
     columns = [[0] * len(places) for _ in terms]
     for column, each in zip(columns, terms, strict=True):
