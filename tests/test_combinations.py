@@ -25,7 +25,8 @@ def total(cofactors: dict[int, Polynomial]) -> Polynomial:
 def test_what_adds_up_is_found(numbers: list[Fraction]) -> None:
     wanted = total({k: RING.constant(c) for k, c in enumerate(numbers)})
     found = combined(RING, wanted, GENERATORS)
-    assert found is not None and total(found) == wanted
+    assert found is not None
+    assert total(found) == wanted
 
 
 def test_what_does_not_add_up_is_not() -> None:

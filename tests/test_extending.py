@@ -170,7 +170,7 @@ print(program != program_of(request), program == module.swapped(program_of(reque
 def test_a_pass_is_one_file_and_its_place_in_the_list(copy: Copy) -> None:
     copy.add("lowering/passes/swapped.py", PASS)
     copy.edit("lowering/lower.py", "= (guarded,)", "= (guarded, swapped)")
-    copy.edit("lowering/lower.py", "\n__all__", "from chasles.lowering.passes.swapped import swapped\n\n__all__")
+    copy.edit("lowering/lower.py", "\nLAST: ", "from chasles.lowering.passes.swapped import swapped\n\nLAST: ")
     assert copy.touched == ["lowering/lower.py", "lowering/passes/swapped.py"]
     assert copy.run(USE_OF_PASS) == "True True\n"
 
@@ -269,8 +269,8 @@ def test_a_rule_of_decision_is_two_files(copy: Copy) -> None:
     )
     copy.edit(
         "from_sympy/readings.py",
-        "\n__all__",
-        "import sympy\nfrom chasles.checker.expressions.readings import versine\n\n__all__",
+        "\nREADINGS: ",
+        "import sympy\nfrom chasles.checker.expressions.readings import versine\n\nREADINGS: ",
     )
     assert copy.touched == ["checker/expressions/readings.py", "from_sympy/readings.py"]
     assert copy.run(USE_OF_RULE).split() == ["holds", "fails"]

@@ -145,8 +145,9 @@ TOLD = (WrongArgument, Misfit, DeclarationError, TypeError)
 
 def declared_words() -> Iterator[tuple[str, Any]]:
     """What authors call: functions, and classes of what is declared."""
-    for module in (statements, vocabulary, steps):
-        for name in module.__all__:
+    own = [name for name, found in vars(steps).items() if getattr(found, "__module__", "") == steps.__name__]
+    for module, names in ((statements, statements.__all__), (vocabulary, vocabulary.__all__), (steps, own)):
+        for name in names:
             word = getattr(module, name)
             if (inspect.isclass(word) and issubclass(word, Declared)) or hasattr(word, "__wrapped__"):
                 yield name, word

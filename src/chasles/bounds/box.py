@@ -22,8 +22,6 @@ from chasles.bounds.sensitivity import entry_error
 from chasles.lowering.passes.series import expanded_in_series
 from chasles.lowering.program import Op, Program
 
-__all__ = ["BoxBound", "ResultBound", "bound_of_program"]
-
 BOXES = 4000
 CLOSE = 1.1
 """How much larger than at a point the bound over all boxes may be, as long as there are boxes left."""

@@ -25,8 +25,6 @@ from chasles.bounds.termwise import TermwiseError, termwise_errors
 from chasles.lowering.program import Op, Program
 from chasles.lowering.scales import is_scale
 
-__all__ = ["CaseOutline", "cases", "rotations"]
-
 SLACK = 2.0**-21
 """How far a rotation's entries may be from those of one: some roundoffs of single precision."""
 CLOSE = 1.6

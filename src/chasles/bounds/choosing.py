@@ -15,8 +15,6 @@ from chasles.lowering.program import Op
 if TYPE_CHECKING:
     from chasles.bounds.running import Running
 
-__all__ = ["ComparisonOutcome", "chosen", "truth"]
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ComparisonOutcome:

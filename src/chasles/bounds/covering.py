@@ -27,8 +27,6 @@ from chasles.bounds.scaled import Scaled
 from chasles.bounds.symmetry import Sign, Symmetry, symmetry
 from chasles.lowering.program import Op
 
-__all__ = ["Boxes", "Cover", "Measure", "bounds_over", "covered", "largest"]
-
 CLOSE = 1.033
 """How much larger than at a point the bound over all boxes may be."""
 PARTED = 1.25

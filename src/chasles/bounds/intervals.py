@@ -18,8 +18,6 @@ from numpy.typing import NDArray
 
 from chasles.bounds.functions import ENCLOSED, slope
 
-__all__ = ["SAFE", "Array", "Interval", "below", "enclosed", "exactly", "function_of", "point"]
-
 Array = NDArray[np.float64]
 
 UNIT = 2.0**-52

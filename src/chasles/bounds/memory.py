@@ -7,8 +7,6 @@ from collections.abc import Mapping
 
 from chasles.bounds.bound import Bound
 
-__all__ = ["remembered"]
-
 
 def remembered(manifest: str) -> dict[str, Bound]:
     """The bounds of a manifest's kernels by their hashes. A damaged manifest, or entry, remembers nothing."""

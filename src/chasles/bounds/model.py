@@ -15,8 +15,6 @@ import numpy as np
 from chasles.bounds.functions import ENCLOSED
 from chasles.lowering.program import Op
 
-__all__ = ["DOUBLE", "IN_NUMPY", "SINGLE", "Model", "precision"]
-
 IN_NUMPY = 4
 """Units in the last place within which NumPy holds its functions of vectors, as its own tests of accuracy have it."""
 

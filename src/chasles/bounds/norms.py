@@ -11,8 +11,6 @@ from chasles.bounds.intervals import SAFE, Array, below
 from chasles.bounds.running import Running
 from chasles.bounds.sensitivity import entry_error
 
-__all__ = ["Group", "against_largest", "errors"]
-
 Group = tuple[int, ...]
 """Steps that hold the entries of one result and one physical dimension."""
 

@@ -9,8 +9,6 @@ from fractions import Fraction
 from chasles.lowering.program import Op, Program, Step, is_power_of_two
 from chasles.lowering.scales import is_scale
 
-__all__ = ["NoBound", "Outline", "outlined", "with_cases"]
-
 
 class NoBound(ValueError):
     """A bound of this kind cannot be proved of this program; the message says why."""

@@ -18,8 +18,6 @@ import numpy as np
 from chasles.bounds.intervals import Interval, enclosed
 from chasles.bounds.symmetry import Sign
 
-__all__ = ["NEAR", "SLACK", "AnglePiece", "FacePiece", "Piece", "Range", "face_values", "faces"]
-
 SLACK = 2.0**-21
 """How far a unit vector's length may be from 1: some roundoffs of single precision."""
 NEAR = 2.0**-5

@@ -12,8 +12,6 @@ from numpy.typing import NDArray
 from chasles.bounds.intervals import SAFE, Array, Interval
 from chasles.lowering.program import Op
 
-__all__ = ["NOWHERE", "Places", "Sides", "excess", "half_unit", "restricted", "rounded"]
-
 Places = tuple[NDArray[np.int64], NDArray[np.int64]]
 """The smallest and the largest exponent of two that a step's result may have before it is rounded."""
 Sides = tuple[NDArray[np.bool_], NDArray[np.int64]]

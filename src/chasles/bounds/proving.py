@@ -20,9 +20,7 @@ from chasles.lowering.program import Program
 from chasles.lowering.request import Request
 from chasles.statements.kernel import Argument, nodes_of
 from chasles.vocabulary import Node
-from chasles.vocabulary.nodes import measured
-
-__all__ = ["bound_of", "key_of"]
+from chasles.vocabulary.fitting import measured
 
 METHOD = 4
 """Changes with every change of what is proved of a program, so that remembered bounds are not taken for new ones."""

@@ -19,8 +19,6 @@ from chasles.bounds.intervals import Array, Interval, exactly
 from chasles.bounds.outline import Outline
 from chasles.lowering.program import Op
 
-__all__ = ["QuaternionFraction", "enclosed_forms", "forms"]
-
 
 @cache
 def _ring() -> tuple[Any, Any]:

@@ -21,9 +21,6 @@ from chasles.bounds.places import Places, excess, half_unit, restricted, rounded
 from chasles.bounds.scaled import Scaled
 from chasles.lowering.program import Op, Step, is_power_of_two
 
-__all__ = ["Angles", "Running", "no_angles"]
-
-
 Angles = Callable[[int, int, Fraction], tuple[Scaled, Scaled]]
 """Sine and cosine of a multiple of an argument's entry."""
 

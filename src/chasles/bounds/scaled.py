@@ -13,8 +13,6 @@ from numpy.typing import NDArray
 
 from chasles.bounds.intervals import Array, Interval
 
-__all__ = ["Scaled"]
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Scaled:

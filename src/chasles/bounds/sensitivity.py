@@ -21,8 +21,6 @@ from chasles.bounds.intervals import SAFE, Array, Interval, function_of
 from chasles.bounds.running import Running
 from chasles.lowering.program import Op
 
-__all__ = ["entry_error"]
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Slope:

@@ -10,8 +10,6 @@ from __future__ import annotations
 from chasles.bounds.outline import Outline
 from chasles.lowering.program import Op
 
-__all__ = ["Sign", "Symmetry", "symmetry"]
-
 Sign = tuple[str, int, int]
 """The word "input", "sine" or "cosine", an argument, an entry."""
 

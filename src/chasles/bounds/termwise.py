@@ -18,8 +18,6 @@ from chasles.bounds.model import Model
 from chasles.bounds.outline import NoBound, Outline
 from chasles.lowering.program import Op, Step, is_power_of_two
 
-__all__ = ["TermwiseError", "termwise_errors"]
-
 
 @dataclass(frozen=True, slots=True)
 class TermwiseError:

@@ -11,8 +11,6 @@ import numpy as np
 from chasles.checked.hypotheses import TESTS, BrokenHypothesis, Numbers, is_finite
 from chasles.kernels.signatures import MASKED, signature_of_call
 
-__all__ = ["Checked", "twins"]
-
 Inputs = tuple[tuple[str, tuple[int, ...]], ...]
 Demands = tuple[tuple[str, str, tuple[str, ...], Callable[..., Any] | None], ...]
 

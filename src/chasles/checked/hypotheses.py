@@ -15,8 +15,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["TESTS", "BrokenHypothesis", "Numbers", "is_finite"]
-
 Numbers = NDArray[np.floating[Any]]
 
 _SIX = [0, 1, 2, 1, 3, 4, 2, 4, 5]

@@ -19,8 +19,6 @@ from chasles.statements.inversion import problems_of_inverse
 from chasles.statements.problem import AcceptedSides, default_sides
 from chasles.statements.spins import with_spins
 
-__all__ = ["Rejected", "check"]
-
 
 def check(
     said: Problem | Statement | Theorem | Inverse,

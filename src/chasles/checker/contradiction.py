@@ -10,8 +10,6 @@ from chasles.checker.reading import Reading
 from chasles.checker.sparse import ONE, Polynomial, Rejected, exponents, parsed, product, variable
 from chasles.statements import Problem
 
-__all__ = ["check_contradiction"]
-
 
 def check_contradiction(problem: Problem, hypotheses: Collection[str], certificate: Mapping[str, Any]) -> None:
     """Nothing satisfies these hypotheses of the problem: raises `Rejected` if the certificate does not prove it.

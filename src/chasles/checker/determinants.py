@@ -7,8 +7,6 @@ from operator import add
 
 from chasles.checker.sparse import ONE, ZERO, Polynomial
 
-__all__ = ["Matrix", "cofactor", "determinant"]
-
 Matrix = list[list[Polynomial]]
 
 

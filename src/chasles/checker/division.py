@@ -7,8 +7,6 @@ from math import gcd
 
 from chasles.checker.sparse import Polynomial, Rejected, exponents
 
-__all__ = ["Division", "divided", "solved_for"]
-
 Division = tuple[int, Polynomial]
 """The factors of a term, and what the term equals."""
 MOST_REPLACED = 10**6

@@ -12,8 +12,6 @@ from chasles import vocabulary as w
 from chasles.checker.determinants import Matrix, cofactor, determinant
 from chasles.checker.sparse import ZERO, Polynomial, Rejected, number
 
-__all__ = ["Formless", "Matrix", "expanded", "scaled"]
-
 
 class Formless(Rejected):
     """A word that is no polynomial in the entries of symbols, or an angle that is no sum of their multiples."""

@@ -16,8 +16,6 @@ from chasles.checker.relations import independent, rank
 from chasles.checker.sparse import ZERO, Polynomial, Rejected
 from chasles.checker.witness import Point, value_at
 
-__all__ = ["require_motion"]
-
 
 def require_motion(reading: Reading, point: Point) -> None:
     """Raises `Rejected` unless a motion through the point is known to exist that satisfies all that is assumed.

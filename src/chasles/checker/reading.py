@@ -17,8 +17,6 @@ from chasles.checker.quantities import Quantities
 from chasles.checker.sparse import ZERO, Polynomial, Rejected, cleared, product
 from chasles.statements import Hypothesis, Problem
 
-__all__ = ["Reading"]
-
 MOST_ORDERS = 8
 """So often what is assumed is differentiated at most, to see where its rates say nothing new."""
 PROPER_ORTHOGONAL = ("rotation", "orthonormal")

@@ -22,8 +22,6 @@ from chasles.vocabulary import Node
 if TYPE_CHECKING:
     from chasles.checker.any_size.at_sizes import Shown
 
-__all__ = ["bound_in", "check_counterexample", "completed", "quotient_at"]
-
 Value = Mapping[int, Fraction]
 SIMPLEST = {
     **dict.fromkeys(("unit", "direction", "unit column", "positive"), (1,)),

@@ -11,8 +11,6 @@ from fractions import Fraction
 from chasles.checker.sparse import Polynomial
 from chasles.checker.witness import Point
 
-__all__ = ["independent", "rank"]
-
 Row = dict[int, Fraction]
 MOST_MULTIPLES = 400
 """So many products of polynomials and variables are looked at, at most."""

@@ -8,9 +8,6 @@ from functools import reduce
 from math import lcm
 from operator import add, mul, or_
 
-__all__ = ["ONE", "ZERO", "Polynomial", "Rejected", "cleared", "exponents", "number", "parsed", "powered", "product",
-           "variable"]  # fmt: skip
-
 
 class Rejected(ValueError):
     """What was to be checked does not show what it says; the message says why."""

@@ -11,8 +11,6 @@ from chasles.checker.quantities import squeezed
 from chasles.checker.reading import Reading
 from chasles.checker.sparse import Polynomial, Rejected, exponents
 
-__all__ = ["Point", "point_of", "require", "value_at"]
-
 QUARTERS = tuple((Fraction(cosine), Fraction(sine)) for cosine, sine in ((1, 0), (0, 1), (-1, 0), (0, -1)))
 """Cosine and sine of none, one, two and three quarter turns."""
 Point = dict[int, tuple[Fraction, int]]

@@ -15,8 +15,6 @@ from chasles.report.waiting import progress
 from chasles.statements import Chapter
 from chasles.statements.exercises import sentences_of_exercises
 
-__all__ = ["answers"]
-
 
 def answers(book: Chapter, session: Session) -> dict[str, str]:
     """The file of the answers, by its name: each stands with what asks for it first, in the order of the book.

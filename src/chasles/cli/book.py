@@ -24,18 +24,6 @@ from chasles.vocabulary.arguments import WrongArgument
 if TYPE_CHECKING:
     from chasles.decisions.session import Decision, Session
 
-__all__ = [
-    "BOOK",
-    "as_data",
-    "chapter",
-    "chosen",
-    "decisions",
-    "of_numbers",
-    "of_sections",
-    "package_chosen",
-    "place",
-]
-
 PRINTED_SO = "if the book prints it so, write printed(lambda: ...) around it, and sic=True in the statement"
 
 

@@ -14,8 +14,6 @@ from chasles.targets import Origin, Page, TargetKernel
 from chasles.targets.emit import filled
 from chasles.targets.offering import KERNELS, digest_of
 
-__all__ = ["NEW_CHAPTER", "compiled", "offered"]
-
 NEW_CHAPTER = Path(__file__).parent / "new_chapter"
 """The templates of a chapter's package."""
 

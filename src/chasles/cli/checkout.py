@@ -13,12 +13,9 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from chasles import cache
-from chasles.cli.book import BOOK
 from chasles.cli.failures import BAD_INPUT, Failure
 from chasles.statements import Chapter
-from chasles.statements.packages import generated_package
-
-__all__ = ["GENERATED", "generated_folder", "installed_folder", "remember"]
+from chasles.statements.packages import BOOK, generated_package
 
 GENERATED = "generated"
 DERIVATIONS = "derivations"

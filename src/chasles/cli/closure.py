@@ -7,8 +7,6 @@ from collections.abc import Iterator
 from importlib.util import find_spec
 from pathlib import Path
 
-__all__ = ["CHECKERS", "closure", "lines"]
-
 CHECKERS = {
     "declared": ("chasles.checker.certificate", "chasles.checker.refutation"),
     "prove": ("chasles.checker.expressions.proof", "chasles.checker.expressions.counterexample"),

@@ -12,7 +12,6 @@ from typing import Any
 
 import numpy as np
 
-from chasles.cli.book import BOOK
 from chasles.cli.checkout import generated_folder, installed_folder
 from chasles.cli.failures import BAD_INPUT, Failure, complain
 from chasles.decisions.session import Session
@@ -23,9 +22,7 @@ from chasles.nearest import nearest
 from chasles.numerics import Evidence, Specification, Unsatisfiable, specification_of, specification_of_inverse, verify
 from chasles.report.waiting import progress
 from chasles.statements import Chapter, Entry, Inverse, Kernel, Theorem
-from chasles.statements.packages import generated_package, imported
-
-__all__ = ["PRECISIONS", "Asked", "asking", "backend_of", "compared", "installed_kernels"]
+from chasles.statements.packages import BOOK, generated_package, imported
 
 Asked = tuple[Entry, Kernel]
 PRECISIONS: tuple[type[np.floating[Any]], ...] = (np.float64, np.float32)

@@ -12,8 +12,6 @@ from typing import Any
 import click
 from click.shell_completion import CompletionItem
 
-__all__ = ["exercises", "kernels", "numbers", "sections"]
-
 Offer = Callable[[click.Context, click.Parameter, str], list[CompletionItem]]
 Offered = Iterable[tuple[str, str]]
 """Words, each with what it stands for, which some shells show beside it."""

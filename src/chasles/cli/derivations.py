@@ -11,8 +11,6 @@ from chasles.statements.derivation import Derivation
 from chasles.statements.roads import roads
 from chasles.vocabulary.arguments import WrongArgument
 
-__all__ = ["all_derivations", "chosen_derivations"]
-
 
 def all_derivations(book: Chapter) -> dict[str, Derivation]:
     """The derivations by name, in the book's order. Raises Failure for declarations that contradict each other."""

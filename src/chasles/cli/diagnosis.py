@@ -20,8 +20,6 @@ from typing import Any
 from chasles import __version__, cache
 from chasles.cli.closure import CHECKERS, lines
 
-__all__ = ["examined", "problems"]
-
 Data = dict[str, Any]
 _BACKEND, _INSTRUCTIONS = "CHASLES_BACKEND", "CHASLES_INSTRUCTIONS"
 _REQUIRED = re.compile(r"[A-Za-z0-9._-]+")

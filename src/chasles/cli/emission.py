@@ -8,7 +8,6 @@ from pathlib import Path
 
 from chasles.bounds import Bound, bound_of, key_of, remembered
 from chasles.cli.answers import answers
-from chasles.cli.book import BOOK
 from chasles.cli.checkout import installed_folder
 from chasles.cli.failures import BAD_INPUT, Failure
 from chasles.decisions.prediction import predict
@@ -21,11 +20,10 @@ from chasles.report.pages import pages
 from chasles.report.waiting import progress
 from chasles.statements import Chapter, Entry
 from chasles.statements import Kernel as Asked
+from chasles.statements.packages import BOOK
 from chasles.targets import MANIFEST, EmissionError, Origin, TargetKernel, discover, render, spelled_out
 from chasles.targets.commission import kernel_of
 from chasles.targets.kernel import require_plain
-
-__all__ = ["commissioned", "emitted", "everything", "in_languages"]
 
 A_KERNEL = 0.025
 """About how many seconds it takes to make a kernel and to prove it equal to its statement."""

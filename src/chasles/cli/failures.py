@@ -14,8 +14,6 @@ import click
 from chasles.cli.quiet import can_be_quiet, quiet_option
 from chasles.nearest import nearest
 
-__all__ = ["BAD_INPUT", "FAILED", "Failure", "Guarded", "complain"]
-
 FAILED = 1
 """Something did not pass its own check."""
 BAD_INPUT = 2

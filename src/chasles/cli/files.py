@@ -10,8 +10,6 @@ from uuid import uuid4
 
 from chasles.cli.failures import BAD_INPUT, Failure
 
-__all__ = ["replace_whole", "text_of_file", "write_whole"]
-
 
 def text_of_file(file: Path) -> str:
     """The text of a file, of standard input for "-". Raises Failure."""

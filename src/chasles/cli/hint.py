@@ -10,8 +10,6 @@ import click
 from chasles import cache
 from chasles.cli.quiet import is_quiet
 
-__all__ = ["say_once_what_is_faster"]
-
 _SAID = "said-fast"
 """The file in the cache that stands for having said it."""
 

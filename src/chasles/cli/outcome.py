@@ -19,8 +19,6 @@ from chasles.statements import Chapter, Entry
 if TYPE_CHECKING:
     from chasles.cli.rechecking import Rechecked
 
-__all__ = ["Outcome", "decide"]
-
 SHOWN = 3
 """How many rejected verdicts have a line of their own."""
 

@@ -11,8 +11,6 @@ from typing import Any
 
 import click
 
-__all__ = ["can_be_quiet", "is_quiet", "quiet_option"]
-
 _ASKED = "chasles.cli.quiet"
 
 

@@ -6,18 +6,16 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from time import perf_counter
 
-from chasles.checker.certificate import Rejected, check
+from chasles.checker.certificate import check
 from chasles.checker.contradiction import check_contradiction
 from chasles.checker.refutation import check_counterexample
+from chasles.checker.sparse import Rejected
 from chasles.decisions.memory import Memory
 from chasles.decisions.processes import spread
 from chasles.decisions.session import Decision
 from chasles.report.decisions import Decided
 from chasles.statements import Entry, Inverse, problem_of
 from chasles.verdict import Contradictory, Fails, Verdict
-
-__all__ = ["Rechecked", "recheck"]
-
 
 A_CHECK = 0.004
 """About how many seconds one takes."""

@@ -9,8 +9,6 @@ from chasles.cli.failures import Failure
 from chasles.statements import Chapter
 from chasles.targets import MANIFEST
 
-__all__ = ["manifest"]
-
 
 def manifest(book: Chapter) -> str:
     """The manifest's text; nothing where nothing was emitted. Raises Failure for one that cannot be read."""

@@ -8,7 +8,6 @@ from importlib.util import find_spec
 from pathlib import Path
 from time import perf_counter
 
-from chasles.cli.book import BOOK
 from chasles.cli.derivations import all_derivations
 from chasles.cli.failures import Failure
 from chasles.cli.outcome import Outcome, decide
@@ -24,8 +23,7 @@ from chasles.report.latex_page import latex_page
 from chasles.report.words import seconds
 from chasles.statements import Chapter
 from chasles.statements.derivation import Derivation
-
-__all__ = ["Reported", "reported"]
+from chasles.statements.packages import BOOK
 
 EVIDENCE = (("benchmarks", "evidence"), ("evidence",))
 """Beside the declarations in a checkout, and in an installed wheel."""

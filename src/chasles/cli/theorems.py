@@ -18,8 +18,6 @@ from chasles.decisions.session import Decision
 from chasles.report.waiting import progress
 from chasles.report.words import number_of
 
-__all__ = ["Theorems", "written"]
-
 
 @dataclass(frozen=True, slots=True)
 class Theorems:

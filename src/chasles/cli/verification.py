@@ -14,8 +14,6 @@ from chasles.numerics import Evidence
 from chasles.report.evidence import is_wrong, worst_of
 from chasles.report.words import number_of, seconds
 
-__all__ = ["Verification", "verified"]
-
 
 @dataclass(frozen=True, slots=True)
 class Verification:

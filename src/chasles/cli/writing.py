@@ -8,8 +8,6 @@ from pathlib import Path
 from chasles.cli.failures import FAILED, Failure
 from chasles.cli.files import replace_whole
 
-__all__ = ["write_whole"]
-
 
 def write_whole(folder: Path, texts: Mapping[str, str | bytes]) -> None:
     """Make the files in the folder hold `texts`, other files there left alone.

@@ -8,8 +8,6 @@ from typing import Any
 from chasles.bounds import BoxBound, bound_of_program
 from chasles.lowering.program import Program
 
-__all__ = ["error_bound"]
-
 
 def error_bound(program: Program, box: Mapping[str, Any], dtype: Any, *, in_numpy: bool = False) -> BoxBound:
     """The bound that `chasles.bounds.bound_of_program` proves.

@@ -22,8 +22,6 @@ from pathlib import Path
 
 from chasles.compiling.store import kept
 
-__all__ = ["Compiler", "CompilerFailed", "found"]
-
 _ALWAYS = ("-std=c99", "-fPIC", "-fvisibility=hidden", "-fno-math-errno", "-ffp-contract=off")
 _ONCE = ("-O2",)
 _BLOCK = ("-O3", "-fno-trapping-math")

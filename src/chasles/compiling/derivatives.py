@@ -19,8 +19,6 @@ from chasles.lowering.functions import FUNCTIONS
 from chasles.lowering.program import Op, Step
 from chasles.lowering.refusal import LoweringError
 
-__all__ = ["Sums", "derivatives", "pulled_back", "pushed_forward"]
-
 Key = TypeVar("Key", bound=Hashable)
 Sums = dict[Key, int]
 """Steps of rates that are not zero: of one thing, by several."""

@@ -18,8 +18,6 @@ from chasles.lowering.names import Names
 from chasles.lowering.program import Argument, Pattern, Program, Result
 from chasles.lowering.refusal import LoweringError
 
-__all__ = ["DerivedResults", "derived_from"]
-
 MATRICES = ("jacobian", "hessian")
 
 

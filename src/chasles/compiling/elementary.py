@@ -12,8 +12,6 @@ from sympy.codegen import cfunctions
 from chasles.compiling.removable import Stumpff
 from chasles.lowering.builder import Builder
 
-__all__ = ["MOST_FACTORS", "functions_by_class", "power"]
-
 MOST_FACTORS = 32
 """A whole power of more factors is left to the function `pow`: so many roundings would add up."""
 _SAME_IN_C: Mapping[type, str] = {

@@ -12,8 +12,6 @@ from collections.abc import Sequence
 from chasles.lowering.builder import Builder
 from chasles.lowering.refusal import LoweringError
 
-__all__ = ["solved", "solved_definite"]
-
 Matrix = Sequence[Sequence[int]]
 
 

@@ -10,8 +10,6 @@ from keyword import iskeyword
 import sympy
 from sympy.core.function import AppliedUndef
 
-__all__ = ["identifier", "name_of_group"]
-
 _MARKS = {
     "'": "_prime",
     "\u2032": "_prime",

@@ -27,8 +27,6 @@ from chasles.lowering.program import Op, Program
 if TYPE_CHECKING:
     from chasles.bounds import BoxBound
 
-__all__ = ["CompiledKernel", "kernel_for", "kernel_of"]
-
 MANY_SINGLES = 2**20
 """So many numbers of single precision in a kernel's results are worth a compiler's time."""
 

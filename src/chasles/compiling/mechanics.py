@@ -28,8 +28,6 @@ from chasles.lowering.passes.prune import pruned
 from chasles.lowering.program import Program, Result
 from chasles.lowering.refusal import LoweringError
 
-__all__ = ["program_of_method"]
-
 OFFERED = {
     "mass_matrix": "M of M a = f, as SymPy has it",
     "forcing": "f of M a = f",

@@ -11,8 +11,6 @@ from functools import reduce
 
 import sympy
 
-__all__ = ["nested"]
-
 _HELD = (sympy.sin, sympy.cos, sympy.exp, sympy.log)
 Monomial = dict[sympy.Expr, int]
 """Whole powers by what is raised to them; the number in front has the key 1, and the power 1."""

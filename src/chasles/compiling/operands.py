@@ -20,8 +20,6 @@ from chasles.lowering.names import Names
 from chasles.lowering.program import Argument
 from chasles.lowering.refusal import LoweringError
 
-__all__ = ["Input", "ResultEntries", "inputs_of", "outputs_of", "require_kernel_name", "variables_in"]
-
 PLAIN = re.compile(r"[\w\[\](), .+-]+", re.ASCII)
 """What may stand in a comment of any language."""
 TAKEN = ("best_level", "block", "data", "entry", "loop", "run", "shape")

@@ -12,8 +12,6 @@ import numpy
 from chasles.lowering.names import Names
 from chasles.lowering.program import MOST_OPERANDS, Argument, Op, Program, Result
 
-__all__ = ["Packing", "packing_of"]
-
 
 @dataclass(frozen=True, slots=True)
 class Packing:

@@ -27,8 +27,6 @@ from chasles.lowering.passes.scale import all_scaled
 from chasles.lowering.program import Op, Program, Result
 from chasles.lowering.rounding import points_of, steady
 
-__all__ = ["program_of"]
-
 MOST_STEPS = 1000
 """A program of more steps is not looked at in other spellings: that would take longer than it saves."""
 CHEAPEST = 2

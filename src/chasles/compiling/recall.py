@@ -15,8 +15,6 @@ import sympy
 from chasles import __version__
 from chasles.compiling.store import kept
 
-__all__ = ["Sources", "key_of", "recalled"]
-
 _ROOMS = ("algebra", "compiling", "lowering", "targets")
 Made = TypeVar("Made")
 

@@ -15,8 +15,6 @@ from typing import Any
 
 import sympy
 
-__all__ = ["Stumpff", "without_removable"]
-
 Term = tuple[sympy.Rational, sympy.Rational, bool]
 """A power of the angle, which may be negative, times the cosine, or else the sine, of a multiple of the angle."""
 Sum = dict[Term, sympy.Expr]

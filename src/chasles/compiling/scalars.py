@@ -21,8 +21,6 @@ from chasles.compiling.elementary import functions_by_class, power
 from chasles.lowering.builder import Builder
 from chasles.lowering.refusal import LoweringError
 
-__all__ = ["Scalars", "shown"]
-
 DIGITS = 60
 NEGLIGIBLE = sympy.Float("1e-40")
 _SHOWN = 60

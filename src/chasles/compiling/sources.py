@@ -25,8 +25,6 @@ from chasles.targets.kernel import Heading, signature
 from chasles.targets.numpy import TARGET as NUMPY
 from chasles.targets.offering import c_sources
 
-__all__ = ["library_of", "sources_of", "target_kernel"]
-
 _HERE = Path(__file__).parent
 ORIGIN = Origin(command="chasles.compile")
 

@@ -17,8 +17,6 @@ from time import time
 
 from chasles import cache
 
-__all__ = ["MOST", "kept", "loaded"]
-
 Make = Callable[[Path], Path]
 """Makes a shared object in a folder."""
 

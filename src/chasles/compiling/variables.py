@@ -19,8 +19,6 @@ from chasles.compiling.identifiers import name_of_group
 from chasles.compiling.scalars import shown
 from chasles.lowering.refusal import LoweringError
 
-__all__ = ["Substitution", "correspondence", "is_variable", "variables_of"]
-
 _KINDS = (sympy.Symbol, sympy.Derivative, AppliedUndef, sympy.Indexed)
 _BINDING = (ExprWithLimits, sympy.Lambda, sympy.Subs)
 _MATRICES = (sympy.MatrixExpr, sympy.MatrixBase)

@@ -11,8 +11,6 @@ from chasles.targets import EmissionError, TargetKernel, place, taken_away
 from chasles.targets.emit import HEAD
 from chasles.targets.kernel import require_plain
 
-__all__ = ["written"]
-
 
 def written(kernel: TargetKernel, folder: Path, targets: str | Iterable[str], license: str) -> tuple[Path, ...]:
     """The files of the kernel below the folder, one folder a target: all of them are written, or nothing is.

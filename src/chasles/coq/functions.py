@@ -11,7 +11,7 @@ from functools import cached_property, reduce
 from math import factorial
 
 from chasles import vocabulary as w
-from chasles.checker.expansion import Matrix
+from chasles.checker.determinants import Matrix
 from chasles.checker.reading import Reading
 from chasles.checker.refutation import Value, quotient_at
 from chasles.checker.sparse import Polynomial, Rejected, exponents, variable

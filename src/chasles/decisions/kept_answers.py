@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Any
 
-from chasles.checker.certificate import Rejected, check
+from chasles.checker.certificate import check
 from chasles.checker.refutation import check_counterexample
+from chasles.checker.sparse import Rejected
 from chasles.repairs.repair import Repair, claims_of
 from chasles.statements import Problem, Statement, problem_of
 from chasles.statements.problem import AcceptedSides

@@ -20,8 +20,6 @@ from chasles.statements import Goal, Problem
 from chasles.vocabulary import Block, Call, Node, Scale, Symbol, Zero, number, walk
 from chasles.vocabulary.dimension import NO_DIMENSION
 
-__all__ = ["NoCombination", "combined"]
-
 SPARE = 12
 """So many equations more than unknowns: a combination that satisfies them all is no accident."""
 

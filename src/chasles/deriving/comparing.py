@@ -14,8 +14,6 @@ from chasles.statements.derivation import Compare
 from chasles.verdict import Fails, Holds, IllFormed, Undecided, Verdict
 from chasles.vocabulary import Contract, Identity, Inverse, Negative, Node, Sum, number, replace
 
-__all__ = ["PrintComparison", "compare"]
-
 FORMS = {
     "printed": "the printed equation",
     "reading": "the printed equation as read",

@@ -12,8 +12,6 @@ from chasles.statements import Goal, Problem, Statement
 from chasles.verdict import Verdict
 from chasles.vocabulary import Node, Rate, Scale, Symbol, replace, symbols_of
 
-__all__ = ["solve_by_moving", "solve_by_multiplying", "solve_linear_system"]
-
 
 def solve_by_moving(state: State, unknown: Node, using: Sequence[Statement]) -> tuple[Equation, Verdict]:
     """The unknown is brought to stand alone; decided: the equation is a multiple of the one found."""

@@ -10,7 +10,7 @@ from functools import partial
 from chasles.decisions.kept_answers import combination_fits
 from chasles.decisions.session import Session
 from chasles.deriving.combine import combined
-from chasles.problems.unfold import UndeclaredDivisor
+from chasles.problems.divisors import UndeclaredDivisor
 from chasles.problems.variables import Untreatable
 from chasles.rewriting.products import without_brackets
 from chasles.statements import Claim, Condition, Goal, Problem, Statement, problem_of
@@ -20,8 +20,6 @@ from chasles.statements.statement import is_rule
 from chasles.verdict import Holds, IllFormed, Undecided, Verdict
 from chasles.vocabulary import Misfit, Node, number
 from chasles.vocabulary.families import indices_of
-
-__all__ = ["Equation", "State", "rules_behind", "usable"]
 
 Equation = tuple[Node, Node]
 Rules = tuple[tuple[Node, Node], ...]

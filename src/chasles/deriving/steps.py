@@ -30,8 +30,6 @@ from chasles.statements.derivation import (
 from chasles.verdict import Holds, Posed, Verdict
 from chasles.vocabulary import Contract, Identity, Inverse, Negative, Node, Rate, Scale, Sum, Symbol, Vect, replace
 
-__all__ = ["StepResult", "carry_out"]
-
 
 @dataclass(frozen=True, slots=True)
 class StepResult:

@@ -11,7 +11,7 @@ from chasles.deriving.comparing import PrintComparison, compare
 from chasles.deriving.state import Equation, State
 from chasles.deriving.steps import StepResult, carry_out
 from chasles.display import Displayed
-from chasles.problems.unfold import UndeclaredDivisor
+from chasles.problems.divisors import UndeclaredDivisor
 from chasles.problems.variables import Untreatable
 from chasles.repairs.residues import SingularResidue, Unsampled
 from chasles.statements import Statement
@@ -27,8 +27,6 @@ from chasles.statements.derivation import (
 )
 from chasles.verdict import IllFormed, Undecided, Verdict
 from chasles.vocabulary import Misfit, Symbol
-
-__all__ = ["CheckedDerivation", "CheckedStep", "walk"]
 
 STUCK = (Misfit, TypeError, ValueError, LookupError, Untreatable, UndeclaredDivisor, SingularResidue, Unsampled)
 """Why a step cannot be carried out: words that do not fit, nothing to work on, no such combination."""

@@ -37,8 +37,6 @@ from chasles.vocabulary import (
 )
 from chasles.vocabulary.shorthand import Shorthand
 
-__all__ = ["Interpreter"]
-
 
 class Interpreter:
     """Evaluates expressions to matrices as lists of rows, each expression once; `rules` say what one is put for.

@@ -7,8 +7,6 @@ from functools import reduce
 from operator import add, mul
 from typing import Any
 
-__all__ = ["Matrix", "cofactor", "cofactors", "cross", "determinant", "each", "plus", "product", "skew", "transposed"]
-
 Matrix = list[list[Any]]
 
 

@@ -14,8 +14,6 @@ from chasles.from_sympy.opening import excerpt, is_atom
 from chasles.problems.variables import Untreatable
 from chasles.vocabulary import Node, Number, Scale, Sum, Symbol
 
-__all__ = ["Angles"]
-
 LARGEST_MULTIPLE = 10_000
 
 

@@ -17,8 +17,6 @@ import sympy
 from chasles.from_sympy.divisors import CIRCULAR
 from chasles.from_sympy.opening import FunctionSymbol
 
-__all__ = ["INVERSE", "RECIPROCAL", "Arc", "arc_of", "turned", "without_arcs"]
-
 LARGEST_MULTIPLE = 16
 MOST_HALVINGS = 4
 HALF = Fraction(1, 2)

@@ -28,8 +28,6 @@ from chasles.verdict import Contradictory, IllFormed
 from chasles.vocabulary import Node
 from chasles.vocabulary import replace as put
 
-__all__ = ["ask"]
-
 
 def ask(lhs: Any, rhs: Any, given: Any, nonzero: Any) -> Question | IllFormed | Contradictory:
     """The question whether two sides are equal; raises `Untreatable` for what the procedure does not treat."""

@@ -18,8 +18,6 @@ from chasles.from_sympy.positivity import is_definite
 from chasles.problems.variables import Untreatable
 from chasles.vocabulary import PI, Symbol, scalar
 
-__all__ = ["ASSUMPTIONS", "QuantityNames", "nonzero_by_sign", "real_copy"]
-
 # What SymPy may know of a quantity that its values at a point have to respect.
 ASSUMPTIONS = (
     "positive", "negative", "nonpositive", "nonnegative", "zero", "nonzero", "integer", "noninteger", "even", "odd",

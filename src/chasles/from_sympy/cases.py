@@ -18,8 +18,6 @@ from chasles.from_sympy.atoms import ASSUMPTIONS
 from chasles.from_sympy.enclosures import NotEnclosed, ends_of
 from chasles.from_sympy.opening import parts_of
 
-__all__ = ["SIGNS", "SplitCase", "powers_in", "switches_in"]
-
 SIGNS = {"+": 1, "0": 0, "-": -1}
 SWITCHES = (sympy.Max, sympy.Min, sympy.Piecewise, sympy.Heaviside, sympy.sign, sympy.Abs)
 OF_SIGN = {"positive", "negative", "nonpositive", "nonnegative", "zero", "nonzero"}

@@ -28,8 +28,6 @@ from chasles.problems.variables import Untreatable
 from chasles.prover.certifying import ProvedEntry
 from chasles.vocabulary import Node, Power, Scale
 
-__all__ = ["Writing"]
-
 Key = frozenset[tuple[int, int]]
 ALWAYS = ("variant", "names", "witness")
 """What a certificate says even where there is nothing to be said."""

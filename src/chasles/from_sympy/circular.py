@@ -10,8 +10,6 @@ from chasles.from_sympy.divisors import CIRCULAR, DivisorText
 from chasles.from_sympy.reader import Reader, Reading
 from chasles.vocabulary import Call, Node, Number, Quotient, Scale, Sum
 
-__all__ = ["OF_ANGLES"]
-
 
 def _circular(reader: Reader, e: Any) -> Node:
     above, below = CIRCULAR[e.func]

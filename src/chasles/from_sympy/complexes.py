@@ -11,8 +11,6 @@ import sympy
 from chasles.from_sympy.opening import Entries, excerpt, is_atom
 from chasles.problems.variables import Untreatable
 
-__all__ = ["Parts"]
-
 OF_COMPLEX = (sympy.core.numbers.ImaginaryUnit, sympy.re, sympy.im, sympy.conjugate, sympy.arg)
 LARGEST_EXPONENT = 32
 Pair = tuple[Any, Any]

@@ -16,8 +16,6 @@ import sympy
 
 from chasles.from_sympy.enclosures import NotEnclosed, ends_of
 
-__all__ = ["is_algebraic", "is_nonnegative", "vanishes"]
-
 MOST_BITS = 20_000
 GUARD = 64
 NEAR = 200

@@ -22,13 +22,11 @@ from chasles.from_sympy.opening import is_atom
 from chasles.from_sympy.positivity import definite_by
 from chasles.from_sympy.question import Question
 from chasles.problems.context import Context, build
-from chasles.problems.unfold import UndeclaredDivisor
+from chasles.problems.divisors import UndeclaredDivisor
 from chasles.problems.variables import Untreatable
 from chasles.statements import Hypothesis, Problem
 from chasles.verdict import Contradictory
 from chasles.vocabulary import Node, Number, Scale, Symbol, scalar
-
-__all__ = ["contradiction"]
 
 EFFORT = 1e6
 """The work that a set of conditions may take, in products of terms."""

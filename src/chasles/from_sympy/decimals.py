@@ -8,8 +8,6 @@ from typing import Any
 import sympy
 from sympy.matrices import MatrixBase
 
-__all__ = ["as_decimals"]
-
 
 def as_decimals(value: Any) -> Any:
     """The expression, matrix, equation or list with every floating-point number replaced by what its digits say."""

@@ -10,8 +10,6 @@ import sympy
 
 from chasles.from_sympy.opening import FunctionSymbol, Signed, is_atom
 
-__all__ = ["CIRCULAR", "DivisorText", "divides", "divisor_of", "in_sines", "is_reciprocal"]
-
 # What each function of an angle has above and below the line: 1, the cosine or the sine.
 CIRCULAR = {
     sympy.sin: ("sin", ""), sympy.cos: ("cos", ""), sympy.tan: ("sin", "cos"), sympy.cot: ("cos", "sin"),

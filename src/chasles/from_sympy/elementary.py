@@ -21,8 +21,6 @@ from chasles.from_sympy.hyperbolic import EXPONENTIALS, LOGARITHMS
 from chasles.from_sympy.opening import FunctionSymbol, Signed, excerpt, is_atom, parts_of
 from chasles.problems.variables import Untreatable
 
-__all__ = ["Elementary", "is_elementary"]
-
 ROUNDS = 8
 LARGEST_UNIT = 60
 LARGEST_EXPONENT = 1000

@@ -18,8 +18,6 @@ from sympy.functions.elementary.piecewise import ExprCondPair
 from chasles.algebra.work_limit import check
 from chasles.from_sympy.opening import is_atom
 
-__all__ = ["Enclosures", "NotEnclosed", "apart", "ends_of"]
-
 BITS = 200
 MARGIN = Fraction(1, 2**60)
 """Numbers count as different if they are at least so far apart: far more than interval arithmetic could be wrong by."""

@@ -9,8 +9,6 @@ import sympy
 from chasles.from_sympy.divisors import in_sines
 from chasles.from_sympy.opening import Signed, is_atom
 
-__all__ = ["factors_of", "is_entire", "is_evident"]
-
 MOST_OPERATIONS = 200
 """Sums that are larger are not factored."""
 

@@ -17,8 +17,6 @@ from chasles.from_sympy.divisors import CIRCULAR
 from chasles.from_sympy.opening import excerpt, is_atom
 from chasles.problems.variables import Untreatable
 
-__all__ = ["General"]
-
 LARGEST = 90
 """Half a turn is divided into at most so many parts."""
 

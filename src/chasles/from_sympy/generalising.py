@@ -15,8 +15,6 @@ from chasles.from_sympy.question import Question
 from chasles.from_sympy.relations import relations
 from chasles.verdict import Holds, HoldsUnder, Verdict
 
-__all__ = ["Proved", "generalised"]
-
 Decide = Callable[[Question], Verdict]
 
 

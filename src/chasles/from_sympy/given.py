@@ -20,8 +20,6 @@ from chasles.from_sympy.side_conditions import listed
 from chasles.from_sympy.triads import Triad, triads_of
 from chasles.problems.variables import Untreatable
 
-__all__ = ["Equations", "Moving", "SideConditions", "collected", "evident", "impossible", "orders_of"]
-
 Pair = tuple[Any, Any]
 MOST_TERMS = 30
 """Longer polynomials are not factored."""

@@ -7,8 +7,6 @@ from typing import Any, Protocol
 
 import sympy
 
-__all__ = ["EXPONENTIALS", "LOGARITHMS"]
-
 
 class Exponentials(Protocol):
     """Writes exponentials and logarithms in variables."""

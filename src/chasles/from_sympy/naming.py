@@ -10,8 +10,6 @@ import sympy
 
 from chasles.algebra.surds import SurdSum
 
-__all__ = ["angle_of", "number_of", "spelled", "written"]
-
 
 def number_of(value: SurdSum, angle: Any) -> Any:
     """An exact number as SymPy's, the transcendental number being an angle."""

@@ -13,8 +13,6 @@ from chasles.problems.context import Context
 from chasles.statements import Hypothesis
 from chasles.vocabulary import Node, Number, Power, Sum, Symbol
 
-__all__ = ["NumberRoots", "defining"]
-
 
 def defining(word: Symbol, radicand: Node, spelled: str) -> Hypothesis:
     """The word is a root of the radicand; `text` is for certificates, it is never a need."""

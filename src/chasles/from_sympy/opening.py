@@ -14,8 +14,6 @@ from sympy.matrices import MatrixBase, MatrixExpr
 from chasles.from_sympy.unevaluated import explicit, written_out
 from chasles.problems.variables import Untreatable
 
-__all__ = ["Entries", "FunctionSymbol", "Signed", "atoms_of", "excerpt", "is_atom", "opened", "parts_of", "sides"]
-
 LONGEST_EXCERPT = 80
 
 

@@ -11,8 +11,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-__all__ = ["Offsets", "offsets"]
-
 Orders = Mapping[Any, int]
 MOST = 8
 """No equation is differentiated more often."""

@@ -14,8 +14,6 @@ from chasles.problems.context import Context
 from chasles.problems.variables import Variable
 from chasles.vocabulary import Call, Node, Number, Power, Scale, Sum, Symbol
 
-__all__ = ["Key", "as_node", "as_sympy", "factored", "key_of"]
-
 MOST_TERMS = 80
 MOST_VARIABLES = 2
 """In more variables, factoring can take SymPy minutes: only squares and single variables are split off there."""

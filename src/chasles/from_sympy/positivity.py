@@ -12,8 +12,6 @@ from itertools import product
 
 from chasles.algebra.rings import Polynomial, Ring
 
-__all__ = ["Terms", "definite_by", "is_definite", "sum_of_squares"]
-
 MOST_SQUARES, MOST_TERMS = 3, 16
 Exponents = tuple[int, ...]
 Terms = Mapping[Exponents, Fraction]

@@ -19,8 +19,6 @@ from chasles.statements import Goal, Hypothesis, Problem
 from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
 from chasles.vocabulary import PI, Block, Negative, Node, Power, Quotient, Scale, Sum, Symbol, Zero
 
-__all__ = ["Question", "matrix_of"]
-
 
 @dataclass(slots=True)
 class Question:

@@ -20,8 +20,6 @@ from chasles.from_sympy.opening import excerpt, is_atom
 from chasles.problems.variables import Untreatable
 from chasles.vocabulary import PI, Negative, Node, Number, Power, Quotient, Scale, Sum, Symbol
 
-__all__ = ["ARITHMETIC", "ReadRoot", "Reader", "Reading", "multiplied"]
-
 LARGEST_EXPONENT = 10_000
 
 

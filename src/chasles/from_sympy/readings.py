@@ -7,6 +7,4 @@ from collections.abc import Mapping
 from chasles.from_sympy.circular import OF_ANGLES
 from chasles.from_sympy.reader import ARITHMETIC, Reading
 
-__all__ = ["READINGS"]
-
 READINGS: Mapping[type, Reading] = {**ARITHMETIC, **OF_ANGLES}

@@ -12,8 +12,6 @@ import sympy
 from chasles.from_sympy.opening import atoms_of
 from chasles.from_sympy.positivity import Terms, is_definite, sum_of_squares
 
-__all__ = ["SquaresGiven", "squares_in"]
-
 MOST_TERMS = 30
 """Longer polynomials are not factored."""
 

@@ -14,8 +14,6 @@ from chasles.from_sympy.polynomials import as_sympy
 from chasles.from_sympy.question import Question
 from chasles.problems.context import Context, build, difference, entries
 
-__all__ = ["relations"]
-
 
 def relations(question: Question, meanings: Mapping[Any, Any]) -> list[Any]:
     """Numbers that vanish, by which the two sides are equal; none if they are not. `meanings` are those of symbols."""

@@ -24,8 +24,6 @@ from chasles.problems.context import Context, build
 from chasles.statements import Goal, Hypothesis, Problem
 from chasles.vocabulary import PI, Node, Number, Power, Quotient, Symbol
 
-__all__ = ["Roots", "resolve", "words_of"]
-
 Size = tuple[Key, Node, Any]
 
 

@@ -21,8 +21,6 @@ from chasles.from_sympy.opening import Entries, atoms_of, excerpt
 from chasles.problems.variables import Untreatable
 from chasles.verdict import Counterexample
 
-__all__ = ["Sampling"]
-
 FEW, MANY = (4, 16), (30, 300)
 """So many points are looked at, of so many that are drawn."""
 SIGNS = ("positive", "negative", "nonpositive", "nonnegative", "zero", "nonzero")

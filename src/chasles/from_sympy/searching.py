@@ -17,8 +17,6 @@ from chasles.from_sympy.triads import Triad
 from chasles.points.search import DifferentiatedRow, EquationBlock, Frame, Motion, Search
 from chasles.vocabulary import Symbol
 
-__all__ = ["search_for"]
-
 
 def search_for(reader: Reader, given: SideConditions) -> Search:
     """The search that a question needs."""

@@ -12,8 +12,6 @@ from sympy.matrices import MatrixBase, MatrixExpr
 from chasles.from_sympy.opening import excerpt, opened
 from chasles.problems.variables import Untreatable
 
-__all__ = ["listed", "nonvanishing"]
-
 Said = tuple[str, Any]
 """Where a condition stands, and the condition."""
 

@@ -19,8 +19,6 @@ from chasles.from_sympy.side_conditions import listed, nonvanishing
 from chasles.problems.variables import Untreatable
 from chasles.verdict import Fails, Holds, HoldsUnder, Undecided, Verdict
 
-__all__ = ["Splitting"]
-
 MOST = 100
 UNREADABLE = (sympy.Max, sympy.Min, sympy.Piecewise, sympy.Heaviside, sympy.sign)
 RELATIONS = (" != 0", " > 0", " >= 0")

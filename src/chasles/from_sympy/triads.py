@@ -15,8 +15,6 @@ import sympy
 
 from chasles.from_sympy.opening import is_atom
 
-__all__ = ["Triad", "triads_of"]
-
 
 @dataclass(frozen=True, slots=True)
 class Triad:

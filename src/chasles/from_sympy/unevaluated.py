@@ -15,8 +15,6 @@ from sympy.matrices.expressions.matexpr import MatrixElement
 
 from chasles.problems.variables import Untreatable
 
-__all__ = ["explicit", "written_out"]
-
 MOST_TERMS = 1000
 MOST_MULTIPLIED = 32
 LARGEST_FACTORIAL = 200

@@ -13,8 +13,6 @@ from warnings import warn
 from chasles import kernels
 from chasles.kernels.signatures import named
 
-__all__ = ["COMPILED", "functions_of", "kernels_of"]
-
 COMPILED = "compiled"
 """The folder beside a chapter's kernels with its shared object, which is called as its sources are hashed."""
 _LEVELS = ("baseline", "x86-64-v3", "x86-64-v4")

@@ -9,8 +9,6 @@ from typing import Any
 import numpy as np
 from numpy.ma import core as masked
 
-__all__ = ["MASKED", "OPTIONS", "named", "signature_of_call"]
-
 MASKED = "is a masked array: hand over its numbers, as .filled(nan), and mask the result"
 """What is said of an input that is refused for that."""
 

@@ -9,8 +9,6 @@ from typing import Any, Protocol, TypeVar
 
 from chasles.lowering.program import Op, Step
 
-__all__ = ["Arithmetic", "Operators", "applied", "evaluated"]
-
 Value = TypeVar("Value")
 
 

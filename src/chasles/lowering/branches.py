@@ -11,8 +11,6 @@ from chasles.problems.variables import angle_multiples
 from chasles.statements import Branch, Hypothesis, Inverse
 from chasles.vocabulary import Call, Dot, Node, Norm, Scale, Symbol, Trace, column, number, plain, uniform
 
-__all__ = ["choices_of"]
-
 
 def choices_of(
     inverse: Inverse, *, largest: bool = False, sign: tuple[Node, ...] = ()

@@ -16,8 +16,6 @@ from chasles.lowering.functions import FUNCTIONS
 from chasles.lowering.program import Op, Step, is_power_of_two
 from chasles.lowering.refusal import LoweringError
 
-__all__ = ["Builder"]
-
 _COSTLY = (Op.DIVIDE, Op.SQUARE_ROOT)
 """Of two of these of which one is thrown away, only one is made."""
 

@@ -8,8 +8,6 @@ from typing import Literal
 
 from chasles.vocabulary import Node, Symbol, number
 
-__all__ = ["Case", "Choice", "Comparison", "largest_of", "oriented", "vanishes"]
-
 
 @dataclass(frozen=True, slots=True)
 class Comparison:

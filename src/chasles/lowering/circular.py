@@ -10,8 +10,6 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 
-__all__ = ["Circular", "Polynomial", "constant", "multiple_of_angle"]
-
 Polynomial = dict[tuple[int, int], Fraction]
 """Coefficients by the exponents of sine and cosine."""
 

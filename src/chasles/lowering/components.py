@@ -17,8 +17,6 @@ from chasles.lowering.matrices import (
     Unit,
 )
 
-__all__ = ["Components"]
-
 
 class Components:
     """Vectors and entries; of a column among the `units` it is known that its length is one."""

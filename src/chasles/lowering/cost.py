@@ -10,8 +10,6 @@ from collections.abc import Mapping
 
 from chasles.lowering.program import Op, Program
 
-__all__ = ["ANGLE", "LATENCIES", "WEIGHTS", "cost", "latency", "price", "roundings"]
-
 WEIGHTS = {
     Op.ADD: 1,
     Op.SUBTRACT: 1,

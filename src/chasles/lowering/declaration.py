@@ -18,8 +18,6 @@ from chasles.verdict import Contradictory, IllFormed, Undecided, Verdict
 from chasles.vocabulary import Block, Group, Node, Rate, Symbol, members_of
 from chasles.vocabulary.families import indices_of
 
-__all__ = ["Decide", "requested"]
-
 Sentence = Statement | Theorem | Inverse
 Decide = Callable[[Sentence], Decision]
 

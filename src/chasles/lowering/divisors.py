@@ -8,8 +8,6 @@ from chasles.statements.statement import bare
 from chasles.vocabulary import Group, Negative, Node, Number, Power, Quotient, Scale, Symbol, children
 from chasles.vocabulary.shorthand import opened
 
-__all__ = ["divisors_of"]
-
 
 def divisors_of(node: Node, rules: Mapping[Node, Node], seen: dict[Node, None] | None = None) -> Iterator[Node]:
     """What an expression divides by once the rules are applied, factor by factor, inner divisors first."""

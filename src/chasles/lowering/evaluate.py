@@ -15,8 +15,6 @@ from chasles.lowering.arithmetic import Arithmetic, Operators, evaluated
 from chasles.lowering.functions import FUNCTIONS
 from chasles.lowering.program import Program
 
-__all__ = ["Decimals", "decimals", "run"]
-
 
 @dataclass(frozen=True, slots=True)
 class Decimals(Operators):

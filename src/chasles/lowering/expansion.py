@@ -44,8 +44,6 @@ from chasles.vocabulary import (
     plain,
 )
 
-__all__ = ["Expansion"]
-
 
 class Expansion(Products):
     """The steps of one request; `dense` writes every matrix that a rule defines in components once and for all."""

@@ -9,8 +9,6 @@ from itertools import product
 from chasles.lowering.program import Op, Program, Step
 from chasles.lowering.scales import is_scale
 
-__all__ = ["Divisor", "adds_up", "divisors"]
-
 MOST_TESTS = 12
 """Choices that decide what is divided by; of more each doubles what is to be looked at."""
 

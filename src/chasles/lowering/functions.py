@@ -12,8 +12,6 @@ from fractions import Fraction
 from functools import partial
 from typing import Any
 
-__all__ = ["FUNCTIONS", "KnownFunction", "Rates"]
-
 Rates = Callable[..., tuple[Any, ...]]
 """The derivative by each operand: of an arithmetic, the function's value and the operands."""
 _HALF_ROOT = Fraction("0.886226925452758013649083741670572591398774728061193564106903895")

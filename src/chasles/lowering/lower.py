@@ -19,8 +19,6 @@ from chasles.lowering.stability import stable
 from chasles.statements import Entry, Kernel
 from chasles.statements.arrays import argument_name, core_shape, meaning_of
 
-__all__ = ["expanded", "lower", "program_of"]
-
 LAST: tuple[Callable[[Program], Program], ...] = (guarded,)
 """What is done to the program that was chosen, one pass after the other."""
 

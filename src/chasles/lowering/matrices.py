@@ -4,20 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-__all__ = [
-    "Column",
-    "CrossProduct",
-    "Dense",
-    "DoubleCross",
-    "Dyad",
-    "Matrix",
-    "Rows",
-    "SymmetricDyad",
-    "Tensor",
-    "Unit",
-    "transposed",
-]
-
 Column = tuple[int, ...]
 """The numbers of the steps that hold the entries of a column."""
 Rows = tuple[Column, ...]

@@ -17,8 +17,6 @@ from chasles.vocabulary import Group, Node, Rate, Symbol, Zero, plain
 from chasles.vocabulary.differentiation import rate_of
 from chasles.vocabulary.shorthand import Shorthand
 
-__all__ = ["Meanings"]
-
 
 class Expander(Protocol):
     """What writes an expression in steps."""

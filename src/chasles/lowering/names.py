@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-__all__ = ["Names"]
-
 
 class Names:
     """The names of one function; a name once given is not given again."""

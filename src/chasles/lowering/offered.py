@@ -11,8 +11,6 @@ from chasles.statements import Goal, Problem, nonzero
 from chasles.verdict import Counterexample, Fails
 from chasles.vocabulary import Node
 
-__all__ = ["BUDGET", "counterexample", "in_words"]
-
 BUDGET = 1e7
 """The work that the search for a counterexample may take in each case, in products of terms."""
 

@@ -13,8 +13,6 @@ from chasles.lowering.rewriting import flipped
 from chasles.lowering.tensors import Tensors
 from chasles.vocabulary import Block, Contract, Group, Negative, Node, Power, Quotient, Scale, Sum, Transpose, Zero
 
-__all__ = ["Products"]
-
 
 class Products(ABC):
     """Products of matrices and columns; `dense` takes every matrix that a rule defines in components."""

@@ -13,8 +13,6 @@ from fractions import Fraction
 
 from chasles.lowering.functions import FUNCTIONS
 
-__all__ = ["MOST_OPERANDS", "Argument", "Op", "Pattern", "Program", "Result", "Step", "is_power_of_two"]
-
 
 class Op(StrEnum):
     """The operations of a program; each takes the number of operands that `ARITY` or the table of functions says."""

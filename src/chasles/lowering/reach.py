@@ -12,8 +12,6 @@ from chasles.statements.statement import bare
 from chasles.vocabulary import Node, Rate, Symbol, children, plain
 from chasles.vocabulary.differentiation import NoRule, rate_of
 
-__all__ = ["Reach"]
-
 
 class Reach:
     """The definitions that the expressions followed so far lead to."""

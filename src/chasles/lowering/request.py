@@ -18,10 +18,8 @@ from chasles.statements.arrays import argument_name, core_shape
 from chasles.statements.kernel import Argument, Place, nodes_of, places_of
 from chasles.statements.statement import bare
 from chasles.vocabulary import Misfit, Node, Rate, Symbol, plain
+from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.measure import added
-from chasles.vocabulary.nodes import measured
-
-__all__ = ["Output", "Request", "composed"]
 
 
 @dataclass(frozen=True, slots=True)

@@ -34,8 +34,6 @@ from chasles.vocabulary import (
     rebuilt,
 )
 
-__all__ = ["Angle", "flipped", "without_angles"]
-
 
 @dataclass(frozen=True, slots=True)
 class Angle:

@@ -22,18 +22,6 @@ from chasles.lowering.evaluate import decimals
 from chasles.lowering.functions import FUNCTIONS
 from chasles.lowering.program import Op, Program, is_power_of_two
 
-__all__ = [
-    "ANGLES",
-    "Points",
-    "Rounded",
-    "RunningErrors",
-    "angular_entries",
-    "generic_numbers",
-    "losses",
-    "points_of",
-    "steady",
-]
-
 Numbers = NDArray[np.float64]
 Points = Mapping[tuple[int, int], Numbers]
 """For each entry of each argument its values, one a point."""

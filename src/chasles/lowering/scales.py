@@ -13,8 +13,6 @@ from fractions import Fraction
 from chasles.lowering.builder import Builder
 from chasles.lowering.program import Op, Step
 
-__all__ = ["is_scale", "large_scale_of", "scale_of"]
-
 LARGE = Fraction(2**60)
 """From here on squares can be out of range in single precision, and 1 is nothing beside them in double."""
 

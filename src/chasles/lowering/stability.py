@@ -13,8 +13,6 @@ from chasles.lowering.rounding import ANGLES, angular_entries, generic_numbers, 
 from chasles.statements.kernel import places_of
 from chasles.vocabulary import Node
 
-__all__ = ["stable"]
-
 
 def stable(request: Request, programs: Sequence[Program]) -> list[Program]:
     """The programs that lose nowhere much more than the best of them does there; all where there are no angles."""

@@ -23,8 +23,6 @@ from chasles.lowering.matrices import (
     transposed,
 )
 
-__all__ = ["Tensors"]
-
 
 class Tensors(Components):
     """Matrix algebra on steps."""

@@ -10,8 +10,6 @@ import numpy as np
 from chasles.evaluation.matrices import Matrix, product, transposed
 from chasles.numerics.enclosures import exactly, plain_context
 
-__all__ = ["CONTEXT", "Draws", "DrawsNearby", "SimpleDraws", "turned", "unit_of"]
-
 AXES = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 CONTEXT = plain_context(50)
 Numbers = list[Any]

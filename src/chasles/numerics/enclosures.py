@@ -14,8 +14,6 @@ from typing import Any
 import mpmath
 from mpmath.ctx_iv import MPIntervalContext
 
-__all__ = ["ends", "exactly", "interval_context", "is_narrow", "middle", "plain_context"]
-
 FEW_DIGITS = 15
 
 

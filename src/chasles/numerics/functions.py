@@ -8,8 +8,6 @@ from typing import Any
 
 from chasles.numerics.enclosures import ends
 
-__all__ = ["Undetermined", "function_of", "sign_of"]
-
 
 class Undetermined(ArithmeticError):
     """What holds of one number in an interval and not of another: more digits may tell."""

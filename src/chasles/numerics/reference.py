@@ -22,8 +22,6 @@ from chasles.vocabulary.differentiation import rate_of
 from chasles.vocabulary.functions import Cases, FunctionOf
 from chasles.vocabulary.partial import PartialDerivative, with_derivatives
 
-__all__ = ["Matrix", "MissingValue", "Singular", "evaluate"]
-
 GUARD = 15
 """Digits beyond those asked for in the first evaluation."""
 MOST_DIGITS = 4000

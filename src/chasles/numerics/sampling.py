@@ -21,8 +21,6 @@ from chasles.statements import Hypothesis, Packed
 from chasles.statements.arrays import core_shape
 from chasles.vocabulary import Node
 
-__all__ = ["STRATEGIES", "Sample", "Unsatisfiable", "draw", "moves"]
-
 STRATEGIES: dict[str, type[Draws]] = {"generic": Draws, "near": DrawsNearby, "simple": SimpleDraws}
 ATTEMPTS = 200
 

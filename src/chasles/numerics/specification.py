@@ -17,9 +17,7 @@ from chasles.statements.kernel import Argument, nodes_of, places_of
 from chasles.statements.problem import AcceptedSides, default_sides
 from chasles.statements.statement import bare
 from chasles.vocabulary import Block, Call, Node, Symbol, children, plain
-from chasles.vocabulary.nodes import measured
-
-__all__ = ["ExpectedOutput", "KernelInput", "Specification", "expected_output", "inputs_of", "specification_of"]
+from chasles.vocabulary.fitting import measured
 
 ROUNDINGS = 16
 """How many roundings in a row a kernel may do where its program is not at hand."""

@@ -15,8 +15,6 @@ from chasles.statements.problem import AcceptedSides, default_sides
 from chasles.statements.statement import bare, is_rule
 from chasles.vocabulary import Call, Negative, Node, Sum, plain
 
-__all__ = ["specification_of_inverse"]
-
 DIGITS_OF_INPUTS = 40
 """To how many digits inputs satisfy what a branch assumes, if they do: they are made with 50."""
 MORE_DIGITS = 20

@@ -24,8 +24,6 @@ from chasles.numerics.sampling import STRATEGIES, Sample, draw, moves
 from chasles.numerics.specification import Specification
 from chasles.vocabulary import Node
 
-__all__ = ["Evidence", "Finding", "verify"]
-
 Function = Callable[..., Any]
 SHOWN = 3
 """How many failures are kept."""

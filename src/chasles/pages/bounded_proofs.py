@@ -14,7 +14,7 @@ from chasles.checker.any_size.at_sizes import sizes_in
 from chasles.deciding import decided
 from chasles.decisions.kept_answers import verdict_stands
 from chasles.decisions.session import Session
-from chasles.points.sampling import Point
+from chasles.points.evaluation import Point
 from chasles.problems.context import Context
 from chasles.prover.conditions import Solved
 from chasles.prover.counterexample import UnprovedPart

@@ -16,8 +16,6 @@ from chasles.points.evaluation import Point, evaluate, satisfies
 from chasles.problems.context import Context
 from chasles.vocabulary import PI
 
-__all__ = ["adjusted"]
-
 Slopes = dict[int, Polynomial]
 
 

@@ -19,8 +19,6 @@ from chasles.statements.varied import opened_parts
 from chasles.vocabulary import Symbol
 from chasles.vocabulary.sizes import at_sizes
 
-__all__ = ["points_at_sizes"]
-
 LARGEST, MOST_SIZES, EACH = 3, 30, 6
 """Sizes are numbers up to the largest; so many of these choices are tried, so often each."""
 

@@ -12,8 +12,6 @@ from chasles.algebra.values import InPi, Value, divided, is_zero
 from chasles.problems.context import Context
 from chasles.statements import Hypothesis
 
-__all__ = ["Point", "evaluate", "measured", "ratio_at", "satisfies", "terms_of"]
-
 Point = dict[str, Fraction]
 Term = tuple[Fraction, tuple[tuple[str, int], ...], int]
 

@@ -18,8 +18,6 @@ from chasles.points.rational import root_of
 from chasles.problems.context import Context, Generator
 from chasles.vocabulary import PI, Symbol
 
-__all__ = ["on_quadrics"]
-
 Terms = Sequence[tuple[Fraction, Mapping[int, int]]]
 """Coefficients, each with the exponents of the unknowns that it multiplies."""
 ATTEMPTS = 12

@@ -14,7 +14,7 @@ from random import Random
 from chasles.algebra.rings import Polynomial
 from chasles.algebra.values import divided
 from chasles.points.adjustment import adjusted
-from chasles.points.evaluation import Point, evaluate, ratio_at, satisfies
+from chasles.points.evaluation import Point, evaluate, satisfies
 from chasles.points.quadrics import on_quadrics
 from chasles.points.rational import CIRCLE, Numbers, circle, free
 from chasles.points.rational_norms import give_norm
@@ -22,8 +22,6 @@ from chasles.points.satisfying import bind, in_order
 from chasles.points.simple_random import SimpleRandom
 from chasles.problems.context import Context
 from chasles.vocabulary import Symbol
-
-__all__ = ["ATTEMPTS", "Point", "evaluate", "plain", "ratio_at", "sample", "satisfies"]
 
 ATTEMPTS = 400
 SIMPLE_ATTEMPTS = 8

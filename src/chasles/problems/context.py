@@ -15,15 +15,14 @@ from typing import Any
 from chasles.algebra.groebner import Basis, stated
 from chasles.algebra.localization import Localization, Ratio
 from chasles.algebra.rings import Polynomial, Ring, make_ring
-from chasles.evaluation.matrices import each
+from chasles.evaluation.matrices import Matrix, each
+from chasles.problems.divisors import UndeclaredDivisor
 from chasles.problems.relevance import complete_subjects, free_symbols, is_turned, relevant_hypotheses
 from chasles.problems.scanning import scan
-from chasles.problems.unfold import Matrix, UndeclaredDivisor, Unfolder
+from chasles.problems.unfold import Unfolder
 from chasles.problems.variables import Unlisted, Untreatable, Variable, Variables
 from chasles.statements import Goal, Hypothesis, Problem
 from chasles.vocabulary import PI, Norm, Symbol, plain
-
-__all__ = ["Context", "Generator", "Vanishing", "build", "describe", "difference", "entries"]
 
 MOST_ORDERS = 8
 """So often a hypothesis is differentiated at most, to see where its rates say nothing new."""

@@ -9,8 +9,6 @@ from chasles.algebra.localization import Localization, Ratio
 from chasles.problems.variables import Variable
 from chasles.vocabulary import Node, Symbol
 
-__all__ = ["Coordinates"]
-
 
 class Coordinates:
     """One for each of `variables`, in their order."""

@@ -14,8 +14,6 @@ from chasles.problems.scanning import differs
 from chasles.problems.variables import Factors, Untreatable, Variable, moment_name
 from chasles.vocabulary import Node, Symbol
 
-__all__ = ["BodyMoments"]
-
 
 class BodyMoments:
     """The moments that a ring has variables for, and those that it `lacks` until `lacks` is None.

@@ -9,8 +9,6 @@ from chasles.problems.variables import Variables
 from chasles.statements import Hypothesis, Problem
 from chasles.vocabulary import Contract, Node, Rate, Skew, Symbol, undotted
 
-__all__ = ["complete_subjects", "free_symbols", "is_turned", "relevant_hypotheses"]
-
 Rates = dict[Node, list[tuple[int, dict[Symbol, int]]]]
 """For each symbol, of which of its rates a rule speaks, and by which rates of which symbols."""
 MOST = 8

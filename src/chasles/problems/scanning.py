@@ -26,8 +26,6 @@ from chasles.vocabulary import (
     undotted,
 )
 
-__all__ = ["differs", "scan"]
-
 
 def scan(found: Variables, node: Node, order: int, rules: Mapping[Node, Node]) -> None:
     """Record the variables that the `order`-th rate of an expression needs, once the rules are applied."""

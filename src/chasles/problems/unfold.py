@@ -11,12 +11,10 @@ from chasles.evaluation.interpreter import Interpreter
 from chasles.evaluation.matrices import Matrix, each
 from chasles.problems.coordinates import Coordinates
 from chasles.problems.differentiation import Differentiation
-from chasles.problems.divisors import Divisors, UndeclaredDivisor
+from chasles.problems.divisors import Divisors
 from chasles.problems.moments import BodyMoments
 from chasles.problems.variables import NoForm, Unlisted, Variable, angle_multiples
 from chasles.vocabulary import PI, At, Call, Group, Integral, Node, Norm, Rate, Symbol, plain
-
-__all__ = ["Matrix", "UndeclaredDivisor", "Unfolder"]
 
 
 class Unfolder(Interpreter):

@@ -23,20 +23,6 @@ from chasles.vocabulary import (
     plain,
 )
 
-__all__ = [
-    "Factors",
-    "NoForm",
-    "Unlisted",
-    "Untreatable",
-    "Variable",
-    "Variables",
-    "angle_multiples",
-    "angle_name",
-    "entry_name",
-    "moment_name",
-]
-
-
 Factors = tuple[tuple[str, int], ...]
 """Names of variables and their exponents."""
 

@@ -18,7 +18,7 @@ from chasles.algebra.elimination import eliminated
 from chasles.algebra.groebner import Combination
 from chasles.algebra.localization import Ratio
 from chasles.algebra.rings import Polynomial
-from chasles.points.sampling import Point, evaluate
+from chasles.points.evaluation import Point, evaluate
 from chasles.problems.context import Context, Generator, describe, difference, entries
 from chasles.problems.variables import Untreatable
 

@@ -20,8 +20,8 @@ from chasles.algebra.work_limit import OutOfTime, remaining, within
 from chasles.points import sampling as points
 from chasles.points.evaluation import Point
 from chasles.problems.context import Context, Vanishing, build
+from chasles.problems.divisors import UndeclaredDivisor
 from chasles.problems.relevance import free_symbols
-from chasles.problems.unfold import UndeclaredDivisor
 from chasles.problems.variables import Untreatable
 from chasles.statements import Goal, Hypothesis, Problem
 from chasles.verdict import Contradictory

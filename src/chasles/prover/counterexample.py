@@ -14,7 +14,7 @@ from chasles.algebra.values import is_zero, shown
 from chasles.checker.refutation import check_counterexample
 from chasles.checker.sparse import Rejected
 from chasles.points import sampling as points
-from chasles.points.evaluation import measured
+from chasles.points.evaluation import Point, measured, ratio_at
 from chasles.points.search import UnreducedEntry
 from chasles.problems.context import Context, entries
 from chasles.prover.conditions import Solved
@@ -73,7 +73,7 @@ def solved_ratios(context: Context, solved: tuple[Solved, ...]) -> dict[str, tup
 
 
 def _easiest(
-    context: Context, suspects: Sequence[UnprovedPart], used: Sequence[Sequence[str]], drawn: Iterator[points.Point]
+    context: Context, suspects: Sequence[UnprovedPart], used: Sequence[Sequence[str]], drawn: Iterator[Point]
 ) -> list[Counterexample]:
     """Counterexamples, each easier than those that come after it."""
     best: tuple[int, Counterexample] | None = None
@@ -96,14 +96,14 @@ def _easiest(
     return easier
 
 
-def _refuted(context: Context, entry: UnprovedPart, point: points.Point, names: Sequence[str]) -> Counterexample | None:
+def _refuted(context: Context, entry: UnprovedPart, point: Point, names: Sequence[str]) -> Counterexample | None:
     """The entry at the point, if its two sides differ there."""
-    value = points.ratio_at(context, entry.ratio, point)
+    value = ratio_at(context, entry.ratio, point)
     if value is None or is_zero(value):
         return None
     row, column = entry.place
     sides = [
-        points.ratio_at(context, context.unfold(side)[row - 1][column - 1], point)
+        ratio_at(context, context.unfold(side)[row - 1][column - 1], point)
         for side in (entry.goal.left, entry.goal.right)
     ]
     if sides[0] is None or sides[1] is None:

@@ -12,7 +12,7 @@ from chasles.checker.any_size.at_sizes import sizes_in
 from chasles.points import sampling as points
 from chasles.points.evaluation import measured
 from chasles.problems.context import Context, build, difference, entries
-from chasles.problems.unfold import UndeclaredDivisor
+from chasles.problems.divisors import UndeclaredDivisor
 from chasles.problems.variables import NoForm, Untreatable
 from chasles.prover.certifying import ProvedEntry, certified
 from chasles.prover.conditions import Solved, satisfying_point, solve_conditions

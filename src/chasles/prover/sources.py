@@ -8,6 +8,7 @@ from typing import Any, Protocol
 
 from chasles.algebra.values import is_zero
 from chasles.points import sampling as points
+from chasles.points.evaluation import Point, ratio_at
 from chasles.problems.context import Context
 from chasles.prover.conditions import Solved
 from chasles.prover.consistency import contradiction, holds_somewhere
@@ -64,9 +65,9 @@ class DeclaredPoints:
         """Whether the entries vanish at a few rich points: then they likely vanish everywhere."""
         ratios = solved_ratios(context, solved)
         few = islice(points.sample(context, ratios, simple=False, attempts=self.attempts), 3)
-        return all(is_zero(points.ratio_at(context, e.ratio, point) or {}) for point in few for e in suspects)
+        return all(is_zero(ratio_at(context, e.ratio, point) or {}) for point in few for e in suspects)
 
-    def witness(self, context: Context, solved: tuple[Solved, ...]) -> points.Point | None:
+    def witness(self, context: Context, solved: tuple[Solved, ...]) -> Point | None:
         """The first point drawn, if the hypotheses on what does not occur hold somewhere too."""
         drawn = islice(points.sample(context, solved_ratios(context, solved)), SAMPLES)
         found = next(drawn, None)

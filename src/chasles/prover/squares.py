@@ -10,7 +10,7 @@ from chasles.algebra.squares import Square, sum_of_squares
 from chasles.checker.certificate import check
 from chasles.checker.sparse import Rejected
 from chasles.problems.context import Context, build, difference, entries
-from chasles.problems.unfold import UndeclaredDivisor
+from chasles.problems.divisors import UndeclaredDivisor
 from chasles.problems.variables import Untreatable
 from chasles.prover.certifying import ProvedEntry, certified
 from chasles.prover.conditions import solve_conditions

@@ -15,7 +15,7 @@ from itertools import combinations_with_replacement
 
 from chasles.algebra.modular import Column, Span, minus, multiple, normalized
 from chasles.problems.context import build
-from chasles.problems.unfold import UndeclaredDivisor
+from chasles.problems.divisors import UndeclaredDivisor
 from chasles.problems.variables import Untreatable
 from chasles.prover.conditions import solve_conditions
 from chasles.repairs.residues import Sampled, SingularResidue, Unsampled, generic_points

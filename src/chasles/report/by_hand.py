@@ -8,9 +8,9 @@ from fractions import Fraction
 
 from chasles.algebra.values import shown
 from chasles.decisions.session import Decision
-from chasles.points.sampling import ratio_at
+from chasles.points.evaluation import ratio_at
 from chasles.problems.context import Context, build
-from chasles.problems.unfold import UndeclaredDivisor
+from chasles.problems.divisors import UndeclaredDivisor
 from chasles.problems.variables import Untreatable, entry_name
 from chasles.prover.counterexample import transcendental_name
 from chasles.report.entry_parts import Part, parts_of_entry

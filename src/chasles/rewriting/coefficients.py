@@ -13,8 +13,6 @@ from math import gcd, lcm
 
 from chasles.vocabulary import Contract, Group, Negative, Node, Number, Quotient, Scale, Sum, Zero
 
-__all__ = ["ONE", "AngleFunction", "Term", "added", "product", "scaled", "spelled", "split", "times"]
-
 ONE = Number(Fraction(1))
 
 

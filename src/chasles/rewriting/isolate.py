@@ -10,8 +10,6 @@ from chasles.rewriting.product import Product, spelled_out
 from chasles.rewriting.products import multiplied_out, products
 from chasles.vocabulary import Block, Cross, Dot, Negative, Node, Quotient, Scale, Skew, Sum, Transpose
 
-__all__ = ["CannotIsolate", "alone", "before"]
-
 
 class CannotIsolate(ValueError):
     """The equation has no term, or several, with what is sought, or it is deeper inside."""

@@ -7,8 +7,6 @@ from collections.abc import Iterator, Sequence
 from chasles.rewriting.coefficients import added
 from chasles.vocabulary import Contract, Node, Sum, Symbol, rebuilt
 
-__all__ = ["occurs", "put_for"]
-
 
 def put_for(node: Node, pattern: Node, value: Node) -> Node:
     """The expression with `value` in every place of `pattern`; the same object if it does not occur."""

@@ -33,8 +33,6 @@ from chasles.vocabulary import (
     rebuilt,
 )
 
-__all__ = ["Path", "Place", "everywhere", "linear_places", "put", "separate_sums", "with_term"]
-
 Path = tuple[int, ...]
 
 

@@ -10,8 +10,6 @@ from fractions import Fraction
 from chasles.rewriting.coefficients import ONE
 from chasles.vocabulary import Contract, Group, Identity, Negative, Node, Number, Quotient, Scale, Sum, Zero
 
-__all__ = ["Product", "cancelled", "collected", "contraction", "divided", "spelled_out"]
-
 
 @dataclass(frozen=True, slots=True)
 class Product:

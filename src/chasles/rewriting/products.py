@@ -36,8 +36,6 @@ from chasles.vocabulary import (
     rebuilt,
 )
 
-__all__ = ["multiplied_out", "products", "without_brackets"]
-
 
 def without_brackets(node: Node) -> Node:
     """The expression without the brackets and arguments that are printed only to be seen."""

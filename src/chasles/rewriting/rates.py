@@ -5,8 +5,6 @@ from __future__ import annotations
 from chasles.rewriting.coefficients import added
 from chasles.vocabulary import At, Block, Group, Integral, Node, Rate, Sum, Symbol, Zero, differentiation, rebuilt
 
-__all__ = ["carried_out", "rate_of"]
-
 
 def carried_out(node: Node) -> Node:
     """The expression with every rate taken as far as the rules go; rates of symbols stay as they are."""

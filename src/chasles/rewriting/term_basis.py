@@ -38,11 +38,9 @@ from chasles.vocabulary import (
     children,
     walk,
 )
+from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.measure import Measure, added
-from chasles.vocabulary.nodes import measured
 from chasles.vocabulary.shorthand import Shorthand
-
-__all__ = ["TermBasis", "dimension_of", "fit", "term_basis"]
 
 MOST_TERMS = 100
 """So many terms of one kind are tried, the simpler first."""

@@ -7,8 +7,6 @@ from fractions import Fraction
 from chasles.rewriting.coefficients import added
 from chasles.vocabulary import Contract, Negative, Node, Number, Quotient, Scale, Sum, Zero, rebuilt
 
-__all__ = ["tidied"]
-
 
 def tidied(node: Node) -> Node:
     """The same expression without factors of one and terms of zero, each sign before its product."""

@@ -1,6 +1,6 @@
 """Statements: what the book says, as data. A declaration holds no verdict and no code; `load` reads the whole book."""
 
-from chasles.statements.chapter import Chapter, DeclarationError, Entry, Section, load
+from chasles.statements.chapter import Chapter, Entry, Section, load
 from chasles.statements.forms import Always, Definite, Exists, Iff, Minimum, OnlyWhere, Unique
 from chasles.statements.hypotheses import (
     Hypothesis,
@@ -17,6 +17,7 @@ from chasles.statements.hypotheses import (
 )
 from chasles.statements.inversion import Branch, Inverse
 from chasles.statements.kernel import Kernel, Packed, Stack
+from chasles.statements.packages import DeclarationError
 from chasles.statements.problem import Goal, Problem, problem_of
 from chasles.statements.statement import Claim, Condition, Definition, Postulate, Statement, Theorem
 

@@ -20,8 +20,6 @@ from chasles.vocabulary import (
     walk,
 )
 
-__all__ = ["determined_angle", "turning"]
-
 Multiples = dict[Symbol, Fraction]
 
 

@@ -7,8 +7,6 @@ import re
 from chasles.statements.kernel import Argument, Packed, Stack, places_of
 from chasles.vocabulary import Rate, Symbol, plain
 
-__all__ = ["argument_name", "core_shape", "meaning_of"]
-
 
 def argument_name(argument: Argument) -> str:
     """An argument's name as an identifier: a_prime for a', a_dot for its rate."""

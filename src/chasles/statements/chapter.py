@@ -15,8 +15,6 @@ from chasles.statements.packages import BOOK, DeclarationError, imported
 from chasles.statements.statement import Statement, Theorem
 from chasles.vocabulary.arguments import Declared
 
-__all__ = ["Chapter", "DeclarationError", "Entry", "Section", "bases", "load"]
-
 Sentence = Statement | Theorem | Inverse
 
 

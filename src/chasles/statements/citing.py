@@ -8,8 +8,6 @@ from chasles.nearest import nearest
 from chasles.statements.chapter import Chapter, Entry
 from chasles.statements.derivation import Derivation
 
-__all__ = ["UnknownNumber", "derivations_cited", "statements_cited"]
-
 LONGEST = 4
 """How many words a number may have: "text 3.2.3 g" has three."""
 

@@ -10,28 +10,11 @@ from dataclasses import dataclass, fields
 from typing import ClassVar
 
 from chasles.display import Displayed
-from chasles.statements.chapter import DeclarationError
 from chasles.statements.hypotheses import Hypothesis
+from chasles.statements.packages import DeclarationError
 from chasles.statements.statement import Condition, Statement
 from chasles.vocabulary import Node, Symbol
 from chasles.vocabulary.arguments import Declared
-
-__all__ = [
-    "Ansatz",
-    "Compare",
-    "Consider",
-    "Derivation",
-    "Differentiate",
-    "Expand",
-    "Factor",
-    "FactorOut",
-    "Multiply",
-    "Solve",
-    "Step",
-    "Substitute",
-    "Take",
-    "TakeVector",
-]
 
 
 class Step(Declared):

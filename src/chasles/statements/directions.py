@@ -20,8 +20,6 @@ from chasles.vocabulary import Call, Dot, Integral, Node, Norm, Number, Rate, Sc
 if TYPE_CHECKING:
     from chasles.statements.problem import Problem
 
-__all__ = ["length_and_direction", "with_directions"]
-
 
 def with_directions(problem: Problem) -> Problem:
     """The same problem, each free vector whose norm is an angle said by the angle and a direction."""

@@ -5,8 +5,6 @@ from __future__ import annotations
 import sys
 from typing import Any
 
-__all__ = ["chapter_of", "cited", "is_of_another", "other_chapter"]
-
 
 def chapter_of(sentence: Any) -> str:
     """The package of the chapter in whose modules a sentence is declared; empty where that is in none."""

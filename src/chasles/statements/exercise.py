@@ -9,23 +9,6 @@ from typing import Any
 from chasles.vocabulary import Node
 from chasles.vocabulary.arguments import Declared
 
-__all__ = [
-    "Answer",
-    "Array",
-    "Datum",
-    "Else",
-    "Exercise",
-    "ListOf",
-    "Record",
-    "Scalar",
-    "Shape",
-    "Truth",
-    "Tuple",
-    "Word",
-    "matrix_shape",
-    "vector_shape",
-]
-
 
 @dataclass(frozen=True, slots=True)
 class Scalar(Declared):

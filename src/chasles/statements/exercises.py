@@ -13,8 +13,6 @@ from chasles.statements.inversion import Inverse
 from chasles.statements.packages import BOOK, DeclarationError
 from chasles.statements.statement import Statement, Theorem
 
-__all__ = ["UnknownExercise", "exercise", "exercise_numbers", "sentences_of_exercises"]
-
 EXERCISES = "exercises"
 _MODULE = re.compile(r"x(\d+(?:_\d+)*)")
 

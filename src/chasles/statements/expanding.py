@@ -43,8 +43,6 @@ from chasles.vocabulary.functions import FunctionOf
 from chasles.vocabulary.shorthand import Shorthand
 from chasles.vocabulary.tree import rebuilt
 
-__all__ = ["coefficients_of", "presupposed"]
-
 MOST_TERMS = 40
 """Terms of a series that are looked at to find one that is not zero."""
 Pair = tuple[str, Node, Node]

@@ -15,8 +15,6 @@ from chasles.statements.problem import Problem
 from chasles.statements.statement import Statement, Theorem
 from chasles.vocabulary import Node
 
-__all__ = ["Fingerprints", "fingerprint"]
-
 Sentence = Statement | Theorem | Inverse
 Known = dict[int, tuple[Any, Any]]
 PROSE = ("says", "meaning", "home")

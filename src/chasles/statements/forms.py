@@ -27,8 +27,6 @@ from chasles.vocabulary import (
 )
 from chasles.vocabulary.arguments import Declared
 
-__all__ = ["Always", "Definite", "Exists", "Form", "Iff", "Minimum", "OnlyWhere", "Unique"]
-
 
 class Form(Protocol):
     """A kind of assertion that generates equations."""

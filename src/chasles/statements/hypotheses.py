@@ -29,11 +29,8 @@ from chasles.vocabulary import (
     plain,
 )
 from chasles.vocabulary.arguments import Declared, declaring
+from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.measure import added
-from chasles.vocabulary.nodes import measured
-
-__all__ = ["Hypothesis", "definite", "half_turn", "nonzero", "orthonormal", "perpendicular", "positive", "rotation",
-           "symmetric", "unit", "unit_column"]  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)

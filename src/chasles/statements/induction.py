@@ -7,8 +7,6 @@ from dataclasses import dataclass
 from chasles.vocabulary import Node, Symbol, replace
 from chasles.vocabulary.arguments import Declared
 
-__all__ = ["ForAllK"]
-
 
 @dataclass(frozen=True, slots=True)
 class ForAllK(Declared):

@@ -27,8 +27,6 @@ from chasles.vocabulary import (
 from chasles.vocabulary.arguments import Declared, declaring
 from chasles.vocabulary.functions import FunctionOf, Relation, sign
 
-__all__ = ["PositiveDefinite", "as_differences", "inequality", "says_that"]
-
 PRINTED = {"<": "<", "<=": r"\leq", ">": ">", ">=": r"\geq"}
 ZERO = Number(Fraction(0))
 

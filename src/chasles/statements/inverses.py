@@ -33,9 +33,7 @@ from chasles.vocabulary import (
     Zero,
     replace,
 )
-from chasles.vocabulary.nodes import measured
-
-__all__ = ["Inverses", "reached"]
+from chasles.vocabulary.fitting import measured
 
 
 class Inverses:

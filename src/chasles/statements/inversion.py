@@ -36,9 +36,7 @@ from chasles.vocabulary import (
     symbols_of,
 )
 from chasles.vocabulary.arguments import Declared
-from chasles.vocabulary.nodes import measured
-
-__all__ = ["COVER", "Branch", "Inverse", "problems_of_inverse"]
+from chasles.vocabulary.fitting import measured
 
 COVER = "no case is left out"
 EITHER_SIGN = "either sign"

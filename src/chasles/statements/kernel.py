@@ -9,8 +9,6 @@ from chasles.statements.hypotheses import Hypothesis
 from chasles.vocabulary import Node, plain
 from chasles.vocabulary.arguments import Declared
 
-__all__ = ["SIX", "Argument", "Kernel", "Packed", "Place", "Stack", "nodes_of", "places_of"]
-
 SIX = "_sym6"
 """What the name of a kernel ends in that takes or gives symmetric matrices as six numbers."""
 

@@ -29,8 +29,6 @@ from chasles.vocabulary import (
     walk,
 )
 
-__all__ = ["Lengths"]
-
 
 @lru_cache(maxsize=4096)
 def _has_length(node: Node) -> bool:

@@ -15,8 +15,6 @@ from chasles.statements.packages import DeclarationError
 from chasles.statements.sections import in_own_sections
 from chasles.statements.statement import Statement, Theorem
 
-__all__ = ["declared_by"]
-
 
 def declared_by(book: ModuleType) -> tuple[Entry, ...]:
     """The statements of a chapter, by its package, module by module. Raises `DeclarationError`."""

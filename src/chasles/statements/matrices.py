@@ -12,8 +12,6 @@ from chasles.vocabulary import Contract, Determinant, Identity, Misfit, Negative
 from chasles.vocabulary.arguments import declaring
 from chasles.vocabulary.sizes import at_sizes
 
-__all__ = ["commuting", "idempotent", "invertible", "orthogonal", "orthonormal_columns", "skew_symmetric", "with_sizes"]
-
 _S = TypeVar("_S", bound=Statement)
 
 

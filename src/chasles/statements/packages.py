@@ -9,8 +9,6 @@ from importlib.util import find_spec, module_from_spec, spec_from_file_location
 from pathlib import Path
 from types import ModuleType
 
-__all__ = ["BOOK", "DeclarationError", "folder_of", "generated_package", "imported"]
-
 BOOK = "chasles.derivations"
 
 

@@ -38,11 +38,10 @@ from chasles.vocabulary import (
     walk,
 )
 from chasles.vocabulary.families import indices_of
+from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.measure import added
-from chasles.vocabulary.nodes import lifted, measured
+from chasles.vocabulary.nodes import lifted
 from chasles.vocabulary.shorthand import opened
-
-__all__ = ["AcceptedSides", "Goal", "Problem", "default_form", "default_sides", "problem_of"]
 
 Decidable = Statement | Theorem
 AcceptedSides = Callable[[Statement], Equation]

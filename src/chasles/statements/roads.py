@@ -9,8 +9,6 @@ from importlib.util import find_spec
 from chasles.statements.derivation import Derivation
 from chasles.statements.packages import BOOK, DeclarationError
 
-__all__ = ["roads", "roads_in"]
-
 ROADS = "roads"
 
 

@@ -7,8 +7,6 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from chasles.statements.statement import Equation
 from chasles.vocabulary import Node, Rate, Symbol, children, walk
 
-__all__ = ["behind", "passed_on", "rated", "refuse_circles"]
-
 
 def passed_on(rules: Sequence[Equation]) -> list[Equation]:
     """What is given for the rate of a quantity is given for the rate of the symbol that the quantity is."""

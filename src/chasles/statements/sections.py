@@ -8,8 +8,6 @@ from itertools import combinations
 from chasles.statements.chapter import Entry, Section, place_of
 from chasles.statements.packages import DeclarationError
 
-__all__ = ["in_own_sections"]
-
 
 def in_own_sections(module: str, entries: Sequence[Entry]) -> Sequence[Entry]:
     """The entries; raises `DeclarationError` for a number that is among those of an earlier section of the module."""

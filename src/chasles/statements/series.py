@@ -12,8 +12,6 @@ from fractions import Fraction
 from chasles.vocabulary import Call, Misfit, Negative, Node, Number, Quotient, Scale, Sum, Zero, plain
 from chasles.vocabulary.functions import FunctionOf
 
-__all__ = ["PowerSeries", "TooShort", "inverse", "is_zero", "minus", "product", "scaled", "taylor", "total"]
-
 
 class TooShort(Misfit):
     """A series in which no term is seen that is not zero: more terms may show one."""

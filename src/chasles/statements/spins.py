@@ -15,8 +15,6 @@ from chasles.statements.hypotheses import Hypothesis
 from chasles.statements.problem import Problem
 from chasles.vocabulary import CPM, FREQUENCY, Node, Rate, Symbol, vector, walk
 
-__all__ = ["with_spins"]
-
 
 def with_spins(problem: Problem) -> Problem:
     """The same problem with the rates of its rotations made from free spins; the problem itself if it has none."""

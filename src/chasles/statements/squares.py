@@ -27,8 +27,6 @@ from chasles.vocabulary import (
     Transpose,
 )
 
-__all__ = ["relied_on", "squared"]
-
 
 def squared(square: Node) -> tuple[Node, ...]:
     """What vanishes when the square does; nothing for a positive number or symbol.

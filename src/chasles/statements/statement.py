@@ -15,19 +15,6 @@ from chasles.vocabulary import At, Group, Misfit, Node, Rate, Symbol, plain, rep
 from chasles.vocabulary.arguments import Declared, WrongArgument
 from chasles.vocabulary.measure import added
 
-__all__ = [
-    "Claim",
-    "Condition",
-    "Definition",
-    "Equation",
-    "Kernel",
-    "Postulate",
-    "Statement",
-    "Theorem",
-    "bare",
-    "is_rule",
-]
-
 Equation = tuple[Node, Node]
 
 

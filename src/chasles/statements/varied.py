@@ -15,8 +15,6 @@ from chasles.statements.forms import Exists, Form, Minimum, Unique
 from chasles.statements.hypotheses import Hypothesis
 from chasles.vocabulary import Node, Symbol, replace
 
-__all__ = ["demands", "opened_parts", "varied_symbol", "visible"]
-
 Rules = Mapping[Node, Node]
 
 

@@ -21,8 +21,6 @@ from chasles.targets.kernel import EmissionError, Heading, TargetKernel
 from chasles.targets.self_checks import checks_of
 from chasles.verdict import HoldsUnder, Verdict
 
-__all__ = ["Prove", "kernel_of"]
-
 Prove = Callable[[Program, Request], Bound]
 """What is proved of a program's errors."""
 

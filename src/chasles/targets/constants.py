@@ -14,8 +14,6 @@ from fractions import Fraction
 from chasles.targets.dialect import Level
 from chasles.targets.kernel import EmissionError
 
-__all__ = ["DOUBLE", "SINGLE", "Precision", "literal", "literals", "rounded"]
-
 _DIGITS = 17
 
 

@@ -8,8 +8,6 @@ from textwrap import wrap
 from chasles.lowering.program import Op, Program
 from chasles.targets.kernel import TargetKernel
 
-__all__ = ["cited", "contract", "operations", "summary"]
-
 _WIDTH = 100
 _LABEL = 12
 ROUNDOFF = "2^-53, in single precision 2^-24"

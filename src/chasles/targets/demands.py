@@ -18,8 +18,6 @@ from chasles.statements.kernel import nodes_of
 from chasles.targets.kernel import Demand
 from chasles.vocabulary import Node
 
-__all__ = ["demands_of"]
-
 
 def demands_of(request: Request, hypotheses: Iterable[Hypothesis]) -> tuple[Demand, ...]:
     """Those of the hypotheses that are about the arguments, each once; what another one implies is left out.

@@ -12,8 +12,6 @@ from fractions import Fraction
 
 from chasles.lowering.program import Op, Program
 
-__all__ = ["ARITHMETIC", "Dialect", "Level", "Phrase", "Shape", "call", "called", "circular", "infix", "nested"]
-
 Shape = tuple[int, ...]
 
 

@@ -22,8 +22,6 @@ from chasles.targets.target import Origin, Page, Target, discover, every_target
 if TYPE_CHECKING:
     from chasles.bounds import Bound
 
-__all__ = ["HEAD", "MANIFEST", "filled", "render", "spelled_out", "taken_away"]
-
 MANIFEST = "MANIFEST.toml"
 HEAD = ("SPDX-License-Identifier: BSD-3-Clause", f"Emitted by chasles {__version__}.")
 """How every file of code begins: people copy single ones."""

@@ -16,19 +16,6 @@ from chasles.lowering.program import Op, Program
 if TYPE_CHECKING:
     from chasles.bounds import Bound, BoxBound
 
-__all__ = [
-    "TESTED",
-    "TRUTH",
-    "Check",
-    "Demand",
-    "EmissionError",
-    "Exact",
-    "Heading",
-    "TargetKernel",
-    "require_plain",
-    "signature",
-]
-
 Exact = Fraction | int | str
 """A rational number, or a decimal numeral such as "0.4794255386042030", or "nan"."""
 

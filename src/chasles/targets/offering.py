@@ -8,8 +8,6 @@ from hashlib import sha256
 from chasles.targets.kernel import EmissionError, TargetKernel, signature
 from chasles.targets.target import Page
 
-__all__ = ["KERNELS", "c_sources", "digest_of", "offering"]
-
 KERNELS = "kernels.py"
 _FILES = (KERNELS, "kernels.pyi", "checked.py", "CMakeLists.txt")
 _TAKEN = ("backend", "checked", "instructions", "one")

@@ -16,8 +16,6 @@ from chasles.lowering.request import Request
 from chasles.statements import Packed, Stack
 from chasles.targets.kernel import Check, Exact
 
-__all__ = ["checks_of"]
-
 DIGITS = 20
 GUARDS = 20
 """Digits that the evaluation has beyond those that are shown."""

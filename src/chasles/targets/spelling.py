@@ -16,8 +16,6 @@ from chasles.lowering.program import Op, Program, Step
 from chasles.targets.dialect import Dialect, Level, Phrase
 from chasles.targets.kernel import TRUTH, EmissionError
 
-__all__ = ["Spelled", "spelled"]
-
 # A right operand that begins with a minus sign stands in parentheses: a - (-b).
 _CHAINED = (Level.SUM, Level.PRODUCT)
 _ANGLES = {Op.SINE: "sin", Op.COSINE: "cos"}

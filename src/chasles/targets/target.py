@@ -16,8 +16,6 @@ from types import ModuleType
 
 from chasles.targets.kernel import EmissionError, TargetKernel
 
-__all__ = ["Origin", "Page", "Pages", "Target", "discover", "every_target"]
-
 _HOME = Path(__file__).parent
 _WIDTH = 112
 

@@ -15,8 +15,6 @@ from uuid import uuid4
 from chasles.targets.emit import MANIFEST
 from chasles.targets.kernel import EmissionError
 
-__all__ = ["Difference", "Written", "place", "stale", "write"]
-
 _IGNORED = {"__pycache__", "compiled"}
 _SHOWN = 40
 

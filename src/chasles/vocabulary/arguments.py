@@ -14,8 +14,6 @@ from pathlib import Path
 from types import FrameType, UnionType
 from typing import Any, ClassVar, ParamSpec, Self, TypeVar, Union, get_args, get_origin, get_type_hints
 
-__all__ = ["Declared", "WrongArgument", "declaring", "declaring_module", "fits", "require"]
-
 _P = ParamSpec("_P")
 _R = TypeVar("_R")
 Parameters = Mapping[str, Parameter]

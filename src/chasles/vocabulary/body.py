@@ -8,8 +8,6 @@ from chasles.vocabulary.letters import Symbol, is_measured
 from chasles.vocabulary.measure import Measure, scaled
 from chasles.vocabulary.nodes import OfOne
 
-__all__ = ["Integral"]
-
 
 @word
 class Integral(OfOne):

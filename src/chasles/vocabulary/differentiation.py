@@ -12,8 +12,6 @@ from chasles.vocabulary.shorthand import Shorthand
 from chasles.vocabulary.spatial import Cross, Dot, Norm, Skew, Trace, Vect
 from chasles.vocabulary.tree import children, rebuilt
 
-__all__ = ["NoRule", "rate_of"]
-
 
 class NoRule(ValueError):
     """An expression whose rate is not made of the rates of its parts; the message names it and says what to do."""

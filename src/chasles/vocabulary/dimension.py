@@ -5,20 +5,6 @@ from __future__ import annotations
 import sys
 from dataclasses import dataclass
 
-__all__ = [
-    "ACCELERATION",
-    "FORCE",
-    "FREQUENCY",
-    "LENGTH",
-    "MASS",
-    "MOMENT",
-    "NO_DIMENSION",
-    "TIME",
-    "VELOCITY",
-    "Dimension",
-    "has_units",
-]
-
 
 @dataclass(frozen=True, slots=True)
 class Dimension:

@@ -15,8 +15,6 @@ from chasles.vocabulary.nodes import Node, lifted
 if TYPE_CHECKING:
     from chasles.vocabulary.spelling import Piece, Style
 
-__all__ = ["Limit", "UpTo", "limit", "up_to"]
-
 
 @word
 class UpTo(Node):

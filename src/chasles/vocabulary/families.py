@@ -19,8 +19,6 @@ from chasles.vocabulary.measure import Measure, uniform
 from chasles.vocabulary.nodes import Contract, Node, Number, Transpose
 from chasles.vocabulary.tree import children, rebuilt, walk
 
-__all__ = ["Entry", "Family", "Index", "Kronecker", "Member", "indices_of", "members_of"]
-
 
 @dataclass(frozen=True, slots=True)
 class Index(Declared):

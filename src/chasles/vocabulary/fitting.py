@@ -10,8 +10,6 @@ from typing import Any, TypeVar, dataclass_transform
 from chasles.vocabulary.arguments import require
 from chasles.vocabulary.measure import Extent, Measure, Misfit
 
-__all__ = ["SCALAR", "Fitted", "measured", "printed", "square_measure", "word"]
-
 SCALAR = (1, 1)
 _tolerant: ContextVar[bool] = ContextVar("tolerant", default=False)
 _N = TypeVar("_N", bound="Fitted")

@@ -21,26 +21,6 @@ from chasles.vocabulary.nodes import Node, Sum, lifted
 if TYPE_CHECKING:
     from chasles.vocabulary.spelling import Piece, Style
 
-__all__ = [
-    "Cases",
-    "FunctionOf",
-    "Relation",
-    "arccos",
-    "arcsin",
-    "arctan",
-    "atan2",
-    "cases",
-    "cosh",
-    "exp",
-    "log",
-    "maximum",
-    "minimum",
-    "sign",
-    "sinh",
-    "sqrt",
-    "tanh",
-]
-
 Scalar = Node | int | Fraction
 PRINTED = {
     "sqrt": r"\sqrt{#}",

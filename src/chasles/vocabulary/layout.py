@@ -8,8 +8,6 @@ from chasles.vocabulary.letters import is_measured
 from chasles.vocabulary.measure import Measure, Misfit, entrywise, stacked, uniform
 from chasles.vocabulary.nodes import Node, OfOne
 
-__all__ = ["At", "Block", "Call", "Group", "Rate"]
-
 
 @word
 class Block(Node):

@@ -9,8 +9,6 @@ from chasles.vocabulary.fitting import word
 from chasles.vocabulary.measure import Extent, Measure, uniform
 from chasles.vocabulary.nodes import Node
 
-__all__ = ["Identity", "Symbol", "Zero", "is_measured"]
-
 
 @word
 class Symbol(Node):

@@ -13,9 +13,6 @@ from typing import Any
 
 from chasles.vocabulary.dimension import NO_DIMENSION, Dimension
 
-__all__ = ["Extent", "Grid", "Measure", "Misfit", "added", "completed", "contracted", "entrywise", "scaled", "stacked",
-           "uniform"]  # fmt: skip
-
 Grid = tuple[tuple[Dimension | None, ...], ...]
 Extent = Any
 """How many rows or columns there are: a whole number, or a `Size` of `chasles.vocabulary.sizes`, a letter for one."""

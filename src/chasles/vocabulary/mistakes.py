@@ -11,8 +11,6 @@ from typing import Any, Union, get_args, get_origin
 
 from chasles.vocabulary.arguments import Parameters, every_part, fits
 
-__all__ = ["reasons"]
-
 LONGEST = 60
 """Characters of what was written that a message repeats."""
 NAMES: dict[Any, str] = {

@@ -19,15 +19,6 @@ from chasles.vocabulary.rotation_vectors import LeftJacobian, RightJacobian, Rot
 from chasles.vocabulary.shorthand import Shorthand
 from chasles.vocabulary.spatial import Norm, Skew
 
-__all__ = [
-    "LeftJacobianOfMotion",
-    "MotionByVector",
-    "RightJacobianOfMotion",
-    "exp_of_motion_vector",
-    "left_jacobian_of_motion",
-    "right_jacobian_of_motion",
-]
-
 
 @word
 class MotionByVector(Shorthand):

@@ -17,20 +17,6 @@ from chasles.vocabulary.nodes import Contract, Negative, Node, Number, OfOne, Tr
 from chasles.vocabulary.shorthand import Shorthand
 from chasles.vocabulary.spatial import Skew
 
-__all__ = [
-    "AdjointOfMotion",
-    "AdjointOfTwist",
-    "InverseMotion",
-    "TwistMatrix",
-    "adjoint_of_motion",
-    "adjoint_of_twist",
-    "halves",
-    "homogeneous",
-    "inverse_motion",
-    "triangular",
-    "twist_matrix",
-]
-
 
 def homogeneous(rotation: Node, position: Node) -> Block:
     """The 4 x 4 matrix of the motion x -> rotation x + position."""

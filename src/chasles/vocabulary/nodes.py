@@ -22,21 +22,6 @@ if TYPE_CHECKING:
     from chasles.vocabulary.functions import Relation
     from chasles.vocabulary.spelling import Piece, Style
 
-__all__ = [
-    "Contract",
-    "Negative",
-    "Node",
-    "Number",
-    "Power",
-    "Quotient",
-    "Scale",
-    "Sum",
-    "Transpose",
-    "lifted",
-    "measured",
-]
-
-
 HOLDING = ("Node", "tuple[Node, ...]")
 
 

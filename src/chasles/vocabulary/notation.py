@@ -17,8 +17,6 @@ from chasles.vocabulary.tree import walk
 if TYPE_CHECKING:
     from chasles.vocabulary.spelling import Piece, Style
 
-__all__ = ["BOOK", "Notation", "notation_of"]
-
 PLACE = re.compile(r"#(\d)")
 POSTFIX = re.compile(r"#1\s*\^\s*(?:\{(.*)\}|(\\?\w+(?:\{\w+\})?))$")
 ENCLOSED = re.compile(r"(?:[{\[(|,]|\\left\S|\\langle)\s*#(\d)\s*(?=[}\]),|]|\\\||\\right|\\rangle)")

@@ -21,8 +21,6 @@ from chasles.vocabulary.tree import children, rebuilt, replace, undotted
 if TYPE_CHECKING:
     from chasles.vocabulary.spelling import Piece, Style
 
-__all__ = ["PartialDerivative", "gradient", "partial", "with_derivatives"]
-
 
 @word
 class PartialDerivative(Node):

@@ -18,8 +18,6 @@ from chasles.vocabulary.tree import undotted
 if TYPE_CHECKING:
     from chasles.vocabulary.spelling import Piece, Style
 
-__all__ = ["Submatrix", "component", "part"]
-
 BOLD = re.compile(r"\\(?:mathbf|boldsymbol)\{(\\?[A-Za-z]+)\}")
 Range = tuple[int, int]
 

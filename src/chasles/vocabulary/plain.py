@@ -10,8 +10,6 @@ from chasles.vocabulary.letters import Identity, Symbol, Zero
 from chasles.vocabulary.nodes import Node, Number
 from chasles.vocabulary.spelling import Piece, Precedence, spell
 
-__all__ = ["latex", "plain"]
-
 BRACKETS = (("(", ")"), ("[", "]"), ("{", "}"))
 INFIX = {"dot": ".", "cross": "x"}
 ENDS_WITH_NUMBER = re.compile(r"(?:^|[ /-])\d+$")

@@ -12,8 +12,6 @@ from chasles.vocabulary.measure import Misfit
 from chasles.vocabulary.nodes import Contract, Node, Scale, Transpose
 from chasles.vocabulary.shorthand import Shorthand
 
-__all__ = ["DirectSum", "KroneckerProduct", "OuterProduct", "direct_sum", "kronecker_product", "outer"]
-
 
 @word
 class DirectSum(Shorthand):

@@ -17,19 +17,6 @@ from chasles.vocabulary.nodes import Contract, Negative, Node, Number, Power, Sc
 from chasles.vocabulary.shorthand import Shorthand
 from chasles.vocabulary.spatial import Cross, Dot, Skew
 
-__all__ = [
-    "ProductFromLeft",
-    "ProductFromRight",
-    "QuaternionConjugate",
-    "QuaternionProduct",
-    "QuaternionRotation",
-    "product_from_left",
-    "product_from_right",
-    "quaternion_conjugate",
-    "quaternion_product",
-    "rotation_of_quaternion",
-]
-
 
 def _parts(of: Node, scalar_last: bool) -> tuple[Node, Node]:
     """The vector and the scalar; raises `Misfit` for what is no column of four."""

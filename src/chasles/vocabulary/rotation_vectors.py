@@ -16,17 +16,6 @@ from chasles.vocabulary.nodes import Contract, Negative, Node, Number, OfOne, Po
 from chasles.vocabulary.shorthand import Shorthand
 from chasles.vocabulary.spatial import Inverse, Norm, Skew
 
-__all__ = [
-    "Cayley",
-    "LeftJacobian",
-    "RightJacobian",
-    "RotationByVector",
-    "cayley",
-    "exp_of_vector",
-    "left_jacobian",
-    "right_jacobian",
-]
-
 ONE = Number(Fraction(1))
 
 

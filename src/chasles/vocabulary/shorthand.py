@@ -11,8 +11,6 @@ from chasles.vocabulary.measure import Measure
 from chasles.vocabulary.nodes import Node
 from chasles.vocabulary.tree import children, rebuilt
 
-__all__ = ["Shorthand", "opened"]
-
 
 class Shorthand(Node):
     """A word that is short for its `definition`; printed as the `function` of its parts.

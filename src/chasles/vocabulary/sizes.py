@@ -13,9 +13,6 @@ from chasles.vocabulary.measure import Extent, Measure, Misfit, uniform
 from chasles.vocabulary.nodes import Node
 from chasles.vocabulary.tree import rebuilt
 
-__all__ = ["Partition", "Size", "at_sizes", "blocks_of", "extents_of", "partition_beside", "parts_of", "rectangular",
-           "sizes_of", "uniform_blocks"]  # fmt: skip
-
 
 @dataclass(frozen=True, slots=True)
 class Size(Declared):

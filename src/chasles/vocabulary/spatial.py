@@ -10,8 +10,6 @@ from chasles.vocabulary.fitting import SCALAR, measured, square_measure, word
 from chasles.vocabulary.measure import Measure, Misfit, completed, contracted, entrywise, uniform
 from chasles.vocabulary.nodes import Node, OfOne
 
-__all__ = ["Cofactor", "Cross", "Determinant", "Dot", "Inverse", "Norm", "Skew", "Trace", "Vect"]
-
 
 def _vector(of: Node, rule: str) -> Dimension | None:
     if measured(of).shape != (3, 1):

@@ -21,8 +21,6 @@ from chasles.vocabulary.nodes import Contract, Negative, Node, Number, Power, Qu
 from chasles.vocabulary.shorthand import Shorthand
 from chasles.vocabulary.spatial import Cofactor, Cross, Determinant, Dot, Inverse, Norm, Skew, Trace, Vect
 
-__all__ = ["Piece", "Precedence", "Style", "spell"]
-
 
 class Precedence(IntEnum):
     """How tightly a piece of text holds together."""

@@ -12,8 +12,6 @@ from chasles.vocabulary.layout import Block, Rate
 from chasles.vocabulary.letters import Symbol
 from chasles.vocabulary.nodes import Node, node_fields
 
-__all__ = ["children", "rebuilt", "replace", "symbols_of", "undotted", "walk"]
-
 
 def children(node: Node) -> tuple[Node, ...]:
     """The nodes directly below, in reading order; an abbreviation has none."""

@@ -11,8 +11,6 @@ from chasles.vocabulary.nodes import Node, Number
 from chasles.vocabulary.notation import BOOK, Notation, notation_of
 from chasles.vocabulary.spelling import Piece, Precedence, spell
 
-__all__ = ["Latex", "typeset"]
-
 BRACKETS = (("(", ")"), ("[", "]"), (r"\{", r"\}"))
 NUMBER = r"(?:\d+|\\frac\{\d+\}\{\d+\})"
 BEGINS_WITH_NUMBER = re.compile(NUMBER)

@@ -16,10 +16,6 @@ from chasles.vocabulary.measure import Extent, Measure, uniform
 from chasles.vocabulary.nodes import Node, Quotient, lifted
 from chasles.vocabulary.spatial import Cross, Determinant, Dot, Inverse, Norm, Skew, Trace, Vect
 
-__all__ = ["CPM", "PI", "abbreviation", "array", "at", "boldface", "bracket", "column", "cos", "cot", "cross", "det",
-           "dot", "in_frame", "integral", "inverse", "matrix", "norm", "number", "over", "paren", "rate", "row",
-           "scalar", "sin", "square", "tan", "tr", "vect", "vector"]  # fmt: skip
-
 COMMAND = re.compile(r"\\[A-Za-z]+\s*\{")
 PI = Symbol("pi", r"\pi", uniform((1, 1)), "ratio of a circle's circumference to its diameter", constant=True)
 

@@ -18,8 +18,6 @@ from chasles.statements import Hypothesis, Problem
 from chasles.vocabulary.functions import FunctionOf
 from chasles.vocabulary.sizes import at_sizes, sizes_of
 
-__all__ = ["PointAtSizes", "check_at_sizes", "sizes_in"]
-
 SAYING_ALL = (
     "nonzero", "positive", "unit", "unit column", "symmetric", "definite", "perpendicular", "rotation", "orthonormal",
     "orthogonal", "orthonormal columns", "skew-symmetric", "idempotent", "commuting",

@@ -15,8 +15,6 @@ from typing import Any
 from chasles.checker.sparse import Rejected
 from chasles.vocabulary.measure import Extent
 
-__all__ = ["Atom", "FreeAlgebra", "Monomial", "Words", "added"]
-
 Letters = tuple[int, ...]
 """Letter k is written 2k, its transpose 2k + 1."""
 Atom = tuple[str, Letters]

@@ -10,8 +10,6 @@ from chasles.checker.any_size.free_algebra import FreeAlgebra, Words, added
 from chasles.checker.sparse import Rejected
 from chasles.vocabulary.measure import Extent
 
-__all__ = ["BlockAlgebra", "Blocks", "multiplied", "plus", "stacked"]
-
 
 @dataclass(frozen=True, slots=True)
 class Blocks:

@@ -12,8 +12,6 @@ from chasles.checker.sparse import Rejected
 if TYPE_CHECKING:
     from chasles.checker.any_size.words import SymbolicReading
 
-__all__ = ["PROJECTION", "is_mirrored", "nonnegative", "square"]
-
 PROJECTION = {"idempotent", "symmetric"}
 """What makes a matrix an orthogonal projection: x . P x is the square of the length of P x."""
 

@@ -15,8 +15,6 @@ from chasles.statements import Problem
 from chasles.statements.inequalities import as_differences
 from chasles.vocabulary.measure import Extent
 
-__all__ = ["check_words"]
-
 
 def check_words(problem: Problem, certificate: Mapping[str, Any]) -> None:
     """Each difference of two sides is the sum of known equations that the certificate says; `Rejected` if it is not.

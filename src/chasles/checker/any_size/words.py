@@ -17,11 +17,9 @@ from chasles.checker.any_size.free_algebra import Words, added
 from chasles.checker.any_size.free_blocks import BlockAlgebra, Blocks, multiplied, plus, stacked
 from chasles.checker.sparse import Rejected
 from chasles.statements import Problem
+from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.measure import Extent
-from chasles.vocabulary.nodes import measured
 from chasles.vocabulary.sizes import blocks_of
-
-__all__ = ["Known", "SymbolicReading"]
 
 
 @dataclass(frozen=True, slots=True)

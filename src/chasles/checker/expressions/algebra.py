@@ -14,8 +14,6 @@ from operator import mul
 
 from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, exponents, number, variable
 
-__all__ = ["QuotientRing", "constant", "primitive"]
-
 Key = frozenset[tuple[int, int]]
 
 

@@ -14,8 +14,6 @@ if TYPE_CHECKING:
     from chasles.checker.expressions.functions import Functions
     from chasles.checker.expressions.reading_of_proof import Proven
 
-__all__ = ["Arcs"]
-
 
 class Arcs:
     """The angles of points in a reading, each a variable; `points` are their coordinates, y first."""

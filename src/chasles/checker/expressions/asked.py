@@ -15,8 +15,6 @@ from sympy.matrices.expressions.matexpr import MatrixElement
 from chasles.checker.expressions.quantities import atoms_of, require_real
 from chasles.checker.sparse import Rejected
 
-__all__ = ["Asked", "GivenEquation", "entries_of"]
-
 Entries = dict[tuple[int, int], Any]
 
 

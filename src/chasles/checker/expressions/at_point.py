@@ -19,8 +19,6 @@ from chasles.checker.expressions.turns import turned
 from chasles.checker.expressions.valuation import UnknownValue, Valuation
 from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, exponents, number
 
-__all__ = ["AtPoint"]
-
 SIGNS = {
     "positive": (1,), "negative": (-1,), "nonnegative": (0, 1), "nonpositive": (-1, 0),
     "zero": (0,), "nonzero": (-1, 1),

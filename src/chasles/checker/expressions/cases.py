@@ -15,8 +15,6 @@ from sympy.core.relational import Relational
 from chasles.checker.expressions.enclosed import HOLDING, sign_of_number
 from chasles.checker.sparse import Rejected
 
-__all__ = ["CheckedCase"]
-
 SWITCHES = (sympy.Max, sympy.Min, sympy.Piecewise, sympy.Heaviside, sympy.sign, sympy.Abs)
 KINDS = ("integer", "noninteger", "rational", "irrational", "algebraic", "transcendental", "even", "odd", "prime")
 Pairs = tuple[tuple[Any, Any], ...]

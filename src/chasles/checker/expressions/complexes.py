@@ -14,8 +14,6 @@ from chasles.checker.sparse import ONE, ZERO, Polynomial, number
 if TYPE_CHECKING:
     from chasles.checker.expressions.expressions import Expressions
 
-__all__ = ["differences", "is_complex", "parts", "size"]
-
 OF_COMPLEX = (type(sympy.I), sympy.re, sympy.im, sympy.conjugate, sympy.arg)
 Pair = tuple[Polynomial, Polynomial]
 Place = tuple[int, int]

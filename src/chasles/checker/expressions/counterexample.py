@@ -16,8 +16,6 @@ from chasles.checker.expressions.valuation import UnknownValue
 from chasles.checker.expressions.widened import check_enclosed
 from chasles.checker.sparse import Polynomial, Rejected, number, variable
 
-__all__ = ["check_refutation"]
-
 NEAR = Fraction(1, 2**100)
 """So near to a value with functions of numbers is a text that tells it."""
 

@@ -14,8 +14,6 @@ from chasles.checker.sparse import ONE, Polynomial, number
 if TYPE_CHECKING:
     from chasles.checker.expressions.expressions import Expressions
 
-__all__ = ["FUNCTIONS"]
-
 HALF, TWO = number(Fraction(1, 2)), number(2)
 
 

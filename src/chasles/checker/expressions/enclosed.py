@@ -17,8 +17,6 @@ import sympy
 from chasles.checker.expressions.intervals import Enclosing, Enclosure, Unbounded
 from chasles.checker.sparse import Rejected
 
-__all__ = ["EnclosedValues", "sign_of_number", "vanishes"]
-
 BITS = 200
 MOST_BITS = 20_000
 HOLDING = {"==": (0,), "!=": (1, -1), ">": (1,), ">=": (0, 1), "<": (-1,), "<=": (0, -1)}

@@ -25,8 +25,6 @@ from chasles.checker.expressions.readings import CIRCULAR, READINGS
 from chasles.checker.expressions.turns import turned
 from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, exponents, variable
 
-__all__ = ["Circle", "Expressions"]
-
 Circle = tuple[Fraction, Polynomial, Polynomial]
 """The fraction of an angle of which the cosine and the sine are variables, and these."""
 

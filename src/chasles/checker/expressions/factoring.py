@@ -8,8 +8,6 @@ from math import isqrt, prod
 from chasles.checker.expressions.algebra import constant, primitive
 from chasles.checker.sparse import ZERO, Polynomial, exponents
 
-__all__ = ["Terms", "quotient", "root_of_square", "terms_of"]
-
 Terms = frozenset[tuple[int, int]]
 
 

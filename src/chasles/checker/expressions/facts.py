@@ -19,8 +19,6 @@ from chasles.checker.expressions.reading_of_proof import Proven
 from chasles.checker.expressions.signs import is_positive
 from chasles.checker.sparse import ONE, Polynomial, Rejected, number, parsed, variable
 
-__all__ = ["Facts"]
-
 LABEL = re.compile(r"(exp given|log given|given|frame|equal|zero|root|square) (\S+)(?: (\d+),(\d+))?(?: d(\d+))?")
 Frame = tuple[dict[tuple[int, int], Polynomial], set[str], bool]
 """What a frame satisfies, the equations that say that it is one, and whether they hold at all times."""

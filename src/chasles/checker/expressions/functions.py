@@ -21,8 +21,6 @@ from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, exponents, n
 if TYPE_CHECKING:
     from chasles.checker.expressions.reading_of_proof import Proven
 
-__all__ = ["Functions", "Positive"]
-
 LARGEST_FACTOR = 100
 Positive = tuple[Polynomial, frozenset[Terms], int]
 """What has to be positive, its factors with odd powers, and its sign where these are positive."""

@@ -16,8 +16,6 @@ from chasles.checker.expressions.quantities import atoms_of
 from chasles.checker.expressions.readings import CIRCULAR
 from chasles.checker.sparse import ZERO, Polynomial, Rejected, exponents, number, variable
 
-__all__ = ["eliminate_angle", "require_given"]
-
 
 def require_given(asked: Asked, point: AtPoint, through: bool = True) -> None:
     """Every equation given holds at the point, and nothing vanishes there that must not.

@@ -12,8 +12,6 @@ from fractions import Fraction
 from functools import cache
 from math import isqrt
 
-__all__ = ["Enclosing", "Enclosure", "Unbounded"]
-
 HALVINGS = 8
 LARGEST = 4096
 """Arguments of the exponential function are no larger than this."""

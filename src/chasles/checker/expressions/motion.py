@@ -18,8 +18,6 @@ from chasles.checker.expressions.rates import MOST_RATES
 from chasles.checker.expressions.valuation import UnknownValue
 from chasles.checker.sparse import ONE, Polynomial, Rejected, exponents, number, variable
 
-__all__ = ["require_motion", "time_of"]
-
 
 def time_of(given: Iterable[GivenEquation]) -> Any:
     """The one symbol of which all functions in some equations are functions; raises `Rejected` if there is none."""

@@ -15,8 +15,6 @@ from chasles.checker.expressions.signs import is_nonnegative, is_positive
 from chasles.checker.expressions.spoken import Spoken
 from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, variable
 
-__all__ = ["RELATIONS", "require_needs"]
-
 Terms = frozenset[tuple[int, int]]
 RELATIONS = (" != 0", " > 0", " >= 0")
 """How a need that is no equation ends."""

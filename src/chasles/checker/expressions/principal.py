@@ -13,9 +13,6 @@ from typing import Any
 
 import sympy as sp
 
-__all__ = ["Bounds", "PrincipalValues", "in_fewer_squares"]
-
-
 HALF = Fraction(1, 2)
 
 

@@ -22,8 +22,6 @@ from chasles.checker.expressions.spoken import Spoken
 from chasles.checker.expressions.widened import check_widened
 from chasles.checker.sparse import ONE, Polynomial, Rejected, number, parsed, variable
 
-__all__ = ["PARTS", "check_proof", "claims_of"]
-
 Data = Mapping[str, Any]
 PARTS = frozenset((
     "variant", "names", "positive", "squares", "turned", "angles", "substituted", "words", "roots", "equal", "frames",

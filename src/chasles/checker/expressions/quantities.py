@@ -11,8 +11,6 @@ from sympy.matrices.expressions.matexpr import MatrixElement
 
 from chasles.checker.sparse import Rejected
 
-__all__ = ["atoms_of", "is_atom", "require_independent", "require_real"]
-
 
 def is_atom(e: Any) -> bool:
     """Whether an expression is a real quantity by itself."""

@@ -13,8 +13,6 @@ from chasles.checker.sparse import ONE, ZERO, Polynomial, number, variable
 if TYPE_CHECKING:
     from chasles.checker.expressions.expressions import Expressions
 
-__all__ = ["MOST_RATES", "Derivatives"]
-
 MOST_RATES = 20
 """Nothing is differentiated more often."""
 

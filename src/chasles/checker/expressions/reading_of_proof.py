@@ -26,8 +26,6 @@ from chasles.checker.expressions.spoken import Spoken
 from chasles.checker.expressions.symbolic import Symbolic
 from chasles.checker.sparse import ONE, Polynomial, Rejected, exponents, number, parsed, variable
 
-__all__ = ["Proven"]
-
 TURNED = re.compile(r"(?:cos|sin)\(([1-9]\d*)?(.+?)(?:/([1-9]\d*))?\)")
 Terms = frozenset[tuple[int, int]]
 

@@ -18,8 +18,6 @@ from chasles.checker.sparse import ONE, Polynomial, Rejected, number
 if TYPE_CHECKING:
     from chasles.checker.expressions.expressions import Expressions
 
-__all__ = ["CIRCULAR", "READINGS"]
-
 CIRCULAR = {
     sympy.sin: ("sin", ""), sympy.cos: ("cos", ""), sympy.tan: ("sin", "cos"), sympy.cot: ("cos", "sin"),
     sympy.sec: ("", "cos"), sympy.csc: ("", "sin"),

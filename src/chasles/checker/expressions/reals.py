@@ -14,8 +14,6 @@ from chasles.checker.expressions.algebra import QuotientRing, constant, primitiv
 from chasles.checker.expressions.intervals import Enclosing, Enclosure, Unbounded
 from chasles.checker.sparse import ONE, Polynomial, Rejected, exponents, number, variable
 
-__all__ = ["Reals"]
-
 DIGITS = (64, 256, 1024)
 """Binary digits with which a sign is looked for."""
 LARGEST_PRIME = 10_000

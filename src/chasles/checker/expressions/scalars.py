@@ -23,8 +23,6 @@ from chasles.vocabulary.functions import FunctionOf
 if TYPE_CHECKING:
     from chasles.checker.any_size.at_sizes import Shown
 
-__all__ = ["ScalarQuestion", "check_scalar_counterexample", "check_scalars", "scalar_question", "spelled"]
-
 BY_MORE = frozenset(("definite",))
 """Hypotheses that say more than their equations and what they keep from vanishing."""
 

@@ -11,8 +11,6 @@ from chasles.checker.sparse import ZERO, Polynomial, exponents, number, variable
 if TYPE_CHECKING:
     from chasles.checker.expressions.reading_of_proof import Proven
 
-__all__ = ["is_nonnegative", "is_positive"]
-
 MOST_SQUARES, MOST_TERMS = 3, 8
 """So many squares are completed, each with fewer terms."""
 Sign = tuple[int, bool]

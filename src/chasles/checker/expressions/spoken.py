@@ -14,8 +14,6 @@ from chasles.checker.expressions.expressions import Expressions
 from chasles.checker.expressions.readings import CIRCULAR
 from chasles.checker.sparse import ONE, Polynomial, Rejected, number
 
-__all__ = ["Spoken"]
-
 
 class Spoken:
     """Reads texts such as 3*x**2/sqrt(5) - cos(phi/2) with a reading; `named` are the values of what has a name."""

@@ -13,8 +13,6 @@ from chasles.checker.expressions.reals import Reals
 from chasles.checker.expressions.valuation import Valuation
 from chasles.checker.sparse import Polynomial, Rejected, variable
 
-__all__ = ["Symbolic"]
-
 
 class Symbolic(Expressions):
     """Reads expressions in variables; what is in numbers only has a value in `reals`."""

@@ -13,8 +13,6 @@ from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, number
 if TYPE_CHECKING:
     from chasles.checker.expressions.expressions import Expressions
 
-__all__ = ["is_turn", "turned"]
-
 QUARTERS = ((1, 0), (0, 1), (-1, 0), (0, -1))
 """Cosine and sine of none, one, two and three quarter turns."""
 LARGEST_PART = 60

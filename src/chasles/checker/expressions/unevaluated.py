@@ -19,8 +19,6 @@ from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, number
 if TYPE_CHECKING:
     from chasles.checker.expressions.expressions import Expressions
 
-__all__ = ["UNEVALUATED", "matrix_of"]
-
 MOST_TERMS = 1000
 LARGEST_NUMBER = 200
 

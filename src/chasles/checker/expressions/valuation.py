@@ -11,8 +11,6 @@ from chasles.checker.sparse import ZERO, Polynomial, Rejected, exponents, number
 if TYPE_CHECKING:
     from chasles.checker.expressions.expressions import Expressions
 
-__all__ = ["UnknownValue", "Valuation"]
-
 
 class UnknownValue(Rejected):
     """Something has no value at a point."""

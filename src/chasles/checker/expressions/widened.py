@@ -21,8 +21,6 @@ from chasles.checker.expressions.quantities import atoms_of, is_atom, require_in
 from chasles.checker.expressions.readings import CIRCULAR
 from chasles.checker.sparse import Rejected
 
-__all__ = ["check_enclosed", "check_widened"]
-
 PLAIN = re.compile(r"[A-Za-z0-9_+\-*/(), .\[\]]*")
 ASSUMED = (
     "positive", "negative", "nonnegative", "nonpositive", "zero", "nonzero", "integer", "even", "odd", "rational",

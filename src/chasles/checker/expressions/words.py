@@ -15,8 +15,6 @@ from chasles.checker.sparse import Rejected
 from chasles.statements import Hypothesis, Problem
 from chasles.vocabulary.functions import Cases, FunctionOf
 
-__all__ = ["EntriesOfWords"]
-
 TIME = sp.Symbol("t", real=True)
 FUNCTIONS = {
     "sin": sp.sin, "cos": sp.cos, "sqrt": sp.sqrt, "abs": sp.Abs, "exp": sp.exp, "log": sp.log, "arcsin": sp.asin,

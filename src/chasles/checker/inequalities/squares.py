@@ -12,8 +12,6 @@ from chasles.checker.sparse import ZERO, Polynomial, Rejected, number, parsed, v
 from chasles.statements import Problem
 from chasles.statements.inequalities import as_differences
 
-__all__ = ["ReadingOfSquares", "plain_problem"]
-
 
 class ReadingOfSquares(Reading):
     """A problem as polynomials, in which the difference of a goal's sides is taken from the squares that are said."""

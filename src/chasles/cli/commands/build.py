@@ -7,11 +7,10 @@ from time import perf_counter
 
 import click
 
-from chasles.cli.book import BOOK, as_data, chapter
+from chasles.cli.book import as_data, chapter
 from chasles.cli.checkout import generated_folder, remember
 from chasles.cli.failures import BAD_INPUT, Failure
-
-__all__ = ["command"]
+from chasles.statements.packages import BOOK
 
 
 @click.command(

@@ -6,8 +6,6 @@ import click
 
 from chasles.cli.book import as_data
 
-__all__ = ["command"]
-
 VARIABLE = "_CHASLES_COMPLETE"
 """What Click reads to know that a shell asks for words."""
 ABOUT = """Print what makes a shell complete commands, options, equation numbers, kernels and exercises.

@@ -13,8 +13,6 @@ from chasles.cli.failures import complain
 if TYPE_CHECKING:
     from chasles.cli.outcome import Outcome
 
-__all__ = ["command"]
-
 
 @click.command(
     "decide",

@@ -13,8 +13,6 @@ from chasles.cli.failures import complain
 if TYPE_CHECKING:
     from chasles.deriving import CheckedDerivation
 
-__all__ = ["command"]
-
 
 @click.command("derive", short_help="Derive an equation step by step.", epilog="Example: chasles derive 3.18")
 @of_numbers

@@ -10,8 +10,6 @@ import click
 from chasles.cli.book import as_data
 from chasles.cli.failures import complain
 
-__all__ = ["command"]
-
 Lines = Iterator[tuple[str, str]]
 
 

@@ -15,8 +15,6 @@ from chasles.cli.failures import FAILED, Failure, complain
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-__all__ = ["command"]
-
 
 @click.command("emit", short_help="Write the kernels in every language.", epilog="Example: chasles emit --check")
 @click.option("--check", is_flag=True, help="Change nothing; name the files that are not as they would be emitted.")

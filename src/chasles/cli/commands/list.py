@@ -6,8 +6,6 @@ import click
 
 from chasles.cli.book import as_data, chapter, chosen, of_sections
 
-__all__ = ["command"]
-
 
 @click.command("list", short_help="List the numbers of the book.", epilog="Example: chasles list --section 3.2")
 @of_sections

@@ -11,8 +11,6 @@ import click
 from chasles.cli.book import as_data
 from chasles.cli.failures import BAD_INPUT, Failure
 
-__all__ = ["command"]
-
 
 @click.command("new", short_help="Write a small chapter to start from.", epilog="Example: chasles new mybook")
 @click.argument("folder", metavar="NAME", type=click.Path(path_type=Path))

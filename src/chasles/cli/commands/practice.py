@@ -10,15 +10,14 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from chasles.cli import completing
-from chasles.cli.book import BOOK, as_data, package_chosen
+from chasles.cli.book import as_data, package_chosen
 from chasles.cli.failures import BAD_INPUT, FAILED, Failure
 from chasles.cli.files import text_of_file
+from chasles.statements.packages import BOOK
 
 if TYPE_CHECKING:
     from chasles.exercises.grading import Grade
     from chasles.exercises.practice import Practice
-
-__all__ = ["command"]
 
 
 @click.command(

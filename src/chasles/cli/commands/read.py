@@ -20,8 +20,6 @@ if TYPE_CHECKING:
     from chasles.reading.page_notation import PageNotation
     from chasles.reading.printed import PrintedEquation
 
-__all__ = ["command"]
-
 MOST_NAMED = 8
 
 

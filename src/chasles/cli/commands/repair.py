@@ -6,8 +6,6 @@ import click
 
 from chasles.cli.book import as_data, chapter, chosen, decisions, of_numbers
 
-__all__ = ["command"]
-
 
 @click.command(
     name="repair",

@@ -9,8 +9,6 @@ import click
 from chasles.cli.book import as_data, chapter
 from chasles.cli.failures import complain
 
-__all__ = ["command"]
-
 
 @click.command("report", short_help="Write the chapter as a page.", epilog="Example: chasles report --out report")
 @click.option(

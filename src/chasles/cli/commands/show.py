@@ -7,8 +7,6 @@ import click
 from chasles.cli import completing
 from chasles.cli.book import as_data, chapter, chosen, decisions
 
-__all__ = ["command"]
-
 
 @click.command("show", short_help="Show an equation and its verdict.", epilog="Example: chasles show 3.16 --latex")
 @click.argument("numbers", nargs=-1, required=True, metavar="NUMBER...", shell_complete=completing.numbers)

@@ -12,8 +12,6 @@ from chasles.cli.failures import BAD_INPUT, Failure
 from chasles.cli.files import text_of_file, write_whole
 from chasles.cli.quiet import is_quiet
 
-__all__ = ["command"]
-
 
 @click.command("solve", short_help="Work an exercise.", epilog="Example: chasles solve 3.7 --data my.json")
 @click.argument("exercise", metavar="EX", shell_complete=completing.exercises)

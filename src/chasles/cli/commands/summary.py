@@ -14,8 +14,6 @@ if TYPE_CHECKING:
     from chasles.cli.outcome import Outcome
     from chasles.cli.verification import Verification
 
-__all__ = ["command"]
-
 
 @click.command("summary", short_help="Decide and compare; sum up by section.", epilog="Example: chasles summary")
 @of_sections

@@ -8,8 +8,6 @@ from chasles.cli import completing
 from chasles.cli.book import as_data, chapter
 from chasles.cli.failures import complain
 
-__all__ = ["command"]
-
 STRATEGIES = ("generic", "near", "simple")
 
 

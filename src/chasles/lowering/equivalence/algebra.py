@@ -22,8 +22,6 @@ from chasles.problems.context import Context, build
 from chasles.statements import Goal, Problem, nonzero
 from chasles.vocabulary import Node, Norm, Symbol
 
-__all__ = ["Algebra"]
-
 COMPLETION = 2e7
 """The work that one completion of hypotheses may take, in products of terms."""
 

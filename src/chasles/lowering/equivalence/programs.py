@@ -22,8 +22,6 @@ from chasles.lowering.passes.prune import pruned
 from chasles.lowering.program import Op, Program, Step
 from chasles.lowering.scales import is_scale
 
-__all__ = ["equivalent"]
-
 MOST_MULTIPLES = 12
 """So many times the part is an angle still written by it."""
 POLYNOMIAL = (Op.INPUT, Op.CONSTANT, Op.ADD, Op.SUBTRACT, Op.MULTIPLY, Op.DIVIDE, Op.NEGATE)

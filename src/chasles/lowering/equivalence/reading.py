@@ -20,8 +20,6 @@ from chasles.lowering.request import Request
 from chasles.lowering.scales import is_scale
 from chasles.vocabulary import Call, Node, Norm, Number, Scale, Sum, Symbol, uniform
 
-__all__ = ["ProgramReading", "Settled", "Unreadable", "angles_of", "scale_symbols"]
-
 Linear = dict[Node, Fraction]
 """An angle as a sum of multiples of scalar arguments, and of lengths of others."""
 UNSETTLED = (Op.SELECT, Op.LESS, Op.EQUAL, Op.DIVIDE, Op.SQUARE_ROOT)

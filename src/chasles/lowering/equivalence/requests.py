@@ -12,13 +12,11 @@ from chasles.lowering.equivalence.reading import ProgramReading, Settled, Unread
 from chasles.lowering.equivalence.signs import Differences, Fork, Impossible, Signs
 from chasles.lowering.program import Program
 from chasles.lowering.request import Output, Request
-from chasles.problems.unfold import UndeclaredDivisor
+from chasles.problems.divisors import UndeclaredDivisor
 from chasles.problems.variables import Untreatable
 from chasles.statements.arrays import argument_name
 from chasles.statements.kernel import places_of
 from chasles.vocabulary import Node, Symbol
-
-__all__ = ["differences"]
 
 
 def differences(request: Request, program: Program) -> tuple[str, ...]:

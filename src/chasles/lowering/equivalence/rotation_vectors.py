@@ -11,9 +11,6 @@ from chasles.statements.lengths import Lengths
 from chasles.vocabulary import Node, Norm, Scale, Symbol, replace, undotted
 from chasles.vocabulary.shorthand import opened
 
-__all__ = ["by_directions"]
-
-
 Said = tuple[Problem, Callable[[Node], Node], tuple[Norm, ...]]
 
 

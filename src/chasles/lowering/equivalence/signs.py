@@ -11,8 +11,6 @@ from chasles.algebra.rings import Polynomial
 from chasles.lowering.cases import Case, Comparison
 from chasles.lowering.equivalence.algebra import Algebra
 
-__all__ = ["Differences", "Fork", "Impossible", "Signs"]
-
 ALL = (-1, 0, 1)
 Literal = tuple[Ratio, tuple[int, ...]]
 

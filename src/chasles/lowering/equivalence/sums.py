@@ -14,8 +14,6 @@ from fractions import Fraction
 
 from chasles.lowering.program import Op, Program, Step
 
-__all__ = ["same_but_for_order"]
-
 MOST_TERMS = 3_000_000
 """So many terms are added at most, for all steps together; nothing is said of programs that take more."""
 

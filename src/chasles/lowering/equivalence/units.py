@@ -9,8 +9,6 @@ from itertools import combinations_with_replacement
 from chasles.algebra.rings import Polynomial
 from chasles.problems.context import Context
 
-__all__ = ["Product", "Units"]
-
 LARGEST_POWER = 4
 Product = tuple[Fraction, tuple[int, ...]]
 """A constant, and the powers of the units."""

@@ -15,8 +15,6 @@ from chasles.lowering.builder import Builder
 from chasles.lowering.circular import Circular, constant, multiple_of_angle
 from chasles.lowering.program import Op, Program, Step
 
-__all__ = ["respelled"]
-
 Value = tuple[int | None, Circular]
 """A function of the angle that a step holds; of none, if it is a number."""
 RATIONAL = (Op.ADD, Op.SUBTRACT, Op.MULTIPLY, Op.NEGATE, Op.DIVIDE)

@@ -11,8 +11,6 @@ from dataclasses import replace as with_fields
 from chasles.lowering.program import Op, Program, Step
 from chasles.lowering.scales import is_scale
 
-__all__ = ["guarded"]
-
 
 def guarded(program: Program) -> Program:
     """The same program, and NaN instead of an infinity wherever a divisor that is not a constant is zero."""

@@ -6,8 +6,6 @@ from dataclasses import replace as with_fields
 
 from chasles.lowering.program import Program
 
-__all__ = ["pruned"]
-
 
 def pruned(program: Program) -> Program:
     """The same program without dead steps."""

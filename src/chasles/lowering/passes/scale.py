@@ -19,8 +19,6 @@ from chasles.lowering.passes.prune import pruned
 from chasles.lowering.program import Op, Program, Step
 from chasles.lowering.scales import large_scale_of, scale_of
 
-__all__ = ["all_scaled", "scaled"]
-
 Form = tuple[int, int]
 """A power of the scale, and the step that it is multiplied by."""
 

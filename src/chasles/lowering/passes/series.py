@@ -13,8 +13,6 @@ from chasles.lowering.builder import Builder
 from chasles.lowering.passes.prune import pruned
 from chasles.lowering.program import Op, Program
 
-__all__ = ["expanded_in_series"]
-
 _ENOUGH = Fraction(1, 2**57)
 """What is left out of a polynomial, in parts of its first term."""
 

@@ -15,8 +15,6 @@ from chasles.points.search.constraints import BoundAngle, ConstraintSystem
 from chasles.points.search.values import Values
 from chasles.vocabulary import Symbol
 
-__all__ = ["NO_TURNS", "QUARTERS", "Turning"]
-
 NO_TURN = 0.2
 """How often the angle is zero, the only one that is rational together with its cosine and sine."""
 QUARTERS = tuple(Fraction(k, 2) for k in (1, 2, -1, 0))

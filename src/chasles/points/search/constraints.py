@@ -9,8 +9,6 @@ from chasles.points.search.values import Sparse, sparse
 from chasles.problems.context import Context
 from chasles.vocabulary import PI, Symbol
 
-__all__ = ["BoundAngle", "ConstraintSystem", "constraint_system"]
-
 
 @dataclass(frozen=True, slots=True)
 class BoundAngle:

@@ -14,8 +14,6 @@ from chasles.points.search.constraints import ConstraintSystem
 from chasles.points.search.solving import eliminable, solve_one, unknowns
 from chasles.points.search.values import Partial, Sparse, Values, degree
 
-__all__ = ["Drawing", "Frame"]
-
 PLAIN_ATTEMPTS = 12
 TRIES = 12
 ORDINARY = 0.9

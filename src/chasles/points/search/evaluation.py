@@ -17,8 +17,6 @@ from chasles.problems.context import Context
 from chasles.problems.variables import angle_multiples
 from chasles.vocabulary import Block, Call, Node, Symbol
 
-__all__ = ["Evaluation", "entry_of"]
-
 
 def entry_of(node: Node, place: tuple[int, int]) -> Node:
     """The word in a row and column of a matrix of scalars; a scalar is its own."""

@@ -19,8 +19,6 @@ from chasles.points.search.constraints import ConstraintSystem
 from chasles.points.search.values import Sparse, Values, sparse
 from chasles.problems.context import Context
 
-__all__ = ["DifferentiatedRow", "EquationBlock", "Motion"]
-
 
 @dataclass(frozen=True, slots=True)
 class DifferentiatedRow:

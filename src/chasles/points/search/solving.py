@@ -13,8 +13,6 @@ from random import Random
 from chasles.algebra.surds import Key, SurdSum, square_root
 from chasles.points.search.values import Partial, Values, degree
 
-__all__ = ["eliminable", "solve_one", "unknowns"]
-
 Draw = Callable[[int], Fraction]
 TRIES = 60
 HALF = 0.5

@@ -9,8 +9,6 @@ from chasles.algebra.rings import Polynomial, Ring
 from chasles.algebra.surds import SurdSum
 from chasles.algebra.work_limit import check
 
-__all__ = ["Monomial", "Partial", "Sparse", "Values", "degree", "sparse"]
-
 BATCH = 1000
 Monomial = tuple[tuple[int, int], ...]
 Sparse = Sequence[tuple[Monomial, Fraction]]

@@ -18,8 +18,6 @@ from chasles.targets.dialect import Dialect, Level, Phrase
 from chasles.targets.kernel import TargetKernel, signature
 from chasles.targets.target import Page
 
-__all__ = ["STRICT", "alone"]
-
 
 def alone(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
     """A header with the contract and a source for each kernel."""

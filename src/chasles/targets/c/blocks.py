@@ -19,8 +19,6 @@ from chasles.targets.kernel import EmissionError, TargetKernel
 from chasles.targets.layout import listed
 from chasles.targets.spelling import Spelled, spelled
 
-__all__ = ["BlockFunction", "block", "block_name", "loop_name"]
-
 _MOST_ENTRIES = 32768
 """So that a group of items fits on the stack."""
 _WORD = re.compile(r"\w+")

@@ -11,8 +11,6 @@ from chasles.targets.constants import Precision
 from chasles.targets.kernel import EmissionError, TargetKernel
 from chasles.targets.layout import listed
 
-__all__ = ["Loop", "loop"]
-
 
 @dataclass(frozen=True, slots=True)
 class Loop:

@@ -17,8 +17,6 @@ from chasles.targets.kernel import TargetKernel
 from chasles.targets.layout import listed
 from chasles.targets.spelling import Spelled, spelled
 
-__all__ = ["PRECISIONS", "Function", "batch", "head", "in_short", "public_name", "single", "unread"]
-
 PRECISIONS = (DOUBLE, SINGLE)
 
 

@@ -8,8 +8,6 @@ from chasles.lowering.program import Op
 from chasles.targets.constants import DOUBLE, SINGLE, Precision, literals
 from chasles.targets.dialect import ARITHMETIC, Dialect, Level, Phrase, Shape, call
 
-__all__ = ["DIALECTS", "RESERVED"]
-
 _KEYWORDS = """
     auto break case char const continue default do double else enum extern float for goto if inline int long register
     restrict return short signed sizeof static struct switch typedef union unsigned void volatile while

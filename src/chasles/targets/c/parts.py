@@ -15,8 +15,6 @@ from chasles.lowering.passes.prune import pruned
 from chasles.lowering.program import Argument, Op, Program, Result, Step
 from chasles.targets.kernel import TRUTH
 
-__all__ = ["KEPT", "CutFunction", "CutProgram", "parts_of"]
-
 KEPT = "kept"
 _MOST_STEPS = 640
 """A program of at most so many steps and entries is not cut."""

@@ -13,8 +13,6 @@ from chasles.targets.constants import DOUBLE, Precision, literal
 from chasles.targets.kernel import Check, Exact, TargetKernel
 from chasles.targets.layout import listed
 
-__all__ = ["OutputCheck", "Vector", "vectors"]
-
 _BATCH = 11
 """How many times a vector stands in its batch: whole groups and a rest, in either precision at every level."""
 _EPSILON = {"double": "DBL_EPSILON", "float": "FLT_EPSILON"}

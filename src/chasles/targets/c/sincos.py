@@ -14,8 +14,6 @@ from fractions import Fraction
 from chasles.lowering.passes.prune import pruned
 from chasles.lowering.program import Argument, Op, Program, Result, Step
 
-__all__ = ["Parted", "parted"]
-
 _CIRCULAR = (Op.SINE, Op.COSINE)
 _LATE = (*_CIRCULAR, Op.ARCTANGENT2)
 

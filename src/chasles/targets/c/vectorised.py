@@ -13,8 +13,6 @@ from chasles.targets.c.language import RESERVED
 from chasles.targets.constants import DOUBLE, SINGLE, Precision, literals
 from chasles.targets.dialect import ARITHMETIC, Dialect, Level, Phrase, Shape, call
 
-__all__ = ["ON_REGISTERS", "register", "spread"]
-
 _USED = """
     LANES LANESF GROUPS GROUPSF LIST LISTF SHUFFLE LOWER UPPER LOWERF UPPERF EVENF ODDF
     doubles floats truths truthsf double_2 double_4 float_4 pair groups at steps stream copied angles sines cosines g i

@@ -8,8 +8,6 @@ from dataclasses import dataclass
 from chasles.lowering.program import Argument, Program
 from chasles.targets.kernel import Demand, TargetKernel
 
-__all__ = ["DivisorFunction", "Row", "divisors", "rows"]
-
 Body = Callable[[str, Program], Iterable[str]]
 
 
