@@ -23,7 +23,7 @@ from chasles.coq.sentences import holding
 from chasles.coq.statement import CoqStatement
 from chasles.decisions.session import Session
 from chasles.statements import Inverse, Problem, Theorem, load, problem_of
-from chasles.statements.problem import Goal
+from chasles.statements.goals import Goal
 from chasles.vocabulary import Negative, paren
 
 from .decided import chapter_session

@@ -15,8 +15,9 @@ from chasles.checker.reading import Reading
 from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, cleared, parsed, powered, variable
 from chasles.checker.witness import point_of, require
 from chasles.statements import Inverse, Problem, Statement, Theorem, problem_of
+from chasles.statements.goals import AcceptedSides
 from chasles.statements.inversion import problems_of_inverse
-from chasles.statements.problem import AcceptedSides, default_sides
+from chasles.statements.problem import default_sides
 from chasles.statements.spins import with_spins
 
 

@@ -13,7 +13,7 @@ from chasles.checker.reading import Reading
 from chasles.checker.sparse import ZERO, Polynomial, cleared
 from chasles.coq.expressions import Unsaid
 from chasles.statements import Hypothesis, Problem
-from chasles.statements.problem import Goal
+from chasles.statements.goals import Goal
 
 __all__ = ["ProofReading", "StatedEntry"]
 

@@ -10,7 +10,7 @@ from chasles.checker.refutation import check_counterexample
 from chasles.checker.sparse import Rejected
 from chasles.repairs.repair import Repair, claims_of
 from chasles.statements import Problem, Statement, problem_of
-from chasles.statements.problem import AcceptedSides
+from chasles.statements.goals import AcceptedSides
 from chasles.verdict import Fails, Holds, HoldsUnder, Verdict
 from chasles.vocabulary import Misfit, Node
 

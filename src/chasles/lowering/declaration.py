@@ -15,7 +15,7 @@ from chasles.statements import Condition, Entry, Hypothesis, Inverse, Kernel, Pa
 from chasles.statements.arrays import argument_name, meaning_of
 from chasles.statements.statement import bare, is_rule
 from chasles.verdict import Contradictory, IllFormed, Undecided, Verdict
-from chasles.vocabulary import Block, Group, Node, Rate, Symbol, members_of
+from chasles.vocabulary import Block, Group, Node, Symbol, members_of, undotted
 from chasles.vocabulary.families import indices_of
 
 Sentence = Statement | Theorem | Inverse
@@ -160,6 +160,4 @@ def _lines(node: Node) -> list[Node]:
 
 
 def _is_named(left: Node) -> bool:
-    while isinstance(left, Rate):
-        left = left.of
-    return isinstance(left, Symbol)
+    return isinstance(undotted(left)[0], Symbol)

@@ -17,7 +17,7 @@ from chasles.statements import Hypothesis, Packed, Stack, symmetric
 from chasles.statements.arrays import argument_name, core_shape
 from chasles.statements.kernel import Argument, Place, nodes_of, places_of
 from chasles.statements.statement import bare
-from chasles.vocabulary import Misfit, Node, Rate, Symbol, plain
+from chasles.vocabulary import Misfit, Node, Symbol, plain, undotted
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.measure import added
 
@@ -150,9 +150,7 @@ def _require_fit(name: str, outputs: tuple[Output, ...], form: tuple[Node, ...])
 
 
 def _require_argument(name: str, node: Node) -> None:
-    symbol = node
-    while isinstance(symbol, Rate):
-        symbol = symbol.of
+    symbol, _ = undotted(node)
     if not isinstance(symbol, Symbol) or symbol.stands_for is not None:
         raise LoweringError(f"{name}: the argument {plain(node)} is an expression; it must be a symbol or its rate")
 

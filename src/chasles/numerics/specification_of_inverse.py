@@ -11,7 +11,8 @@ from chasles.numerics.reference import Singular, evaluate
 from chasles.numerics.specification import ROUNDINGS, Specification, Values, expected_output, inputs_of
 from chasles.problems.variables import angle_multiples
 from chasles.statements import Branch, Inverse, Kernel, Statement
-from chasles.statements.problem import AcceptedSides, default_sides
+from chasles.statements.goals import AcceptedSides
+from chasles.statements.problem import default_sides
 from chasles.statements.statement import bare, is_rule
 from chasles.vocabulary import Call, Negative, Node, Sum, plain
 

@@ -20,7 +20,8 @@ from chasles.rewriting.coefficients import AngleFunction, added, spelled, times
 from chasles.rewriting.places import Place, put, separate_sums
 from chasles.rewriting.term_basis import TermBasis, fit
 from chasles.statements import Claim, Statement, problem_of
-from chasles.statements.problem import AcceptedSides, default_sides
+from chasles.statements.goals import AcceptedSides
+from chasles.statements.problem import default_sides
 from chasles.vocabulary import Block, Contract, Dot, Misfit, Node, Rate, Symbol, Transpose, Zero, plain, replace
 
 __all__ = ["Freedom", "freedom_of", "other_objects"]

@@ -23,7 +23,7 @@ from chasles.rewriting.coefficients import ONE, AngleFunction, Term, split
 from chasles.rewriting.places import Path, Place, put, with_term
 from chasles.rewriting.term_basis import fit
 from chasles.statements import Claim, Goal, Problem, Statement, problem_of
-from chasles.statements.problem import AcceptedSides
+from chasles.statements.goals import AcceptedSides
 from chasles.vocabulary import (
     PI,
     Block,

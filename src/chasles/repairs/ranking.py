@@ -25,7 +25,7 @@ from chasles.repairs.true_edits import true_edits
 from chasles.repairs.without_form import changes_without_form
 from chasles.rewriting.term_basis import TermBasis, fit, term_basis
 from chasles.statements import Claim, Statement
-from chasles.statements.problem import AcceptedSides
+from chasles.statements.goals import AcceptedSides
 from chasles.statements.statement import bare
 from chasles.vocabulary import Call, Inverse, Node, Number, Quotient, Rate, Symbol, children, symbols_of, walk
 

@@ -18,7 +18,8 @@ from chasles.repairs.ranking import Nearest, given_sides
 from chasles.repairs.well_formed import WellFormedRepair, fitting
 from chasles.rewriting.term_basis import term_basis
 from chasles.statements import Claim, Definition, Statement, problem_of
-from chasles.statements.problem import AcceptedSides, default_sides
+from chasles.statements.goals import AcceptedSides
+from chasles.statements.problem import default_sides
 from chasles.verdict import Holds, HoldsUnder, Verdict
 from chasles.vocabulary import Misfit, Node, plain, walk
 from chasles.vocabulary.families import indices_of

@@ -13,7 +13,7 @@ from chasles.repairs.one_term import FACTOR, SIGN, Change, instead
 from chasles.repairs.single_edits import exchanged_letters, in_letters, placed, single_edits
 from chasles.rewriting.places import everywhere
 from chasles.statements import Problem, Statement, problem_of
-from chasles.statements.problem import AcceptedSides
+from chasles.statements.goals import AcceptedSides
 from chasles.vocabulary import Misfit, Negative, Node, Number, Power, Scale, Sum, Symbol, printed
 from chasles.vocabulary.functions import FunctionOf
 from chasles.vocabulary.shorthand import opened

@@ -2,6 +2,7 @@
 
 from chasles.statements.chapter import Chapter, Entry, Section, load
 from chasles.statements.forms import Always, Definite, Exists, Iff, Minimum, OnlyWhere, Unique
+from chasles.statements.goals import Goal
 from chasles.statements.hypotheses import (
     Hypothesis,
     definite,
@@ -18,7 +19,7 @@ from chasles.statements.hypotheses import (
 from chasles.statements.inversion import Branch, Inverse
 from chasles.statements.kernel import Kernel, Packed, Stack
 from chasles.statements.packages import DeclarationError
-from chasles.statements.problem import Goal, Problem, problem_of
+from chasles.statements.problem import Problem, problem_of
 from chasles.statements.statement import Claim, Condition, Definition, Postulate, Statement, Theorem
 
 __all__ = [

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from dataclasses import replace as with_fields
 from fractions import Fraction
 
+from chasles.statements.goals import Goal
 from chasles.statements.hypotheses import Hypothesis
-from chasles.statements.problem import Goal, Problem
+from chasles.statements.problem import Problem
 from chasles.statements.statement import Equation
 from chasles.vocabulary import (
     Contract,

@@ -15,9 +15,10 @@ from operator import mul
 from typing import ClassVar
 
 from chasles.display import Displayed
+from chasles.statements.goals import AcceptedSides, Goal
 from chasles.statements.hypotheses import Hypothesis, nonzero
 from chasles.statements.kernel import Kernel
-from chasles.statements.problem import AcceptedSides, Goal, Problem, default_sides
+from chasles.statements.problem import Problem, default_sides
 from chasles.statements.statement import Statement
 from chasles.vocabulary import (
     Call,

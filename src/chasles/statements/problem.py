@@ -8,53 +8,30 @@ from __future__ import annotations
 from collections.abc import Callable, Container, Iterator, Mapping
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
-from fractions import Fraction
 
 from chasles.statements.angles import determined_angle, turning
 from chasles.statements.directions import with_directions
-from chasles.statements.forms import Definite, Iff, OnlyWhere
+from chasles.statements.goals import (
+    AcceptedSides,
+    Goal,
+    cases_of,
+    equations_of,
+    goals_of,
+    goals_of_theorem,
+    presupposed_by,
+)
 from chasles.statements.hypotheses import Hypothesis
 from chasles.statements.inverses import Inverses, reached
 from chasles.statements.lengths import Lengths
 from chasles.statements.rules import behind, passed_on, rated, refuse_circles
-from chasles.statements.squares import relied_on
-from chasles.statements.statement import Claim, Condition, Definition, Equation, Statement, Theorem, bare, is_rule
-from chasles.statements.varied import demands, visible
-from chasles.vocabulary import (
-    Contract,
-    Identity,
-    Inverse,
-    Misfit,
-    Negative,
-    Node,
-    Number,
-    Sum,
-    Symbol,
-    Zero,
-    column,
-    members_of,
-    plain,
-    replace,
-    walk,
-)
+from chasles.statements.statement import Claim, Condition, Equation, Statement, Theorem, bare, is_rule
+from chasles.vocabulary import Negative, Node, Sum, Symbol, members_of, plain, walk
 from chasles.vocabulary.families import indices_of
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.measure import added
-from chasles.vocabulary.nodes import lifted
 from chasles.vocabulary.shorthand import opened
 
 Decidable = Statement | Theorem
-AcceptedSides = Callable[[Statement], Equation]
-"""Gives the sides with which a given statement is used; raises TypeError for one that cannot be."""
-
-
-@dataclass(frozen=True, slots=True)
-class Goal:
-    """Two sides to be proved equal, entry by entry."""
-
-    label: str
-    left: Node
-    right: Node
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,7 +81,28 @@ def problem_of(statement: Decidable, form: str = "printed", standing: AcceptedSi
 
     Raises `Misfit` if that form does not fit together, and TypeError if a given statement cannot be used.
     """
-    rules: list[tuple[Node, Node]] = []
+    rules, conditions, unknowns = _given(statement, standing)
+    rules = passed_on([*rules, *_angle_rules(statement, form, rules, conditions, unknowns)])
+    refuse_circles(statement.number, rules, unknowns)
+    hypotheses = tuple(dict.fromkeys((*_hypotheses(statement), *_agreeing(dict(rules)))))
+    problem = Problem((), tuple(rules), tuple(conditions), tuple(unknowns), hypotheses)
+    if isinstance(statement, Theorem):
+        goals = tuple(goals_of_theorem(statement, problem))
+        problem = with_fields(
+            problem,
+            presupposed=tuple(dict.fromkeys(presupposed_by(statement, problem))),
+            cases=tuple(cases_of(statement)),
+        )
+    else:
+        goals = tuple(goals_of(statement, form, standing, problem))
+    for goal in goals:
+        added(measured(goal.left), measured(goal.right), (goal.left, goal.right), "equate")
+    return with_directions(_with_simple_lengths(_in_simpler_words(with_fields(problem, goals=goals))))
+
+
+def _given(statement: Decidable, standing: AcceptedSides) -> tuple[list[Equation], list[Goal], dict[Symbol, None]]:
+    """Rules by what is given, conditions, and the symbols that these determine."""
+    rules: list[Equation] = []
     conditions: list[Goal] = []
     unknowns: dict[Symbol, None] = {}
     for given in statement.given:
@@ -114,7 +112,7 @@ def problem_of(statement: Decidable, form: str = "printed", standing: AcceptedSi
                 f"({statement.number}) is given ({given.number}), which leaves {given.on[0]} free: let it restate that"
             )
         if isinstance(given, Condition) and given.on:
-            conditions += _equations(f"({given.number})", left, right)
+            conditions += equations_of(f"({given.number})", left, right)
             unknowns |= dict.fromkeys(given.on)
         elif isinstance(given, Condition) and given.assuming:
             continue
@@ -131,20 +129,7 @@ def problem_of(statement: Decidable, form: str = "printed", standing: AcceptedSi
                 f"({statement.number}) is given ({given.number}), whose left side {left} is no symbol: "
                 "state it as a Condition on what it determines"
             )
-    rules = passed_on([*rules, *_angle_rules(statement, form, rules, conditions, unknowns)])
-    refuse_circles(statement.number, rules, unknowns)
-    hypotheses = tuple(dict.fromkeys((*_hypotheses(statement), *_agreeing(dict(rules)))))
-    problem = Problem((), tuple(rules), tuple(conditions), tuple(unknowns), hypotheses)
-    if isinstance(statement, Theorem):
-        goals = tuple(_theorem_goals(statement, problem))
-        problem = with_fields(
-            problem, presupposed=tuple(dict.fromkeys(_presupposed(statement, problem))), cases=tuple(_cases(statement))
-        )
-    else:
-        goals = tuple(_goals(statement, form, standing, problem))
-    for goal in goals:
-        added(measured(goal.left), measured(goal.right), (goal.left, goal.right), "equate")
-    return with_directions(_with_simple_lengths(_in_simpler_words(with_fields(problem, goals=goals))))
+    return rules, conditions, unknowns
 
 
 def _angle_rules(
@@ -222,39 +207,6 @@ def _with_simple_lengths(problem: Problem) -> Problem:
     return with_fields(found, presupposed=tuple(dict.fromkeys((*problem.presupposed, *lengths.used))))
 
 
-def _theorem_goals(statement: Theorem, problem: Problem) -> Iterator[Goal]:
-    restricted = tuple(side for goal in problem.conditions for side in (goal.left, goal.right)) + problem.unknowns
-    for part in statement.forms:
-        try:
-            shown = visible(part, dict(problem.rules), restricted)
-            equations = (*shown.equations(), *demands(shown, problem.hypotheses))
-        except TypeError as error:
-            raise TypeError(f"({statement.number}): {error}") from None
-        for label, left, right in equations:
-            yield Goal(label, left, right)
-
-
-def _cases(statement: Theorem) -> Iterator[Goal]:
-    """Where either side of "if and only if" vanishes: of elsewhere it says nothing."""
-    for part in statement.forms:
-        for side in (part.one, part.other) if isinstance(part, Iff) else ():
-            yield Goal(f"{plain(side)} = 0", side, Number(Fraction(0)) if side.is_scalar else Zero(*side.shape))
-
-
-def _presupposed(statement: Theorem, problem: Problem) -> Iterator[Hypothesis]:
-    """The hypotheses by which the squares of a theorem's forms are squares; raises `Misfit` if one of them is not."""
-    ruled = {left for left, _ in problem.rules}
-    for part in statement.forms:
-        for square in part.squares if isinstance(part, Definite | OnlyWhere) else ():
-            for hypothesis in relied_on(square, problem.hypotheses):
-                if hypothesis.equations and ruled.intersection(hypothesis.subjects):
-                    raise TypeError(
-                        f"({statement.number}): {hypothesis.text} is assumed of what a given statement defines: "
-                        "leave that statement out"
-                    )
-                yield hypothesis
-
-
 def _agreeing(rules: Mapping[Node, Node]) -> Iterator[Hypothesis]:
     """Where both a quantity and its rate are given, the rate of what is given for the other."""
     for left, right in rules.items():
@@ -274,59 +226,3 @@ def _hypotheses(statement: Decidable) -> Iterator[Hypothesis]:
         yield from presupposed(statement.left, statement.right, statement.assuming)
     for given in statement.given:
         yield from _hypotheses(given)
-
-
-def _goals(statement: Statement, form: str, accepted: AcceptedSides, problem: Problem) -> Iterator[Goal]:
-    left, right = statement.form(form)
-    if fault := (statement.fault if form == "printed" else left.fault or right.fault):
-        raise Misfit(fault)
-    match statement:
-        case Definition():
-            return
-        case Condition(on=(symbol, *_), solution=Node() as solution):
-            yield Goal("its solution satisfies it", *(replace(side, {symbol: solution}) for side in (left, right)))
-        case Condition(on=(_, *_)):
-            yield from _equations("", left, right)
-        case Claim(restates=Statement() as other):
-            yield _multiple(statement, (other,), accepted, left, right)
-        case Claim(restates=tuple() as others):
-            yield _multiple(statement, others, accepted, left, right)
-        case Claim(solves=Statement() as other):
-            if not isinstance(left, Symbol):
-                raise TypeError(f"({statement.number}) solves ({other.number}) for {left}, which is no symbol")
-            yield Goal("it solves the equation", *(replace(side, {left: right}) for side in accepted(other)))
-        case _ if left.expands or right.expands:
-            from chasles.statements.expanding import coefficients_of  # of no use to most claims
-
-            if problem.conditions:
-                raise TypeError(f"({statement.number}) is expanded: what it is given has to be definitions")
-            rules = dict(problem.rules)
-            yield from (Goal(label, one, other) for label, one, other in coefficients_of(left, right, rules))
-        case _:
-            yield from _equations("", left, right)
-
-
-def _equations(label: str, left: Node, right: Node) -> Iterator[Goal]:
-    """An equation as what it says of an inverse, and without indices."""
-    if isinstance(right, Inverse) and not isinstance(left, Inverse):
-        left, right = right, left
-    if isinstance(left, Inverse):
-        identity = Identity(left.shape[0])
-        yield Goal(label or "the matrix times its inverse", Contract((left.of, right)), identity)
-        yield Goal(label or "the inverse times its matrix", Contract((right, left.of)), identity)
-        return
-    for one, another in members_of(left, right):
-        yield Goal(label, one, another)
-
-
-def _multiple(
-    statement: Claim, others: tuple[Statement, ...], accepted: AcceptedSides, left: Node, right: Node
-) -> Goal:
-    sides = [accepted(other) for other in others]
-    differences: list[Node] = [Sum((one, Negative(another))) for one, another in sides]
-    difference = differences[0] if len(differences) == 1 else column(*differences)
-    if statement.by is not None:
-        by = lifted(statement.by)
-        difference = by * difference if by.is_scalar else Contract((by, difference))
-    numbers = ", ".join(f"({other.number})" for other in others)
-    return Goal(f"it is a multiple of {numbers}", Sum((left, Negative(right))), difference)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from chasles.statements.statement import Equation
-from chasles.vocabulary import Node, Rate, Symbol, children, walk
+from chasles.vocabulary import Node, Rate, Symbol, children, undotted, walk
 
 
 def passed_on(rules: Sequence[Equation]) -> list[Equation]:
@@ -58,9 +58,7 @@ def refuse_circles(number: str, rules: Sequence[Equation], unknowns: Collection[
 
 def _refuse_second_rule(number: str, left: Node, right: Node, unknowns: Collection[Symbol]) -> None:
     """Raise TypeError if what a rule replaces is known otherwise too: by a condition, or as a constant."""
-    base: Node = left
-    while isinstance(base, Rate):
-        base = base.of
+    base, _ = undotted(left)
     if base in unknowns:
         raise TypeError(f"({number}) is given what {left} is, and a condition on {base}: name one of them")
     if isinstance(base, Symbol) and base.constant and any(not _is_constant(part) for part in walk(right)):

@@ -11,7 +11,7 @@ from chasles.display import Displayed
 from chasles.statements.forms import Form
 from chasles.statements.hypotheses import Hypothesis
 from chasles.statements.kernel import Kernel, nodes_of
-from chasles.vocabulary import At, Group, Misfit, Node, Rate, Symbol, plain, replace
+from chasles.vocabulary import At, Group, Misfit, Node, Rate, Symbol, plain, replace, undotted
 from chasles.vocabulary.arguments import Declared, WrongArgument
 from chasles.vocabulary.measure import added
 
@@ -200,6 +200,4 @@ def is_rule(statement: Statement) -> bool:
     left = bare(statement.left)
     if isinstance(left, Symbol) and left.stands_for is not None:
         return False
-    while isinstance(left, Rate):
-        left = left.of
-    return isinstance(left, Symbol)
+    return isinstance(undotted(left)[0], Symbol)

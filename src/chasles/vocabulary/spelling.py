@@ -20,6 +20,7 @@ from chasles.vocabulary.letters import Identity, Symbol, Zero
 from chasles.vocabulary.nodes import Contract, Negative, Node, Number, Power, Quotient, Scale, Sum, Transpose
 from chasles.vocabulary.shorthand import Shorthand
 from chasles.vocabulary.spatial import Cofactor, Cross, Determinant, Dot, Inverse, Norm, Skew, Trace, Vect
+from chasles.vocabulary.tree import undotted
 
 
 class Precedence(IntEnum):
@@ -69,118 +70,137 @@ class Style(Protocol):
     def integral(self, of: Piece, body: str) -> Piece: ...
 
 
-FUNCTIONS: dict[type[Node], str] = {
-    Skew: "CPM",
-    Vect: "vect",
-    Trace: "tr",
-    Determinant: "det",
-    Cofactor: "cof",
-}
+FUNCTIONS: dict[type[Node], str] = {Skew: "CPM", Vect: "vect", Trace: "tr", Determinant: "det", Cofactor: "cof"}
 
 
 def spell(node: Node, style: Style) -> Piece:
     """The expression written out in the author's order."""
+    return _Spelling(style).piece(node)
 
-    def bracketed(part: Node, least: Precedence) -> Piece:
-        piece = spell(part, style)
-        return piece if piece.level >= least else grouped(piece, piece.depth)
 
-    def grouped(piece: Piece, depth: int) -> Piece:
-        return Piece(style.brackets(piece.text, depth), Precedence.ATOM, piece.depth + 1)
+@dataclass(frozen=True, slots=True)
+class _Spelling:
+    style: Style
 
-    def joined(pieces: list[Piece], text: str, level: Precedence) -> Piece:
-        return Piece(text, level, max(piece.depth for piece in pieces))
+    def piece(self, node: Node) -> Piece:
+        own = self.style.own(node, self.piece) or node.spelled(self.style, self.piece)
+        return self._letter(node) if own is None else own
 
-    def product(factors: Sequence[Node]) -> Piece:
-        pieces = [bracketed(factor, Precedence.PRODUCT) for factor in factors]
+    def bracketed(self, part: Node, least: Precedence) -> Piece:
+        piece = self.piece(part)
+        return piece if piece.level >= least else self._grouped(piece)
+
+    def _grouped(self, piece: Piece) -> Piece:
+        return Piece(self.style.brackets(piece.text, piece.depth), Precedence.ATOM, piece.depth + 1)
+
+    def _letter(self, node: Node) -> Piece:
+        match node:
+            case Symbol():
+                return Piece(self.style.symbol(node), Precedence.ATOM)
+            case Identity() | Zero():
+                return Piece(self.style.constant(node), Precedence.ATOM)
+            case Number():
+                return self.style.number(node)
+            case Member(family, index):
+                return Piece(self.style.subscripted(family.letter, index.letter) + family.mark, Precedence.ATOM)
+            case Entry(_, i, j, letter):
+                return Piece(self.style.subscripted(letter, i.letter + j.letter), Precedence.ATOM)
+            case Kronecker(i, j):
+                return Piece(self.style.subscripted(r"\delta", i.letter + j.letter), Precedence.ATOM)
+            case _:
+                return self._operation(node)
+
+    def _operation(self, node: Node) -> Piece:
+        match node:
+            case Sum(terms):
+                return self._sum(terms)
+            case Negative(term):
+                piece = self.bracketed(term, Precedence.DOT)
+                return Piece(f"-{piece.text}", Precedence.NEGATIVE, piece.depth)
+            case Scale(factor, term, trailing):
+                return self._product((term, factor) if trailing else (factor, term))
+            case Contract(factors):
+                return self._product(factors)
+            case Quotient(numerator, denominator, slash):
+                if not slash:
+                    return self.style.fraction(self.piece(numerator), self.piece(denominator))
+                pieces = [self.bracketed(numerator, Precedence.PRODUCT), self.bracketed(denominator, Precedence.POWER)]
+                return _joined(pieces, f"{pieces[0].text}/{pieces[1].text}", Precedence.QUOTIENT)
+            case Power(base, exponent):
+                return self._power(base, str(exponent))
+            case Transpose(of):
+                return self._power(of, "T")
+            case Inverse(of):
+                return self._power(of, "-1")
+            case Dot(left, right) | Cross(left, right):
+                pieces = [self.bracketed(left, Precedence.PRODUCT), self.bracketed(right, Precedence.PRODUCT)]
+                sign = "dot" if isinstance(node, Dot) else "cross"
+                return _joined(pieces, self.style.infix(sign, pieces[0].text, pieces[1].text), Precedence.DOT)
+            case Norm(of):
+                return self.style.norm(self.piece(of))
+            case _:
+                return self._laid_out(node)
+
+    def _sum(self, terms: Sequence[Node]) -> Piece:
+        text, depth = "", 0
+        for term in terms:
+            minus = isinstance(term, Negative) and text != ""
+            shown = term.term if isinstance(term, Negative) and minus else term
+            piece = self.bracketed(shown, Precedence.DOT if text else Precedence.NEGATIVE)
+            text = f"{text} {'-' if minus else '+'} {piece.text}" if text else piece.text
+            depth = max(depth, piece.depth)
+        return Piece(text, Precedence.SUM, depth)
+
+    def _product(self, factors: Sequence[Node]) -> Piece:
+        pieces = [self.bracketed(factor, Precedence.PRODUCT) for factor in factors]
         for k in range(1, len(pieces)):
-            if style.numbers_meet(pieces[k - 1].text, pieces[k].text):
-                pieces[k] = grouped(pieces[k], pieces[k].depth)
-        return joined(pieces, style.product([piece.text for piece in pieces]), Precedence.PRODUCT)
+            if self.style.numbers_meet(pieces[k - 1].text, pieces[k].text):
+                pieces[k] = self._grouped(pieces[k])
+        return _joined(pieces, self.style.product([piece.text for piece in pieces]), Precedence.PRODUCT)
 
-    def as_part(part: Node) -> Piece:
-        return spell(part, style)
+    def _power(self, base: Node, exponent: str) -> Piece:
+        piece = self.bracketed(base, Precedence.ATOM)
+        return Piece(self.style.power(piece.text, exponent), Precedence.POWER, piece.depth)
 
-    own = style.own(node, as_part) or node.spelled(style, as_part)
-    if own is not None:
-        return own
-    match node:
-        case Symbol():
-            return Piece(style.symbol(node), Precedence.ATOM)
-        case Identity() | Zero():
-            return Piece(style.constant(node), Precedence.ATOM)
-        case Number():
-            return style.number(node)
-        case Sum(terms):
-            text, depth = "", 0
-            for term in terms:
-                minus = isinstance(term, Negative) and text != ""
-                shown = term.term if isinstance(term, Negative) and minus else term
-                piece = bracketed(shown, Precedence.DOT if text else Precedence.NEGATIVE)
-                text = f"{text} {'-' if minus else '+'} {piece.text}" if text else piece.text
-                depth = max(depth, piece.depth)
-            return Piece(text, Precedence.SUM, depth)
-        case Negative(term):
-            piece = bracketed(term, Precedence.DOT)
-            return Piece(f"-{piece.text}", Precedence.NEGATIVE, piece.depth)
-        case Scale(factor, term, trailing):
-            return product((term, factor) if trailing else (factor, term))
-        case Contract(factors):
-            return product(factors)
-        case Quotient(numerator, denominator, slash):
-            if not slash:
-                return style.fraction(spell(numerator, style), spell(denominator, style))
-            pieces = [bracketed(numerator, Precedence.PRODUCT), bracketed(denominator, Precedence.POWER)]
-            return joined(pieces, f"{pieces[0].text}/{pieces[1].text}", Precedence.QUOTIENT)
-        case Power(base, exponent):
-            piece = bracketed(base, Precedence.ATOM)
-            return Piece(style.power(piece.text, str(exponent)), Precedence.POWER, piece.depth)
-        case Transpose(of) | Inverse(of):
-            piece = bracketed(of, Precedence.ATOM)
+    def _laid_out(self, node: Node) -> Piece:
+        match node:
+            case Call(function, argument):
+                return self.style.function(function, self.piece(argument))
+            case Shorthand() | Skew() | Vect() | Trace() | Determinant() | Cofactor():
+                parts = [self.piece(part) for part in node.below]
+                inner = _joined(parts, ", ".join(part.text for part in parts), Precedence.SUM)
+                name = node.function if isinstance(node, Shorthand) else FUNCTIONS[type(node)]
+                return Piece(self.style.function(name, inner).text, Precedence.ATOM, inner.depth + 1)
+            case Block(rows):
+                spelled = [[self.piece(block) for block in row] for row in rows]
+                depth = max(piece.depth for row in spelled for piece in row)
+                return Piece(self.style.block([[p.text for p in row] for row in spelled]), Precedence.ATOM, depth)
+            case Rate():
+                return self._rate(node)
+            case At(of, argument):
+                piece = self.bracketed(of, Precedence.ATOM)
+                return Piece(f"{piece.text}({argument})", Precedence.ATOM, piece.depth)
+            case Group(of, brackets, frame):
+                return self._group(self.piece(of), {"()": 0, "[]": 1, "{}": 2}[brackets], frame)
+            case Integral(of, _, _, body):
+                return self.style.integral(self.bracketed(of, Precedence.PRODUCT), body)
+            case _:
+                raise TypeError(f"no spelling for the node {type(node).__name__}")
+
+    def _rate(self, node: Rate) -> Piece:
+        of, order = undotted(node)
+        if isinstance(of.of if isinstance(of, At) else of, Symbol | Member) or getattr(of, "is_letter", False):
+            return Piece(self.style.rate(of, self.piece(of).text, order), Precedence.ATOM)
+        piece = self.bracketed(of, Precedence.ATOM)
+        return Piece(self.style.derivative(piece.text, order), Precedence.DOT, piece.depth)
+
+    def _group(self, piece: Piece, depth: int, frame: str) -> Piece:
+        if frame:
             return Piece(
-                style.power(piece.text, "T" if isinstance(node, Transpose) else "-1"), Precedence.POWER, piece.depth
+                self.style.subscripted(self.style.brackets(piece.text, 1), frame), Precedence.ATOM, piece.depth
             )
-        case Dot(left, right) | Cross(left, right):
-            pieces = [bracketed(left, Precedence.PRODUCT), bracketed(right, Precedence.PRODUCT)]
-            sign = "dot" if isinstance(node, Dot) else "cross"
-            return joined(pieces, style.infix(sign, pieces[0].text, pieces[1].text), Precedence.DOT)
-        case Norm(of):
-            return style.norm(spell(of, style))
-        case Call(function, argument):
-            return style.function(function, spell(argument, style))
-        case Shorthand() | Skew() | Vect() | Trace() | Determinant() | Cofactor():
-            parts = [spell(part, style) for part in node.below]
-            inner = joined(parts, ", ".join(part.text for part in parts), Precedence.SUM)
-            name = node.function if isinstance(node, Shorthand) else FUNCTIONS[type(node)]
-            return Piece(style.function(name, inner).text, Precedence.ATOM, inner.depth + 1)
-        case Block(rows):
-            spelled = [[spell(block, style) for block in row] for row in rows]
-            depth = max(piece.depth for row in spelled for piece in row)
-            return Piece(style.block([[piece.text for piece in row] for row in spelled]), Precedence.ATOM, depth)
-        case Rate():
-            order, of = 1, node.of
-            while isinstance(of, Rate):
-                order, of = order + 1, of.of
-            if isinstance(of.of if isinstance(of, At) else of, Symbol | Member) or getattr(of, "is_letter", False):
-                return Piece(style.rate(of, spell(of, style).text, order), Precedence.ATOM)
-            piece = bracketed(of, Precedence.ATOM)
-            return Piece(style.derivative(piece.text, order), Precedence.DOT, piece.depth)
-        case At(of, argument):
-            piece = bracketed(of, Precedence.ATOM)
-            return Piece(f"{piece.text}({argument})", Precedence.ATOM, piece.depth)
-        case Group(of, brackets, frame):
-            piece = spell(of, style)
-            if frame:
-                return Piece(style.subscripted(style.brackets(piece.text, 1), frame), Precedence.ATOM, piece.depth)
-            depth = {"()": 0, "[]": 1, "{}": 2}[brackets]
-            return Piece(style.brackets(piece.text, depth), Precedence.ATOM, max(piece.depth, depth) + 1)
-        case Integral(of, _, _, body):
-            return style.integral(bracketed(of, Precedence.PRODUCT), body)
-        case Member(family, index):
-            return Piece(style.subscripted(family.letter, index.letter) + family.mark, Precedence.ATOM)
-        case Entry(_, i, j, letter):
-            return Piece(style.subscripted(letter, i.letter + j.letter), Precedence.ATOM)
-        case Kronecker(i, j):
-            return Piece(style.subscripted(r"\delta", i.letter + j.letter), Precedence.ATOM)
-        case _:
-            raise TypeError(f"no spelling for the node {type(node).__name__}")
+        return Piece(self.style.brackets(piece.text, depth), Precedence.ATOM, max(piece.depth, depth) + 1)
+
+
+def _joined(pieces: list[Piece], text: str, level: Precedence) -> Piece:
+    return Piece(text, level, max(piece.depth for piece in pieces))
