@@ -75,11 +75,11 @@ FUNCTIONS: dict[type[Node], str] = {Skew: "CPM", Vect: "vect", Trace: "tr", Dete
 
 def spell(node: Node, style: Style) -> Piece:
     """The expression written out in the author's order."""
-    return _Spelling(style).piece(node)
+    return _Printer(style).piece(node)
 
 
 @dataclass(frozen=True, slots=True)
-class _Spelling:
+class _Printer:
     style: Style
 
     def piece(self, node: Node) -> Piece:
