@@ -75,11 +75,11 @@ FUNCTIONS: dict[type[Node], str] = {Skew: "CPM", Vect: "vect", Trace: "tr", Dete
 
 def spell(node: Node, style: Style) -> Piece:
     """The expression written out in the author's order."""
-    return _Printer(style).piece(node)
+    return _Speller(style).piece(node)
 
 
 @dataclass(frozen=True, slots=True)
-class _Printer:
+class _Speller:
     style: Style
 
     def piece(self, node: Node) -> Piece:
