@@ -20,8 +20,10 @@ from chasles.generated.numpy import kernels as readable
 
 from chasles import generated, kernels
 from chasles.bounds import DOUBLE, SINGLE, Bound, Guarantee, Model, bound_of, key_of, proving, remembered
+from chasles.bounds.boxes import Boxes, bounds_over
 from chasles.bounds.cases import cases
-from chasles.bounds.covering import Boxes, bounds_over, covered, largest
+from chasles.bounds.cover import covered
+from chasles.bounds.covering import largest
 from chasles.bounds.intervals import Interval
 from chasles.bounds.norms import against_largest
 from chasles.bounds.outline import NoBound, Outline, outlined

@@ -8,24 +8,17 @@ larger than the bound at some point: smaller boxes would gain nothing. This is b
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from fractions import Fraction
-from itertools import product
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from chasles.bounds.intervals import Array, Interval
+from chasles.bounds.boxes import Boxes, Measure, bounds_over, scales_of, whole
+from chasles.bounds.cover import Cover, Region
+from chasles.bounds.intervals import Array
 from chasles.bounds.model import Model
 from chasles.bounds.outline import NoBound, Outline
-from chasles.bounds.pieces import AnglePiece, FacePiece, Piece, face_values, faces
-from chasles.bounds.places import Places
-from chasles.bounds.running import Running
-from chasles.bounds.scaled import Scaled
-from chasles.bounds.symmetry import Sign, Symmetry, symmetry
-from chasles.lowering.program import Op
 
 CLOSE = 1.033
 """How much larger than at a point the bound over all boxes may be."""
@@ -37,200 +30,6 @@ FAIR, STUCK = 1.2, 4
 """How much larger it may be where so many rounds have made it no smaller."""
 WIDEST = 1.5
 """How much larger it may be where the budget is spent, lest it says more of the boxes than of the program."""
-
-Measure = Callable[[Running, float], Array]
-"""In each box a bound on the error; what is small enough need not be the smallest that can be proved."""
-Region = tuple[Piece, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Cover:
-    """Pieces to choose one of each of, which together cover the inputs, and the changes of sign that are symmetries."""
-
-    choices: tuple[tuple[Piece, ...], ...]
-    symmetry: Symmetry
-
-    @property
-    def regions(self) -> Iterator[Region]:
-        """Every combination of pieces; of those that changes of sign lead to, the first."""
-        seen: set[tuple[object, ...]] = set()
-        for pieces in product(*self.choices):
-            signs = self.symmetry.canonical([sign for piece in pieces for sign in piece.negative])
-            key = (signs, *(piece.kind for piece in pieces))
-            if key not in seen:
-                seen.add(key)
-                yield pieces
-
-
-def covered(outline: Outline, units: Sequence[int]) -> Cover:
-    """The cover of the program's angles and of the unit vectors among its arguments.
-
-    Raises NoBound for a program without angles, one that uses an angle itself, and one that divides by functions of
-    two angles.
-    """
-    if not outline.angles:
-        raise NoBound("it has no angles to cover")
-    steps = outline.program.steps
-    places = sorted({(argument, entry) for argument, entry, _ in outline.angles.values()})
-    if any(steps[k].op is Op.INPUT and (steps[k].argument, steps[k].entry) in places for k in outline.needed):
-        raise NoBound("it uses an angle itself, not only its sine and cosine")
-    singular = [place for place in places if place in _dividing(outline)]
-    if len(singular) > 1:
-        raise NoBound("it divides by functions of several angles")
-    choices: list[tuple[Piece, ...]] = [tuple(faces(argument)) for argument in units]
-    for argument, entry in places:
-        least = min(f for a, e, f in outline.angles.values() if (a, e) == (argument, entry))
-        divides = (argument, entry) in singular
-        made = (
-            AnglePiece(argument, entry, quarter, side, least, near, divides)
-            for near in ((True, False) if divides else (False,))
-            for quarter in range(4)
-            for side in (1, -1)
-        )
-        choices.append(tuple(made))
-    return Cover(tuple(choices), symmetry(outline, _signs(outline, units)))
-
-
-def _signs(outline: Outline, vectors: Sequence[int]) -> list[Sign]:
-    """The signs of covered inputs, and of sine and cosine of the angles of which one multiple occurs."""
-    signs: list[Sign] = [("input", argument, k) for argument in vectors for k in range(3)]
-    factors: dict[tuple[int, int], set[Fraction]] = {}
-    for argument, entry, factor in outline.angles.values():
-        factors.setdefault((argument, entry), set()).add(factor)
-    for (argument, entry), found in sorted(factors.items()):
-        if len(found) == 1:
-            signs += [("sine", argument, entry), ("cosine", argument, entry)]
-    return signs
-
-
-def _dividing(outline: Outline) -> set[tuple[int, int]]:
-    """The angles on which a divisor depends."""
-    reads: dict[int, set[tuple[int, int]]] = {}
-    found: set[tuple[int, int]] = set()
-    for number in outline.needed:
-        if number in outline.angles:
-            reads[number] = {outline.angles[number][:2]}
-            continue
-        operands = outline.operands(number)
-        reads[number] = set().union(*(reads[k] for k in operands))
-        if outline.program.steps[number].op is Op.DIVIDE:
-            found |= reads[operands[1]]
-    return found
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Boxes:
-    """Boxes of several regions of one batch: the ends of each coordinate, a row a box."""
-
-    regions: tuple[Region, ...]
-    owner: NDArray[np.intp]
-    low: Array
-    high: Array
-    places: Mapping[int, Places] = field(default_factory=dict)
-
-    def kept(self, which: Any) -> Boxes:
-        """The boxes of these rows, in their order."""
-        places = {k: (least[which], most[which]) for k, (least, most) in self.places.items()}
-        return Boxes(self.regions, self.owner[which], self.low[which], self.high[which], places)
-
-    @property
-    def middles(self) -> Boxes:
-        """The middle of each box, as a box of no extent."""
-        middle = (self.low + self.high) / 2
-        return Boxes(self.regions, self.owner, middle, middle)
-
-    def parted(self, split: tuple[NDArray[Any], NDArray[Any]]) -> Boxes:
-        """Boxes in which a step's size may lie on both sides of a power of two, once for each of the sides."""
-        steps, powers = split
-        which = np.concatenate((np.arange(len(steps)), np.flatnonzero(steps >= 0)))
-        found, first = self.kept(which), len(steps)
-        places = dict(found.places)
-        for number in np.unique(steps[steps >= 0]).tolist():
-            least, most = places.get(number, (np.full(len(which), -5000), np.full(len(which), 5000)))
-            mine = steps[which] == number
-            above = mine & (np.arange(len(which)) >= first)
-            below = mine & ~above
-            least[above] = np.maximum(least, powers[which])[above]
-            most[below] = np.minimum(most, powers[which] - 1)[below]
-            places[number] = least, most
-        return replace(found, places=places)
-
-    def halved(self, scales: Array) -> Boxes:
-        """Both halves of every box, across its widest side."""
-        rows = np.arange(len(self.owner))
-        side = np.argmax((self.high - self.low) * scales, axis=1)
-        middle = (self.low[rows, side] + self.high[rows, side]) / 2
-        low, high = self.low.copy(), self.high.copy()
-        high[rows, side], low[rows, side] = middle, middle
-        twice = self.kept(np.concatenate((rows, rows)))
-        return replace(twice, low=np.concatenate((self.low, low)), high=np.concatenate((high, self.high)))
-
-
-def bounds_over(
-    boxes: Boxes, outline: Outline, model: Model, measure: Measure, enough: float = 0.0
-) -> tuple[Array, tuple[NDArray[Any], NDArray[Any]]]:
-    """The bound over each box, infinite where that is too large for one, and the step at whose power of two to part."""
-    values: dict[tuple[int, int], Scaled] = {}
-    turns: dict[tuple[int, int], int] = {}
-    place = 0
-    for k, piece in enumerate(boxes.regions[0]):
-        if isinstance(piece, AnglePiece):
-            turns[piece.argument, piece.entry] = place
-        else:
-            values |= _vectors(boxes, k, place)
-        place += len(piece.ranges)
-    known: dict[tuple[int, int, Fraction], tuple[Scaled, Scaled]] = {}
-    position = {(p.argument, p.entry): k for k, p in enumerate(boxes.regions[0]) if isinstance(p, AnglePiece)}
-
-    def functions(argument: int, entry: int, factor: Fraction) -> tuple[Scaled, Scaled]:
-        key = argument, entry, factor
-        if key not in known:
-            known[key] = _turned(boxes, position[argument, entry], turns[argument, entry], factor)
-        return known[key]
-
-    running = Running(outline, model, values, functions, len(boxes.owner), boxes.places)
-    return np.where(running.empty, 0, measure(running, enough)), running.split
-
-
-def _column(boxes: Boxes, place: int) -> Interval:
-    return Interval(boxes.low[:, place], boxes.high[:, place])
-
-
-def _vectors(boxes: Boxes, k: int, place: int) -> dict[tuple[int, int], Scaled]:
-    """The entries of a unit vector, whose pieces are the k-th of each region's."""
-    found = [Interval(np.empty(len(boxes.owner)), np.empty(len(boxes.owner))) for _ in range(3)]
-    pieces = [region[k] for region in boxes.regions]
-    argument = pieces[0].argument
-    for axis, sign in product(range(3), (1, -1)):
-        mine = [isinstance(p, FacePiece) and p.axis == axis and p.signs[axis] == sign for p in pieces]
-        rows = np.array(mine)[boxes.owner]
-        if rows.any():
-            part = boxes.kept(rows)
-            for entry, value in zip(
-                found, face_values(axis, sign, (_column(part, place), _column(part, place + 1))), strict=True
-            ):
-                entry.low[rows], entry.high[rows] = value.low, value.high
-    zero = np.zeros(len(boxes.owner))
-    return {(argument, entry): Scaled(0, value, zero) for entry, value in enumerate(found)}
-
-
-def _turned(boxes: Boxes, k: int, place: int, factor: Fraction) -> tuple[Scaled, Scaled]:
-    """Sine and cosine of an angle, whose pieces are the k-th of each region's."""
-    pieces = [region[k] for region in boxes.regions]
-    first = np.array([pieces.index(piece) for piece in pieces], dtype=np.float64)[boxes.owner]
-    keys = np.stack((first, boxes.low[:, place], boxes.high[:, place]), axis=1)
-    distinct, where = np.unique(keys, axis=0, return_inverse=True)
-    found_of = []
-    for owner, low, high in distinct.tolist():
-        piece = pieces[int(owner)]
-        assert isinstance(piece, AnglePiece)
-        found_of.append(piece.functions((low, high), factor))
-    zero = np.zeros(len(where))
-    found = []
-    for which in (0, 1):
-        low_ends, high_ends = (np.array([row[which][end] for row in found_of])[where.ravel()] for end in (1, 2))
-        found.append(Scaled(found_of[0][which][0], Interval(low_ends, high_ends), zero))
-    return found[0], found[1]
 
 
 def largest(outline: Outline, model: Model, cover: Cover, measure: Measure, budget: int) -> float:
@@ -252,7 +51,7 @@ def _largest(outline: Outline, model: Model, cover: Cover, measure: Measure, bud
     at_large = [regions for kind, regions in batches.items() if not any(kind)]
     reached = max(_climbed(outline, model, measure, regions) for regions in at_large)
     found, spent, within, before = 0.0, 0, CLOSE * reached, [math.inf] * STUCK
-    ahead = [_whole(regions) for regions in batches.values()]
+    ahead = [whole(regions) for regions in batches.values()]
     while ahead:
         measured = [(boxes, *bounds_over(boxes, outline, model, measure, within)) for boxes in ahead]
         spent += sum(len(bounds) for _, bounds, _ in measured)
@@ -267,18 +66,18 @@ def _largest(outline: Outline, model: Model, cover: Cover, measure: Measure, bud
 
 def _climbed(outline: Outline, model: Model, measure: Measure, regions: Sequence[Region]) -> float:
     """The largest bound at points, the best of which are moved about, ever less."""
-    whole = _whole(regions)
+    undivided = whole(regions)
     generator = np.random.default_rng(0)
     owner = np.arange(POINTS * MOVES) % len(regions)
-    low, high = whole.low[owner], whole.high[owner]
+    low, high = undivided.low[owner], undivided.high[owner]
     places = low + generator.random(low.shape) * (high - low)
     reached = 0.0
     for attempt in range(CLIMBS):
-        bounds, _ = bounds_over(Boxes(whole.regions, owner, places, places), outline, model, measure)
+        bounds, _ = bounds_over(Boxes(undivided.regions, owner, places, places), outline, model, measure)
         bounds = np.where(np.isfinite(bounds), bounds, 0)
         reached = max(reached, float(bounds.max()))
         best = np.repeat(np.argsort(-bounds)[:POINTS], MOVES)
-        owner, low, high = owner[best], whole.low[owner[best]], whole.high[owner[best]]
+        owner, low, high = owner[best], undivided.low[owner[best]], undivided.high[owner[best]]
         moved = generator.standard_normal(low.shape) * (high - low) * 0.25 * 0.5**attempt
         moved[::MOVES] = 0
         places = np.clip(places[best] + moved, low, high)
@@ -290,22 +89,4 @@ def _finer(boxes: Boxes, bounds: Array, split: tuple[NDArray[Any], NDArray[Any]]
     wide = bounds > within
     near = bounds[wide] < PARTED * within
     parted = boxes.kept(wide).parted((np.where(near, split[0][wide], -1), split[1][wide]))
-    return parted.halved(_scales(parted))
-
-
-def _whole(regions: Sequence[Region]) -> Boxes:
-    ranges = np.array([[x for piece in region for x in piece.ranges] for region in regions])
-    return Boxes(tuple(regions), np.arange(len(regions)), ranges[:, :, 0].copy(), ranges[:, :, 1].copy())
-
-
-def _scales(boxes: Boxes) -> Array:
-    """How much a coordinate of a box moves values, about."""
-    scales: list[Array] = []
-    for piece in boxes.regions[0]:
-        place = len(scales)
-        if isinstance(piece, AnglePiece) and piece.singular:
-            scales.append(1 / boxes.low[:, place])
-        else:
-            one = np.ones(len(boxes.owner))
-            scales += [one * math.pi] if isinstance(piece, AnglePiece) else [one, one]
-    return np.stack(scales, axis=1)
+    return parted.halved(scales_of(parted))

@@ -9,7 +9,8 @@ from hashlib import sha256
 
 from chasles.bounds.bound import Bound, Guarantee
 from chasles.bounds.cases import cases, errors_of_case
-from chasles.bounds.covering import covered, largest
+from chasles.bounds.cover import covered
+from chasles.bounds.covering import largest
 from chasles.bounds.intervals import Array
 from chasles.bounds.model import SINGLE, Model
 from chasles.bounds.norms import Group, against_largest

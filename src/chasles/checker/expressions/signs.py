@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from chasles.checker.sparse import ZERO, Polynomial, exponents, number, variable
 
 if TYPE_CHECKING:
-    from chasles.checker.expressions.reading_of_proof import Proven
+    from chasles.checker.expressions.known_roots import KnownRoots
 
 MOST_SQUARES, MOST_TERMS = 3, 8
 """So many squares are completed, each with fewer terms."""
@@ -17,17 +17,17 @@ Sign = tuple[int, bool]
 """1 or -1, and whether it cannot be zero."""
 
 
-def is_nonnegative(reading: Proven, polynomial: Polynomial) -> bool:
+def is_nonnegative(reading: KnownRoots, polynomial: Polynomial) -> bool:
     """Whether a polynomial is visibly not negative: a sum of what is not, a cosine or sine being at least -1."""
     return _strictly(reading, polynomial) is not None
 
 
-def is_positive(reading: Proven, polynomial: Polynomial) -> bool:
+def is_positive(reading: KnownRoots, polynomial: Polynomial) -> bool:
     """Whether a polynomial is visibly positive."""
     return _strictly(reading, polynomial) is True
 
 
-def _strictly(reading: Proven, polynomial: Polynomial, squares: int = MOST_SQUARES) -> bool | None:
+def _strictly(reading: KnownRoots, polynomial: Polynomial, squares: int = MOST_SQUARES) -> bool | None:
     """Whether a polynomial is visibly positive rather than not negative; None where neither is visible.
 
     It is more by a square than what is left when that is completed.
@@ -62,7 +62,7 @@ def _divides(half: list[tuple[int, int]], monomial: int) -> bool:
     return all(pairs.get(place, 0) >= power for place, power in half)
 
 
-def _by_terms(reading: Proven, polynomial: Polynomial) -> bool | None:
+def _by_terms(reading: KnownRoots, polynomial: Polynomial) -> bool | None:
     """The same, because no term is negative."""
     circular = {place for _, c, s in reading.circles.values() for place in c.places | s.places}
     groups: dict[int, dict[int, Polynomial]] = {}
@@ -83,7 +83,7 @@ def _by_terms(reading: Proven, polynomial: Polynomial) -> bool | None:
     return positive
 
 
-def _least(reading: Proven, group: dict[int, Polynomial], orientation: int) -> Polynomial:
+def _least(reading: KnownRoots, group: dict[int, Polynomial], orientation: int) -> Polynomial:
     """The least that a sum of numbers times products of cosines and sines can be, up to the sign given."""
     total = ZERO
     for monomial, coefficient in group.items():
@@ -97,7 +97,7 @@ def _least(reading: Proven, group: dict[int, Polynomial], orientation: int) -> P
     return total
 
 
-def _of_product(reading: Proven, monomial: int) -> Sign | None:
+def _of_product(reading: KnownRoots, monomial: int) -> Sign | None:
     """The sign of a product of powers."""
     sign, strict = 1, True
     for place, power in exponents(monomial):
@@ -109,7 +109,7 @@ def _of_product(reading: Proven, monomial: int) -> Sign | None:
     return sign, strict
 
 
-def _of_variable(reading: Proven, place: int) -> Sign | None:
+def _of_variable(reading: KnownRoots, place: int) -> Sign | None:
     if place in reading.positive:
         return 1, True
     if place in reading.words:
