@@ -69,6 +69,9 @@ docs: $(VENV)/.compiled $(VENV)/.tools $(VENV)/.docs
 coq: $(VENV)/.compiled
 	@$(BIN)/chasles decide --brief --coq proofs/derivations $(ARGS)
 	@$(BIN)/chasles --chapter chasles.rotations decide --brief --coq proofs/rotations $(ARGS)
+ifndef ARGS
+	@for chapter in derivations rotations; do ! test -f proofs/$$chapter/COQ.json || cp proofs/$$chapter/COQ.json $$chapter/; done
+endif
 
 lint: $(VENV)/.tools
 	@$(BIN)/ruff check

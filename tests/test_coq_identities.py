@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
-from sympy import Abs, Eq, Function, Matrix, cos, exp, eye, sign, sin, sqrt, symbols, tan
+from sympy import Abs, Eq, Function, Matrix, Max, Min, cos, exp, eye, log, pi, sign, sin, sqrt, symbols, tan
 
 from chasles import prove
 from chasles.coq.checking import MISSING, coq_version, verdicts_of_coq
@@ -34,6 +34,13 @@ QUESTIONS: list[tuple[Any, ...]] = [
     (Q.T * Q, eye(3), UNIT),
     (f * f.diff(t) + g * g.diff(t), 0, CIRCLE),
     (f * f.diff(t, 2) + f.diff(t) ** 2 + g * g.diff(t, 2) + g.diff(t) ** 2, 0, CIRCLE),
+    (cos(x) ** 2, 1 / (1 + tan(x) ** 2)),
+    (1 / sqrt(1 + x**2) - 1 / sqrt(1 + x**2) ** 3, x**2 / sqrt(1 + x**2) ** 3),
+    (cos(pi / 4 - x), (cos(x) + sin(x)) / sqrt(2)),
+    (sin(pi / 6 + x) + sin(pi / 6 - x), cos(x)),
+    (sqrt(5 + 2 * sqrt(6)), sqrt(2) + sqrt(3)),
+    (Abs(x) * sign(x), x),
+    (Max(x, y) + Min(x, y), x + y),
 ]
 
 
@@ -61,7 +68,7 @@ def test_functions_of_time_are_functions() -> None:
 @pytest.mark.parametrize(
     ("question", "reason"),
     [
-        ((Abs(x) * sign(x), x), "sign"),
+        ((log(p**2), 2 * log(p)), "log"),
         ((exp(x) * exp(y), exp(x + y)), "exp"),
         ((sqrt(1 - cos(x) ** 2), Abs(sin(x))), "of which the question does not speak"),
     ],
@@ -75,6 +82,16 @@ def test_what_there_is_no_proof_of_has_a_reason(question: tuple[Any, ...], reaso
 def test_only_what_holds_is_a_theorem() -> None:
     with pytest.raises(TypeError, match="fails"):
         asked(0, sqrt(x**2), x)
+
+
+def test_a_verdict_writes_its_theorem() -> None:
+    verdict = prove(*QUESTIONS[1])
+    claim = as_theorem(verdict, *QUESTIONS[1])
+    assert verdict.coq() == f"From Chasles Require Import Scalars.\n\n{claim.said}{claim.proof}"
+    with pytest.raises(ValueError, match=r"^there is no theorem for Coq: .*exp"):
+        prove(exp(x) * exp(y), exp(x + y)).coq()
+    with pytest.raises(ValueError, match="chasles decide --coq"):
+        replace(verdict, asked=()).coq()
 
 
 @pytest.mark.skipif(coq_version() is None, reason=MISSING)

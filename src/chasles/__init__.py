@@ -78,7 +78,7 @@ class _Package(ModuleType):
 
 
 modules[__name__].__class__ = _Package
-displayed_by(f"{__name__}.report.notebook")
+displayed_by(f"{__name__}.report.notebook", f"{__name__}.coq.identities")
 
 
 def __getattr__(name: str) -> object:

@@ -9,18 +9,23 @@ from collections.abc import Container
 from importlib import import_module
 from types import ModuleType
 
-__all__ = ["Displayed", "displayed_by"]
+__all__ = ["Displayed", "displayed_by", "theorems"]
 
-_room: list[str] = []
+_rooms: list[str] = []
 
 
-def displayed_by(room: str) -> None:
-    """Name the module whose functions `html`, `latex` and `text` say how a thing is displayed."""
-    _room[:] = [room]
+def displayed_by(pages: str, theorems: str) -> None:
+    """Name the modules whose functions say how a thing is displayed: `html`, `latex`, `text`; `as_theorem` for Coq."""
+    _rooms[:] = [pages, theorems]
 
 
 def _pages() -> ModuleType:
-    return import_module(_room[0])
+    return import_module(_rooms[0])
+
+
+def theorems() -> ModuleType:
+    """The module that tells Coq of verdicts."""
+    return import_module(_rooms[1])
 
 
 class Displayed:

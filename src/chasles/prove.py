@@ -44,17 +44,20 @@ def prove(lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), budget: float 
             it is refused.
 
     Returns:
-        `Holds` or `HoldsUnder(needs)`, with a certificate that `recheck` checks; `Fails`, with an exact counterexample;
-        `Contradictory`, if nothing satisfies the side conditions; `IllFormed`, if the shapes differ; or `Undecided`.
+        `Holds` or `HoldsUnder(needs)`, with a certificate that `recheck` checks, and a method `coq` that writes a
+        theorem for Coq; `Fails`, with an exact counterexample; `Contradictory`, if nothing satisfies the side
+        conditions; `IllFormed`, if the shapes differ; or `Undecided`.
 
     Raises:
         Untreatable: a ValueError that names what is not treated.
     """
     try:
+        asked = _asked(exact, lhs, rhs, given, nonzero)
         with within(EFFORT, budget):
-            return _verdict(*_asked(exact, lhs, rhs, given, nonzero))
+            verdict = _verdict(*asked)
     except OutOfTime as error:
         return Undecided(str(error))
+    return replace(verdict, asked=asked) if isinstance(verdict, Holds | HoldsUnder) else verdict
 
 
 def _verdict(*asked: Any) -> Verdict:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any, ClassVar
 
-from chasles.display import Displayed
+from chasles.display import Displayed, theorems
 
 __all__ = [
     "Assumed",
@@ -75,13 +75,32 @@ class Assumed(Verdict):
 
 
 @dataclass(frozen=True, slots=True)
-class Holds(Verdict):
+class _Proved(Verdict):
+    def coq(self, name: str = "identity") -> str:
+        """The statement that `prove` was asked for and its proof, for Coq, with the theories of `decide --coq`.
+
+        Raises ValueError with the reason where there is none: no question was kept, or there are no words for it.
+        """
+        asked: tuple[Any, ...] = self.asked  # type: ignore[attr-defined]
+        if not asked:
+            raise ValueError(
+                "only a verdict of chasles.prove is told to Coq; `chasles decide --coq` does so for a chapter"
+            )
+        claim = theorems().as_theorem(self, *asked, name=name)
+        if not claim.proof:
+            raise ValueError(f"there is no theorem for Coq: {claim.why_not}")
+        return f"From Chasles Require Import Scalars.\n\n{claim.said}{claim.proof}"
+
+
+@dataclass(frozen=True, slots=True)
+class Holds(_Proved):
     """Proved without any hypothesis. `certificate` is re-checked by `chasles.checker.certificate`."""
 
     name: ClassVar[str] = "holds"
     certificate: Mapping[str, Any] = field(repr=False)
     witness: Point = field(repr=False)
     unused: tuple[str, ...] = ()
+    asked: tuple[Any, ...] = field(default=(), compare=False, repr=False)
 
     @property
     def needs(self) -> tuple[str, ...]:
@@ -90,7 +109,7 @@ class Holds(Verdict):
 
 
 @dataclass(frozen=True, slots=True)
-class HoldsUnder(Verdict):
+class HoldsUnder(_Proved):
     """Proved from the hypotheses `needs`; those in `unused` are declared and not needed."""
 
     name: ClassVar[str] = "holds-under"
@@ -98,6 +117,7 @@ class HoldsUnder(Verdict):
     certificate: Mapping[str, Any] = field(repr=False)
     witness: Point = field(repr=False)
     unused: tuple[str, ...] = ()
+    asked: tuple[Any, ...] = field(default=(), compare=False, repr=False)
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,7 +20,7 @@ VERDICTS = {"defined", "posed", "assumed", "holds", "holds-under", "fails", "ill
 ROLES = {"definition", "condition", "postulate", "claim", "theorem"}
 KEYS = [
     "number", "part", "name", "section", "role", "verdict", "needs", "contradictory", "counterexample", "corrected",
-    "latex", "certificate", "milliseconds",
+    "latex", "certificate", "coq", "milliseconds",
 ]  # fmt: skip
 
 a, b = vector("a", "a", "a vector"), vector("b", "b", "another")
@@ -66,7 +66,7 @@ def test_every_record_of_the_book_has_the_structure(whole: list[dict]) -> None:
 def test_a_record_in_full(records) -> None:
     (record,) = records("3.57/1")
     assert record["certificate"].startswith("sha256:")
-    del record["certificate"], record["milliseconds"]
+    del record["certificate"], record["coq"], record["milliseconds"]
     dotted = r"\left[ \dot{\mathbf{a}} \cdot \frac{\mathbf{\omega}}{\|\mathbf{\omega}\|^2} \right]"
     assert record.pop("latex").startswith(r"\dot{")
     assert dotted.split(r"\cdot")[0].split("[")[1].strip() in record["corrected"].pop("latex")

@@ -16,7 +16,7 @@ from ..sampling import WHOLE, sample
 
 KEYS = [
     "number", "part", "name", "section", "role", "verdict", "needs", "contradictory", "counterexample", "corrected",
-    "latex", "certificate", "milliseconds",
+    "latex", "certificate", "coq", "milliseconds",
 ]  # fmt: skip
 ESCAPE = "\x1b["
 SOME = () if WHOLE else ("--section", "3.4.1")

@@ -13,8 +13,9 @@ from chasles.cli.writing import write_whole
 from chasles.coq.accepted import accepted_before, keep_accepted
 from chasles.coq.checking import MISSING, CoqVerdict, coq_version, verdicts_of_coq
 from chasles.coq.folder import Chunk, chunks, files_of
+from chasles.coq.recorded import RECORD, text_of
 from chasles.coq.theorems import Claimed, claims_of
-from chasles.decisions.session import Decision
+from chasles.decisions.decision import Decision, key_of
 from chasles.report.waiting import progress
 from chasles.report.words import number_of
 
@@ -65,17 +66,36 @@ class Theorems:
                     "accepted": verdicts.get(claim.name, None if self.version is None and claim.proof else False),
                     "reason": reasons.get(claim.name),
                     "file": f"{files[claim.name].statements}.v" if claim.said else None,
-                    "sha256": sha256(files[claim.name].said().encode()).hexdigest() if claim.said else None,
+                    "sha256": _digest(files[claim.name]) if claim.said else None,
                 }
                 for claim in self.claims
             ],
         }
+
+    def recorded(self, decisions: Sequence[Decision]) -> dict[str, str]:
+        """The file that says of which sentences all that is claimed is accepted; none where there is no Coq."""
+        if self.version is None:
+            return {}
+        accepted = {each.claim.name for each in self.checked if each.accepted}
+        files = {claim.name: part for part in self.parts for claim in part.claims}
+        hashes = {part.number: _digest(part) for part in self.parts}
+        found = {}
+        for decision in decisions:
+            said = [each for each in self.claims if each.number == key_of(decision.statement) and not each.is_witness]
+            if said and all(each.whole and each.name in accepted for each in said):
+                parts = [files[each.name] for each in said]
+                found[decision.statement] = {f"{part.statements}.v": hashes[part.number] for part in parts}
+        return {RECORD: text_of(self.version, found)}
 
     def _not_accepted(self) -> Iterator[tuple[Claimed, str]]:
         refused = {each.claim.name: each.why_not for each in self.checked}
         for claim in self.claims:
             if why_not := claim.why_not or refused.get(claim.name, ""):
                 yield claim, why_not
+
+
+def _digest(part: Chunk) -> str:
+    return sha256(part.said().encode()).hexdigest()
 
 
 def written(folder: Path, decisions: Sequence[Decision], anew: bool = False) -> Theorems:
@@ -98,5 +118,6 @@ def written(folder: Path, decisions: Sequence[Decision], anew: bool = False) -> 
         except ChildProcessError as error:
             raise Failure(str(error), FAILED) from error
         chosen = {each.claim.name for each in checked if each.accepted}
-    write_whole(folder, files_of(parts, chosen))
-    return Theorems(folder, claims, parts, version, checked)
+    found = Theorems(folder, claims, parts, version, checked)
+    write_whole(folder, files_of(parts, chosen) | found.recorded(decisions))
+    return found

@@ -31,8 +31,11 @@ OTHERWISE = {"cases", "proof", "substituted", "angles", "positive", "frames", "e
 NOW = " t now'"
 OPENED = (
     "repeat first [rewrite cos_plus | rewrite sin_plus | rewrite cos_minus | rewrite sin_minus | rewrite cos_neg "
-    "| rewrite sin_neg | rewrite cos_PI2 | rewrite sin_PI2]; reckon"
+    "| rewrite sin_neg | at_parts_of_pi]"
 )
+BY_CASES = ("intros.", "repeat apply conj; by_cases.")
+KNOWN = tuple(sympy.pi / part for part in (2, 3, 4, 6))
+"""Angles whose cosine and sine the theories know."""
 
 
 def as_theorem(
@@ -49,7 +52,8 @@ def as_theorem(
     try:
         statement = ScalarStatement(Asked(lhs, rhs, given, nonzero), verdict.needs)
         said = statement.holding(name)
-        proof = theorem(name, _ScalarProof(statement, verdict.certificate).steps())
+        by_cases = statement.has_cases and not statement.moves
+        proof = theorem(name, BY_CASES if by_cases else _ScalarProof(statement, verdict.certificate).steps())
     except (Rejected, Unsaid, sympy.PolynomialError) as reason:
         return Claimed(name, "asked", name, claim.says, said, why_not=str(reason))
     return Claimed(name, "asked", name, claim.says, said, proof)
@@ -67,13 +71,15 @@ class _ScalarProof:
         self._rates: list[str] = []
         self._remembered: list[tuple[str, str]] = []
         self._values: list[str] = []
+        self._divisors: dict[str, None] = {}
         self._known: dict[Any, Any] = {}
         found = [UNIT.fullmatch(each) for each in (*certificate.get("witness", {}), *certificate.get("turns", ()))]
         self._units = {m[2]: Fraction(int(m[1] or 1), int(m[3] or 1)) for m in found if m}
         spelled = {str(atom): atom for atom in statement.names}
         self._named = {k: self.plain(spelled[text]) for k, text in certificate["names"].items() if text in spelled}
         for name, kind, text in certificate.get("words", ()):
-            for e in self._roots_of(kind):
+            numbers = [sympy.sqrt(int(text))] if kind == "sqrt" and text.isdigit() else []
+            for e in (*self._roots_of(kind), *numbers):
                 if name not in self._named and self._same(self.plain(e.args[0]), text):
                     self.plain(e)
             if name not in self._named:
@@ -103,6 +109,8 @@ class _ScalarProof:
         yield from [f"{self._rewritten.removesuffix('; ')} in *."] * bool(self._values)
         for count in range(len(self._rules)):
             yield f"try (pose proof (not_zero_square _ _ rule'{count} ltac:(not_zero_known)))."
+        for text in self._divisors:
+            yield f"try (assert ({text} <> 0) by not_zero_known)."
         yield from ["repeat apply conj."] * (len(combined) > 1)
         for total in combined:
             yield f"{'- ' * (len(combined) > 1)}{self._rewritten}apply (by_parts _ _ ({total})); [vanish | identity]."
@@ -143,12 +151,12 @@ class _ScalarProof:
         cosine, sine, parts = sympy.Integer(1), sympy.Integer(0), []
         for atom, multiple in sympy.expand(e.args[0]).as_coefficients_dict().items():
             unit = self._units.get(str(atom), abs(Fraction(int(multiple.p), int(multiple.q))))
-            unit = Fraction(1, 2) if atom is sympy.pi else unit
+            unit = Fraction(1, max(2, multiple.q)) if atom is sympy.pi else unit
             turns = multiple / sympy.Rational(unit.numerator, unit.denominator)
             if not turns.is_Integer or not (atom is sympy.pi or atom in self.statement.names):
                 raise Unsaid(f"the angle {e.args[0]}")
             angle = atom * sympy.Rational(unit.numerator, unit.denominator)
-            c, s = (sympy.Integer(0), sympy.Integer(1)) if atom is sympy.pi else self._unit(angle)
+            c, s = self._of_pi(angle) if atom is sympy.pi else self._unit(angle)
             if abs(turns) == 1 and e.args[0] == angle:
                 return c if e.func is sympy.cos else s
             parts += [f"{'-' if turns < 0 else '+'} {self.statement.side(angle, TIMES)}"] * abs(turns)
@@ -159,8 +167,15 @@ class _ScalarProof:
         total = " ".join(parts).removeprefix("+ ")
         function = "cos" if e.func is sympy.cos else "sin"
         replaced = f"replace ({self.statement.side(e)}) with ({function} ({total})) by (f_equal; lra)"
-        self._value(name, value, f"(rewrite of'{name}; {replaced}; {OPENED})")
+        known = "".join(f"rewrite <- ?of'{each}; " for text, each in self._remembered if text.startswith("sqrt"))
+        self._value(name, value, f"(rewrite of'{name}; {replaced}; {OPENED}; {known}reckon)")
         return value
+
+    def _of_pi(self, angle: Any) -> tuple[Any, Any]:
+        """The cosine and sine of a part of half a turn that the theories know."""
+        if angle not in KNOWN:
+            raise Unsaid(f"the angle {angle}")
+        return self.plain(sympy.cos(angle)), self.plain(sympy.sin(angle))
 
     def _unit(self, angle: Any) -> tuple[Any, Any]:
         text = self.statement.side(angle, ATOM)
@@ -174,6 +189,8 @@ class _ScalarProof:
     # Roots and absolute values.
 
     def _root(self, e: Any, inside: Any, kind: str) -> Any:
+        if kind == "sqrt" and inside.is_Integer and len(sympy.factorint(inside)) > 1:
+            return self._product_of_roots(e, inside)
         said = sympy.together(self.plain(inside))
         square = said if kind == "sqrt" else said**2
         name = self._remember(e)
@@ -196,6 +213,14 @@ class _ScalarProof:
         steps = f"refine (eq_trans _ ({lemma}_of _ _ of'{name}{positive})); {self._rewritten}identity"
         self._rule(v, square, steps)
         return v
+
+    def _product_of_roots(self, e: Any, inside: Any) -> Any:
+        """The root of a number as the product of those of its primes."""
+        value = reduce(mul, (self.plain(sympy.sqrt(prime)) for prime in sympy.factorint(inside)))
+        name = self._remember(e)
+        equal = f"apply (by_parts _ _ ({self._total(inside - value**2)})); [vanish | identity]"
+        self._value(name, value, f"(apply (root_value _ _ _ of'{name}); [nonnegative | {equal}])")
+        return value
 
     def _roots_of(self, kind: str) -> list[Any]:
         """The roots, or absolute values, of the question, the innermost first."""
@@ -227,6 +252,9 @@ class _ScalarProof:
 
     def _combined(self, count: int, left: Any, right: Any) -> str:
         claim = self.plain(left) - self.plain(right)
+        for below in (sympy.fraction(sympy.together(e))[1] for e in (self.plain(left), self.plain(right))):
+            factors = (factor.as_base_exp()[0] for factor in sympy.Mul.make_args(below))
+            self._divisors |= {_polynomial(factor): None for factor in factors if factor.free_symbols}
         places = list(self.statement.asked.left)
         said = self.certificate.get("entries", {}).get("{},{}".format(*(k + 1 for k in places[count])), {})
         divisors = [self._parsed(text) for text in self.certificate.get("divisors", ())]

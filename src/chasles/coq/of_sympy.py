@@ -19,7 +19,9 @@ from chasles.coq.names import identifier
 
 __all__ = ["ScalarPremise", "ScalarStatement"]
 
-FUNCTIONS = {sympy.sin: "sin", sympy.cos: "cos", sympy.tan: "tan", sympy.Abs: "Rabs"}
+FUNCTIONS = {sympy.sin: "sin", sympy.cos: "cos", sympy.tan: "tan", sympy.Abs: "Rabs", sympy.sign: "sign"}
+OF_TWO = {sympy.Max: "Rmax", sympy.Min: "Rmin"}
+BY_CASES = (sympy.sign, *OF_TWO)
 SIGNS = {
     "positive": "0 < {}",
     "negative": "{} < 0",
@@ -78,6 +80,11 @@ class ScalarStatement:
     def moves(self) -> bool:
         """Whether there are functions of time."""
         return self.time is not None
+
+    @property
+    def has_cases(self) -> bool:
+        """Whether something is spoken of whose value is told by cases."""
+        return any(e.has(*BY_CASES) for e in self.asked.expressions)
 
     def _rates(self) -> Iterator[ScalarPremise]:
         if self.moves:
@@ -151,6 +158,11 @@ class ScalarStatement:
             return (f"- {text}", max(level, MINUS)) if e < 0 else (text, level)
         if e.func in FUNCTIONS:
             return f"{FUNCTIONS[e.func]} {self.side(e.args[0], ATOM)}", APPLIED
+        if e.func in OF_TWO:
+            *others, text = [self.side(each, ATOM) for each in e.args]
+            for each in reversed(others):
+                text = f"({OF_TWO[e.func]} {each} {text})"
+            return text, ATOM
         if e.is_Add:
             first, *others = e.as_ordered_terms()
             text = self.side(first, PLUS)

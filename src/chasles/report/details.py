@@ -9,6 +9,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
+from chasles.coq.recorded import checked_by_coq
 from chasles.decisions.decision import HOW, Correction, Decision, key_of
 from chasles.report.equations import in_latex, in_words, signature_in_words, standing_in
 from chasles.report.records import certificate_hash
@@ -85,6 +86,8 @@ def evidence(decision: Decision) -> Lines:
     certificate = decision.certificate
     if certificate is not None:
         yield "certificate", str(certificate_hash(certificate))
+    if checked := checked_by_coq(decision.statement):
+        yield "Coq", checked.in_words
     replacement = decision.correction.verdict if decision.correction and not decision.verdict.true else decision.verdict
     witness = getattr(replacement, "witness", None)
     if witness:

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from hashlib import sha256
 from typing import Any
 
+from chasles.coq.recorded import checked_by_coq
 from chasles.decisions.session import Decision
 from chasles.report.equations import in_latex, in_words, signature_in_words, standing_in
 from chasles.statements import Entry, Statement
@@ -31,6 +32,7 @@ def record(entry: Entry, decision: Decision) -> dict[str, Any]:
         "corrected": _corrected(decision),
         "latex": r" \qquad ".join(in_latex(entry.statement)),
         "certificate": certificate_hash(decision.certificate),
+        "coq": _checked_by_coq(decision),
         "milliseconds": round(decision.milliseconds, 3),
     }
 
@@ -81,6 +83,12 @@ def _identity(entry: Entry) -> dict[str, Any]:
         "section": entry.section.number,
         "role": ROLES.get(role, role),
     }
+
+
+def _checked_by_coq(decision: Decision) -> dict[str, Any] | None:
+    """The version of Coq that has accepted all that is claimed of a statement, and the hashes of the files of it."""
+    found = checked_by_coq(decision.statement)
+    return None if found is None else {"version": found.version, "files": dict(found.files)}
 
 
 def _counterexample(found: Counterexample | None) -> dict[str, Any] | None:

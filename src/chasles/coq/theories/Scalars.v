@@ -20,6 +20,26 @@ Lemma size_value v x a : v = Rabs x -> 0 <= a -> x ^ 2 = a ^ 2 -> v = a.
 Proof. intros -> P E. apply (same_root _ _ (x ^ 2) (a ^ 2)); [apply Rabs_pos | exact P | apply (size_of _ x eq_refl) | ring | exact E]. Qed.
 Lemma not_zero_square v s : v ^ 2 - s = 0 -> s <> 0 -> v <> 0.
 Proof. intros H N ->. apply N. lra. Qed.
+Lemma root_above v s : v = sqrt s -> 0 < s -> 0 < v.
+Proof. intros -> P. apply sqrt_lt_R0, P. Qed.
+Ltac above := first
+  [ assumption | lra | apply Rmult_lt_0_compat; above | apply Rplus_lt_le_0_compat; [above | nonnegative]
+  | apply Rplus_le_lt_0_compat; [nonnegative | above] | apply pow_lt; above
+  | match goal with K : ?v = sqrt _ |- 0 < ?v => apply (root_above _ _ K); above end ].
 Ltac not_zero_known := first
-  [ assumption | lra | apply Rgt_not_eq; assumption
+  [ assumption | apply Rgt_not_eq; above | intro; lra
   | match goal with K : ?a <> 0 |- ?b <> 0 => apply (not_zero_as _ _ K); reckon end ].
+Lemma cos_quarter : cos (PI / 4) = sqrt 2 / 2.
+Proof.
+  rewrite cos_PI4. apply (Rmult_eq_reg_l (sqrt 2)); [|apply sqrt2_neq_0]. generalize sqrt2_neq_0. intro N.
+  field_simplify; [|exact N]. rewrite pow2_sqrt; lra.
+Qed.
+Lemma sin_quarter : sin (PI / 4) = sqrt 2 / 2.
+Proof. rewrite sin_cos_PI4. apply cos_quarter. Qed.
+Ltac at_parts_of_pi := first
+  [ rewrite cos_PI2 | rewrite sin_PI2 | rewrite cos_quarter | rewrite sin_quarter | rewrite cos_PI3 | rewrite sin_PI3
+  | rewrite cos_PI6 | rewrite sin_PI6 ].
+Ltac by_cases := unfold sign, Rabs, Rmax, Rmin in *;
+  repeat match goal with |- context [if ?c then _ else _] => destruct c end;
+  repeat match goal with H : context [if ?c then _ else _] |- _ => destruct c end;
+  first [ lra | reckon | exfalso; lra | nra | field; nra ].

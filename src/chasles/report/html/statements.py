@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from markupsafe import Markup, escape
 
+from chasles.coq.recorded import checked_by_coq
 from chasles.decisions.session import Decision
 from chasles.report.by_hand import worked_out
 from chasles.report.details import number_in_words
@@ -190,6 +191,8 @@ def _facts(book: Book, entry: Entry, decision: Decision) -> Iterator[Fact]:
         size = len(json.dumps(decision.certificate, separators=(",", ":"), ensure_ascii=False).encode())
         text = Markup("<code>{}</code>, {} bytes, checked again without the prover")
         yield Fact("certificate", text.format(certificate_hash(decision.certificate), f"{size:,}"))
+    if checked := checked_by_coq(decision.statement):
+        yield Fact("Coq", CODE.format(checked.in_words))
     replacement = decision.correction.verdict if decision.correction and not decision.verdict.true else decision.verdict
     if witness := getattr(replacement, "witness", None):
         yield Fact("for example at", CODE.format(point_in_words(witness)))

@@ -1,0 +1,53 @@
+"""What pages and records say of Coq: only what it has accepted whole, of what has not changed since."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import pytest
+
+from chasles.coq import recorded
+from chasles.coq.recorded import CoqCheck, checked_by_coq, text_of
+from chasles.decisions.decision import Decision
+from chasles.report.details import evidence
+from chasles.report.records import record
+from chasles.statements import load
+from chasles.vocabulary import Negative, paren
+
+from .decided import chapter_session
+
+FILES = {"Statements_01.v": "0" * 64}
+ENTRY = next(entry for entry in load() if entry.number == "3.13")
+
+
+@pytest.fixture
+def kept(monkeypatch: pytest.MonkeyPatch) -> dict[str, Any]:
+    """The record of a chapter of which Coq has accepted one sentence."""
+    data: dict[str, Any] = json.loads(text_of("8.16.1", {ENTRY.statement: FILES}))
+    monkeypatch.setattr(recorded, "_record", lambda package: data)
+    return data
+
+
+def test_what_is_accepted_is_told_with_version_and_hash(kept: dict[str, Any]) -> None:
+    assert checked_by_coq(ENTRY.statement) == CoqCheck("8.16.1", FILES)
+    decision = chapter_session().decide(ENTRY.statement)
+    assert record(ENTRY, decision)["coq"] == {"version": "8.16.1", "files": FILES}
+    assert ("Coq", f"Coq 8.16.1 checked: Statements_01.v sha256:{'0' * 64}") in list(evidence(decision))
+
+
+def test_of_others_and_of_what_has_changed_nothing_is_told(kept: dict[str, Any]) -> None:
+    others = [entry.statement for entry in load() if entry.statement != ENTRY.statement]
+    assert not any(map(checked_by_coq, others))
+    statement = ENTRY.statement
+    assert checked_by_coq(statement.saying(Negative(paren(statement.left)), statement.right)) is None
+    assert checked_by_coq(statement.saying(statement.left, statement.left)) is None
+    kept["words"] = "0" * 64
+    assert checked_by_coq(statement) is None
+
+
+@pytest.mark.parametrize("data", [{}, [], None, {"words": 1}, {"checked": {"3.13/1": 3}}, "text"])
+def test_a_record_that_is_none_says_nothing(monkeypatch: pytest.MonkeyPatch, data: Any) -> None:
+    monkeypatch.setattr(recorded, "_record", lambda package: data)
+    assert checked_by_coq(ENTRY.statement) is None
+    assert record(ENTRY, Decision(ENTRY.statement, chapter_session().decide(ENTRY.statement).verdict))["coq"] is None
