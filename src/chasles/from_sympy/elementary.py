@@ -8,49 +8,24 @@ none is missed is Schanuel's conjecture, so that these variables serve to prove,
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from math import lcm
 from typing import Any
 
 import sympy
 
 from chasles.algebra.work_limit import check
-from chasles.from_sympy.arcs import INVERSE, RECIPROCAL, Arc, arc_of, without_arcs
+from chasles.from_sympy.arcs import INVERSE, RECIPROCAL, arc_of, without_arcs
 from chasles.from_sympy.divisors import CIRCULAR
 from chasles.from_sympy.factors import factors_of, is_entire, is_evident
 from chasles.from_sympy.hyperbolic import EXPONENTIALS, LOGARITHMS
 from chasles.from_sympy.opening import FunctionSymbol, Signed, excerpt, is_atom, parts_of
+from chasles.from_sympy.placeholders import Placeholders
 from chasles.problems.variables import Untreatable
 
 ROUNDS = 8
-LARGEST_UNIT = 60
-LARGEST_EXPONENT = 1000
 
 
-class Elementary:
-    """Rewrites expressions.
-
-    Where they are real is collected in `needs`, with something that is defined nowhere else; what has to be defined for
-    that in `defined`. `equations` are what roots of higher order satisfy. `halvings` tell in which entries a cosine is
-    compared with one, and of which part of the difference. `units` and `signs` say which denominators exponents have,
-    and which sign the factors of logarithms have; they are learned in one round and used in the next.
-    """
-
-    def __init__(self) -> None:
-        self.units: dict[Any, int] = {}
-        self.signs: dict[Any, int] = {}
-        self._reset()
-
-    def _reset(self) -> None:
-        self.needs: dict[str, Any] = {}
-        self.defined: dict[Any, None] = {}
-        self.atoms: dict[Any, None] = {}
-        self.equations: dict[tuple[Any, Any], None] = {}
-        self.origins: dict[Any, Any] = {}
-        self.exponents: dict[Any, Any] = {}
-        self.logs: dict[Any, Any] = {}
-        self.arcs: dict[FunctionSymbol, Arc] = {}
-        self.halvings: dict[tuple[int, int], int] = {}
-        self._known: dict[Any, Any] = {}
+class Elementary(Placeholders):
+    """Rewrites expressions in these variables."""
 
     def __call__(self, expressions: Sequence[Any], equal: Sequence[tuple[Any, Any]] = ()) -> list[Any]:
         """The expressions in the variables; raises `Untreatable` for logarithms of what is not positive.
@@ -126,29 +101,6 @@ class Elementary:
         self._meet(arc.x, 1 / arc.square if function is sympy.atan2 else 1)
         return turn + sign * word
 
-    def _atom(self, e: Any) -> Any:
-        """An atom whose sign or roots occur is written so that they are known."""
-        self.atoms[e] = None
-        unit = self.units.get(("root", e), 1)
-        if unit > 1:
-            self.needs |= {} if e.is_positive else {f"{e} > 0": sympy.log(e)}
-            return self._word(e ** sympy.Rational(1, unit), FunctionSymbol if e.is_positive else Signed) ** unit
-        return self._word(e, Signed) if self.signs.get(e) == 1 and not e.is_positive else e
-
-    def _meet(self, *arguments: Any) -> None:
-        """What is hidden in a variable, or cancels, has to be real, and not to divide by zero."""
-        met = map(sympy.sympify, arguments)
-        self.defined |= {e: None for e in met if not all(map(is_entire, parts_of(e)))}
-
-    def _word(self, origin: Any, kind: type[FunctionSymbol] = FunctionSymbol, positive: bool = True) -> Any:
-        word = kind(str(origin), positive=True) if positive else kind(str(origin), real=True)
-        if self.origins.setdefault(word, origin) != origin:
-            raise Untreatable(f"two different symbols are called the same in {excerpt(origin)}: rename one")
-        return word
-
-    def _original(self, expression: Any) -> Any:
-        return expression.xreplace(self.origins)
-
     def exp(self, exponent: Any) -> Any:
         """The exponential of what is written in the variables."""
         result = sympy.S.One
@@ -168,12 +120,6 @@ class Elementary:
         self.exponents[word] = rest / unit
         return word ** (multiple * unit)
 
-    def _unit(self, key: Any, multiple: Any) -> int:
-        self.units[key] = unit = lcm(self.units.get(key, 1), int(multiple.q))
-        if unit > LARGEST_UNIT or abs(multiple) * unit > LARGEST_EXPONENT:
-            raise Untreatable(f"exponents with {multiple} are not treated: numerators or denominators are too large")
-        return unit
-
     def _raised(self, base: Any, exponent: Any) -> Any:
         """A power of the size of a factor of a logarithm."""
         size = base if base.is_positive else base * self.signs[base] if base in self.signs else sympy.Abs(base)
@@ -186,11 +132,6 @@ class Elementary:
         if not is_atom(key):
             self.equations[(word**unit, size)] = None
         return word ** (exponent * unit)
-
-    def logs_key(self, base: Any) -> Any:
-        """The atom that a base is, for its roots to be the variable."""
-        original = self._original(base)
-        return original if is_atom(original) and self.signs.get(original, 1) == 1 else base
 
     def _power(self, e: Any) -> Any:
         if e.base is sympy.E:
@@ -244,31 +185,6 @@ class Elementary:
             return factors_of(value)
         back = {origin.base: word**origin.exp.q for word, origin in roots.items()}
         return [(base.xreplace(back), power, signed) for base, power, signed in factors_of(plain)]
-
-    def _need(self, value: Any, spelled: Any, sign: int) -> None:
-        """Say that the argument of a logarithm is positive; its `sign` is known where it does not vanish."""
-        if sign < 0 or value == 0:
-            raise Untreatable(f"log({excerpt(spelled)}) is not treated: it is not real")
-        if sign == 0:
-            self.needs[f"{spelled} > 0"] = sympy.log(spelled, evaluate=False)
-        if sign:
-            self.nonvanishing(value)
-
-    def nonvanishing(self, value: Any) -> None:
-        """Say that something does not vanish, factor by factor, as far as that is not seen."""
-        for base, _, _ in factors_of(value):
-            original = self._original(base)
-            seen = base.is_Rational or base in self.exponents or is_evident(base)
-            if not (seen or (isinstance(base, Signed) and base != original)):
-                self.needs[f"{original} != 0"] = 1 / original
-
-    def _learn(self, base: Any, sign: int) -> None:
-        """The sign of a factor, by which an atom is written as a variable that has it."""
-        original = self._original(base)
-        if base in self.exponents:
-            return
-        if not is_evident(base) and self.signs.setdefault(original if is_atom(original) else base, sign) != sign:
-            raise Untreatable(f"where roots and logarithms of {excerpt(original)} are real, others are not")
 
     def _logarithm(self, base: Any) -> Any:
         """The variable for the logarithm of a factor's size."""

@@ -9,11 +9,10 @@ from typing import Any
 import sympy
 from sympy.core.function import AppliedUndef
 
-from chasles.checker.expressions.elementary import FUNCTIONS
 from chasles.from_sympy.atoms import nonzero_by_sign, real_copy
 from chasles.from_sympy.complexes import Parts
-from chasles.from_sympy.divisors import CIRCULAR
-from chasles.from_sympy.opening import is_atom, parts_of, sides
+from chasles.from_sympy.given_angles import without_given_angles
+from chasles.from_sympy.opening import parts_of, sides
 from chasles.from_sympy.pantelides import offsets
 from chasles.from_sympy.real_zeros import SquaresGiven, squares_in
 from chasles.from_sympy.side_conditions import listed
@@ -23,9 +22,6 @@ from chasles.problems.variables import Untreatable
 Pair = tuple[Any, Any]
 MOST_TERMS = 30
 """Longer polynomials are not factored."""
-
-
-ELEMENTARY = tuple(getattr(sympy, name) for name in FUNCTIONS)
 
 
 @dataclass(slots=True)
@@ -91,7 +87,7 @@ def collected(given: Any, spoken_of: Sequence[Any], parts: Parts) -> tuple[SideC
             taken = any(text == other.text for other in result.equations)
             label = f"given {place} 1,1" if len(said) == len(pairs) == 1 else ""
             result.equations.append(Equations(f"{text} [{place}]" if taken else text, pairs, (text,), label=label))
-    expressions = _without_given_angles(result, list(spoken_of))
+    expressions = without_given_angles(result, list(spoken_of))
     _state_triads(result)
     _state_squares(result)
     _differentiate(result, expressions)
@@ -139,72 +135,6 @@ def _text(item: Any, what: str) -> str:
     if item is sympy.false:
         return f"{what} (false to SymPy)"
     return f"{item} = 0" if isinstance(item, sympy.Expr) else what
-
-
-def _without_given_angles(result: SideConditions, expressions: list[Any]) -> list[Any]:
-    """Use equations between angles, such as alpha + beta + gamma = pi, to eliminate one of the angles."""
-    for item in list(result.equations):
-        for pair in list(item.pairs):
-            spoken = [*expressions, *(side for other in result.equations for side in other.sides)]
-            solved = _solved_for_angle(pair[0] - pair[1], _angles_in(spoken))
-            if solved is None or not _keeps_its_meaning(spoken, *solved):
-                continue
-            atom, value = solved
-            item.pairs.remove(pair)
-            result.substitutions.append((item.text, atom, value))
-            expressions = [_put_in(e, atom, value) for e in expressions]
-            for other in result.equations:
-                other.pairs = [(_put_in(a, atom, value), _put_in(b, atom, value)) for a, b in other.pairs]
-    result.equations = [item for item in result.equations if item.pairs]
-    return expressions
-
-
-def _angles_in(expressions: Iterable[Any]) -> set[Any]:
-    """The atoms that occur in arguments of functions, of which the angles are the most common."""
-    return _arguments(expressions, *CIRCULAR, *ELEMENTARY, sympy.Pow)
-
-
-def _arguments(expressions: Iterable[Any], *kinds: Any) -> set[Any]:
-    calls = {call for e in expressions for call in parts_of(e) if isinstance(call, kinds)}
-    calls = {
-        call for call in calls if not (call.is_Pow and call.exp.is_Rational and call.exp.q & (call.exp.q - 1) == 0)
-    }
-    parts = (part for call in calls for argument in call.args for part in parts_of(argument))
-    return {part for part in parts if is_atom(part)}
-
-
-def _solved_for_angle(difference: Any, angles: set[Any]) -> tuple[Any, Any] | None:
-    """The angle that a linear equation with rational coefficients determines, and its value.
-
-    Nothing is lost by putting it in: the angle is no rate, and neither it nor a rate of it occurs in the value.
-    """
-    terms = sympy.expand(difference).as_coefficients_dict()
-    if not all(term in (sympy.pi, sympy.S.One) or is_atom(term) for term in terms):
-        return None
-    moved = [term.expr for term in terms if isinstance(term, sympy.Derivative)]
-    candidates = sorted((term for term in terms if term in angles and term not in moved), key=str)
-    candidates = [term for term in candidates if not isinstance(term, sympy.Derivative)]
-    if not candidates:
-        return None
-    atom = candidates[-1]
-    return atom, sympy.expand(atom - difference / terms[atom])
-
-
-def _keeps_its_meaning(expressions: list[Any], atom: Any, value: Any) -> bool:
-    """Whether all is real, and an angle or defined, where a value that is no sum of angles is put in, as before."""
-    rest = value.as_coefficients_dict().get(sympy.S.One, 0)
-    if rest == 0 and value.free_symbols:
-        return True
-    powers = [part for e in expressions for part in parts_of(e) if part.is_Pow and part.exp.has(atom)]
-    turned = rest != 0 and atom in _arguments(expressions, *CIRCULAR)
-    if turned or not all(part.base.is_positive for part in powers):
-        return False
-    lost = (sympy.zoo, sympy.nan, sympy.oo, sympy.I)
-    return not any(_put_in(e, atom, value).has(*lost) and not e.has(*lost) for e in expressions)
-
-
-def _put_in(expression: Any, atom: Any, value: Any) -> Any:
-    return expression.subs(atom, value).doit() if expression.has(atom) else expression
 
 
 def _state_triads(result: SideConditions) -> None:
