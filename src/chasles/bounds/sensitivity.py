@@ -11,15 +11,16 @@ The derivatives are those of the reverse mode: Griewank and Walther, Evaluating 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
 from chasles.bounds.functions import slope as slope_name
 from chasles.bounds.intervals import SAFE, Array, Interval, function_of
 from chasles.bounds.running import Running
-from chasles.lowering.program import Op
+from chasles.lowering.program import Op, Step
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -88,12 +89,7 @@ def _passed_on(running: Running, number: int, found: list[_Slope]) -> Iterator[t
         return
     slope = _sum(running, found)
     if op is Op.SELECT:
-        truth, nothing = running.truths[operands[0]], Interval(running.zero, running.zero)
-        for k, may, may_not in ((operands[1], truth.may, truth.may_not), (operands[2], truth.may_not, truth.may)):
-            given = slope.value.union(nothing)
-            low = np.where(may, np.where(may_not, given.low, slope.value.low), 0.0)
-            high = np.where(may, np.where(may_not, given.high, slope.value.high), 0.0)
-            yield k, _Slope(slope.power, Interval(low, high))
+        yield from _to_chosen(running, operands, slope)
         return
     near = [running.around[k] for k in operands]
     match op:
@@ -114,21 +110,36 @@ def _passed_on(running: Running, number: int, found: list[_Slope]) -> Iterator[t
             )
         case Op.SQUARE_ROOT:
             yield operands[0], _Slope(slope.power, slope.value / near[0].value.root.times(2.0))
-        case Op.SINE:
-            yield operands[0], _Slope(slope.power, slope.value * function_of("cosine", near[0].value))
-        case Op.COSINE:
-            yield operands[0], _Slope(slope.power, slope.value * -function_of("sine", near[0].value))
-        case Op.ARCTANGENT2:
-            y, x = (value.value for value in near)
-            square = x.squared + y.squared
-            yield operands[0], _Slope(slope.power, slope.value * (x / square))
-            yield operands[1], _Slope(slope.power, slope.value * -(y / square))
-        case Op.FUNCTION if step.function == "fabs":
-            low, high = np.where(near[0].value.low < 0, -1.0, 1.0), np.where(near[0].value.high > 0, 1.0, -1.0)
-            yield operands[0], _Slope(slope.power, slope.value * Interval(low, high))
-        case Op.FUNCTION:
+        case _:
             values = [value.value for value in near]
-            for k, operand in enumerate(operands):
+            for operand, by in zip(operands, _slopes(step, values), strict=True):
                 if operand in running.rounded:
-                    by = function_of(slope_name(step.function, k), *values)
-                    yield operand, _Slope(slope.power, slope.value * by)
+                    yield operand, _Slope(slope.power, slope.value * by())
+
+
+def _to_chosen(running: Running, operands: tuple[int, ...], slope: _Slope) -> Iterator[tuple[int, _Slope]]:
+    """The derivatives by the two values of a choice."""
+    truth, nothing = running.truths[operands[0]], Interval(running.zero, running.zero)
+    for k, may, may_not in ((operands[1], truth.may, truth.may_not), (operands[2], truth.may_not, truth.may)):
+        given = slope.value.union(nothing)
+        low = np.where(may, np.where(may_not, given.low, slope.value.low), 0.0)
+        high = np.where(may, np.where(may_not, given.high, slope.value.high), 0.0)
+        yield k, _Slope(slope.power, Interval(low, high))
+
+
+def _slopes(step: Step, of: list[Interval]) -> list[Callable[[], Interval]]:
+    """The derivatives of a function by its operands."""
+    match step.op:
+        case Op.SINE:
+            return [lambda: function_of("cosine", of[0])]
+        case Op.COSINE:
+            return [lambda: -function_of("sine", of[0])]
+        case Op.ARCTANGENT2:
+            y, x = of
+            square = x.squared + y.squared
+            return [lambda: x / square, lambda: -(y / square)]
+        case _ if step.function == "fabs":
+            low, high = np.where(of[0].low < 0, -1.0, 1.0), np.where(of[0].high > 0, 1.0, -1.0)
+            return [lambda: Interval(low, high)]
+        case _:
+            return [partial(function_of, slope_name(step.function, k), *of) for k in range(len(of))]
