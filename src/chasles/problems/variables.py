@@ -10,18 +10,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-from chasles.vocabulary import (
-    At,
-    Group,
-    Negative,
-    Node,
-    Number,
-    Quotient,
-    Scale,
-    Sum,
-    Symbol,
-    plain,
-)
+from chasles.statements.angles import linear_terms
+from chasles.vocabulary import At, Node, Symbol, plain
 
 Factors = tuple[tuple[str, int], ...]
 """Names of variables and their exponents."""
@@ -131,31 +121,10 @@ def _entries(symbol: Symbol, order: int) -> Iterator[Variable]:
 def angle_multiples(argument: Node, rules: Mapping[Node, Node]) -> dict[Symbol, Fraction]:
     """An angle as a sum of rational multiples of symbols; raises `Untreatable` for any other argument."""
     total: dict[Symbol, Fraction] = {}
-    for symbol, multiple in _linear(argument, Fraction(1), rules):
-        total[symbol] = total.get(symbol, Fraction(0)) + multiple
+    for term, multiple in linear_terms(argument, rules):
+        if isinstance(term, At):
+            raise Untreatable(f"{plain(term)} is of another instant than t: declare it as a constant of its own")
+        if not isinstance(term, Symbol):
+            raise NoForm(f"{plain(term)} is no angle: an angle is a sum of rational multiples of symbols")
+        total[term] = total.get(term, Fraction(0)) + multiple
     return {symbol: multiple for symbol, multiple in total.items() if multiple}
-
-
-def _linear(node: Node, scale: Fraction, rules: Mapping[Node, Node]) -> Iterator[tuple[Symbol, Fraction]]:
-    match node:
-        case _ if node in rules:
-            yield from _linear(rules[node], scale, rules)
-        case Symbol(stands_for=Node() as of) | At(of, "t"):
-            yield from _linear(of, scale, rules)
-        case Symbol():
-            yield node, scale
-        case Group(of):
-            yield from _linear(of, scale, rules)
-        case Negative(term):
-            yield from _linear(term, -scale, rules)
-        case Sum(terms):
-            for term in terms:
-                yield from _linear(term, scale, rules)
-        case Scale(Number(value), term) | Scale(term, Number(value)):
-            yield from _linear(term, scale * value, rules)
-        case Quotient(numerator, Number(value)):
-            yield from _linear(numerator, scale / value, rules)
-        case At():
-            raise Untreatable(f"{plain(node)} is of another instant than t: declare it as a constant of its own")
-        case _:
-            raise NoForm(f"{plain(node)} is no angle: an angle is a sum of rational multiples of symbols")

@@ -2,23 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 
-from chasles.vocabulary import (
-    At,
-    Call,
-    Group,
-    Negative,
-    Node,
-    Number,
-    Quotient,
-    Scale,
-    Sum,
-    Symbol,
-    symbols_of,
-    walk,
-)
+from chasles.vocabulary import At, Call, Group, Negative, Node, Number, Quotient, Scale, Sum, Symbol, symbols_of, walk
 
 Multiples = dict[Symbol, Fraction]
 
@@ -44,30 +31,31 @@ def determined_angle(left: Node, right: Node, unknowns: Iterable[Symbol]) -> tup
 def _multiples(node: Node) -> Multiples | None:
     """A sum of rational multiples of scalar symbols; None for anything else."""
     total: Multiples = {}
-    for found in _linear(node, Fraction(1)):
-        if found is None:
+    for term, multiple in linear_terms(node, {}):
+        if isinstance(term, Symbol):
+            total[term] = total.get(term, Fraction(0)) + multiple
+        elif not isinstance(term, Number) or term.value:
             return None
-        symbol, multiple = found
-        total[symbol] = total.get(symbol, Fraction(0)) + multiple
     return {symbol: multiple for symbol, multiple in total.items() if multiple}
 
 
-def _linear(node: Node, scale: Fraction) -> Iterator[tuple[Symbol, Fraction] | None]:
+def linear_terms(
+    node: Node, rules: Mapping[Node, Node], scale: Fraction = Fraction(1)
+) -> Iterator[tuple[Node, Fraction]]:
+    """The terms of a sum of rational multiples, `rules` applied, each with its multiple; nothing is collected."""
     match node:
+        case _ if node in rules:
+            yield from linear_terms(rules[node], rules, scale)
         case Symbol(stands_for=Node() as of) | At(of, "t") | Group(of):
-            yield from _linear(of, scale)
-        case Symbol():
-            yield node, scale
+            yield from linear_terms(of, rules, scale)
         case Negative(term):
-            yield from _linear(term, -scale)
+            yield from linear_terms(term, rules, -scale)
         case Sum(terms):
             for term in terms:
-                yield from _linear(term, scale)
+                yield from linear_terms(term, rules, scale)
         case Scale(Number(value), term) | Scale(term, Number(value)):
-            yield from _linear(term, scale * value)
+            yield from linear_terms(term, rules, scale * value)
         case Quotient(numerator, Number(value)):
-            yield from _linear(numerator, scale / value)
-        case Number(value) if not value:
-            return
+            yield from linear_terms(numerator, rules, scale / value)
         case _:
-            yield None
+            yield node, scale
