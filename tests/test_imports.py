@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterator
 from importlib.util import resolve_name
 from pathlib import Path
@@ -191,6 +192,19 @@ def test_an_import_the_other_way_is_found(module: str, source: str) -> None:
 )
 def test_an_import_the_right_way_is_let_through(module: str, source: str) -> None:
     assert objections(module, source) == []
+
+
+def test_the_manual_says_where_everything_is() -> None:
+    """Each folder has a place in the table, in which none imports one below it."""
+    table = (ROOT / "docs" / "extending.md").read_text("utf-8").split("| Folder | Holds |")[1].split("\n\n")[0]
+    rows = [re.findall(r"`(\w+)(?:\.py)?`", line.split("|")[1]) for line in table.splitlines()[1:]]
+    place = {name: row for row, names in enumerate(rows) for name in names}
+    assert {path.parent.name for path in (ROOT / "src" / "chasles").glob("*/__init__.py")} <= set(place)
+    for module, path in project_modules():
+        here = place.get((*module.split("."), "")[1])
+        for _, name in imported_names(module, path.stem == "__init__", ast.parse(path.read_text("utf-8"))):
+            there = place.get((*name.split("."), "")[1]) if name.startswith("chasles.") else None
+            assert here is None or there is None or there <= here, f"{module} imports {name}"
 
 
 def test_dir_names_what_is_public_alone() -> None:

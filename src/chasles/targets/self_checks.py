@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import chain, cycle, islice
+from math import prod
 from typing import Any
 
 from chasles.lowering.evaluate import decimals, run
@@ -40,7 +41,7 @@ def _points(request: Request, arguments: Sequence[Argument]) -> Iterator[Point]:
     for k in range(2):
         numbers = islice(cycle(NUMBERS), 3 * k, None)
         yield tuple(
-            _special(kinds[place], place + k, _size(argument)) or tuple(islice(numbers, _size(argument)))
+            _special(kinds[place], place + k, prod(argument.shape)) or tuple(islice(numbers, prod(argument.shape)))
             for place, argument in enumerate(arguments)
         )
 
@@ -48,7 +49,7 @@ def _points(request: Request, arguments: Sequence[Argument]) -> Iterator[Point]:
 def _at_zero(request: Request, program: Program) -> Point:
     kinds = _kinds(request)
     return tuple(
-        _special(kinds[place], place, _size(argument)) or (Fraction(0),) * _size(argument)
+        _special(kinds[place], place, prod(argument.shape)) or (Fraction(0),) * prod(argument.shape)
         for place, argument in enumerate(program.arguments)
     )
 
@@ -73,13 +74,6 @@ def _special(kind: str, choice: int, size: int) -> tuple[Fraction, ...]:
         return ()
     *entries, divisor = table[choice % len(table)]
     return tuple(Fraction(entry, divisor) for entry in entries)
-
-
-def _size(argument: Argument) -> int:
-    size = 1
-    for extent in argument.shape:
-        size *= extent
-    return size
 
 
 def _check(program: Program, point: Point) -> Check | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import product
+from math import prod
 
 from chasles.algebra.localization import Ratio
 from chasles.lowering.cases import Choice
@@ -46,19 +47,12 @@ def _cases(choice: Choice) -> tuple[int, ...]:
 def _shape(request: Request, program: Program) -> str | None:
     """What of the program's arguments and results is not the request's."""
     wanted = [(argument_name(argument), len(places_of(argument))) for argument in request.arguments]
-    have = [(argument.name, _size(argument.shape)) for argument in program.arguments]
+    have = [(argument.name, prod(argument.shape)) for argument in program.arguments]
     if wanted != have:
         return f"its arguments are {have}, and {wanted} were asked for"
     wanted = [(output.name, len(output.places)) for output in request.outputs]
     have = [(result.name, len(result.entries)) for result in program.results]
     return f"its results are {have}, and {wanted} were asked for" if wanted != have else None
-
-
-def _size(shape: tuple[int, ...]) -> int:
-    total = 1
-    for extent in shape:
-        total *= extent
-    return total
 
 
 class _Algebras:
