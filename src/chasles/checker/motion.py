@@ -11,8 +11,9 @@ from __future__ import annotations
 from fractions import Fraction
 
 from chasles import vocabulary as w
+from chasles.checker.elimination import rank
 from chasles.checker.reading import Reading
-from chasles.checker.relations import independent, rank
+from chasles.checker.relations import independent
 from chasles.checker.sparse import ZERO, Polynomial, Rejected
 from chasles.checker.witness import Point, value_at
 

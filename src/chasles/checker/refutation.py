@@ -11,6 +11,7 @@ from fractions import Fraction
 from math import isqrt
 from typing import TYPE_CHECKING
 
+from chasles.checker.elimination import eliminated
 from chasles.checker.expansion import Formless
 from chasles.checker.motion import require_motion
 from chasles.checker.reading import Reading
@@ -163,17 +164,8 @@ def _linear(reading: Reading, point: Point, missing: list[int], whole: bool = Tr
 
 def _solution(rows: list[list[Fraction]], size: int) -> dict[int, Fraction]:
     """Values that satisfy the equations, by elimination, if any do; zero is meant where there is a choice."""
-    pivots: list[int] = []
-    for column in range(size):
-        done = len(pivots)
-        pivot = next((row for row in range(done, len(rows)) if rows[row][column]), None)
-        if pivot is not None:
-            rows[done], rows[pivot] = rows[pivot], rows[done]
-            rows[done] = [x / rows[done][column] for x in rows[done]]
-            for row in {*range(len(rows))} - {done}:
-                rows[row] = [x - rows[row][column] * y for x, y in zip(rows[row], rows[done], strict=True)]
-            pivots.append(column)
-    return {column: row[-1] for column, row in zip(pivots, rows, strict=False)}
+    reduced, pivots = eliminated(rows, size)
+    return {column: row[-1] for column, row in zip(pivots, reduced, strict=False)}
 
 
 def _root(square: Fraction) -> Fraction | None:

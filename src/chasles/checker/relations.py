@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
+from chasles.checker.elimination import eliminated
 from chasles.checker.sparse import Polynomial
 from chasles.checker.witness import Point
 
@@ -37,29 +38,8 @@ def independent(polynomials: Sequence[Polynomial], point: Point) -> list[Polynom
             k, place = multiples[which]
             values[k] += factor * (point[place][0] if place >= 0 else 1)
         relations.append(values)
-    dropped = set(_pivots(relations))
+    dropped = eliminated(relations, len(kept))[1]
     return [p for k, p in enumerate(kept) if k not in dropped]
-
-
-def rank(rows: list[list[Fraction]]) -> int:
-    """The rank."""
-    return len(_pivots(rows))
-
-
-def _pivots(rows: list[list[Fraction]]) -> list[int]:
-    """The columns in which the rows begin, by elimination."""
-    rows, found = [list(row) for row in rows], list[int]()
-    for column in range(len(rows[0]) if rows else 0):
-        done = len(found)
-        pivot = next((row for row in range(done, len(rows)) if rows[row][column]), None)
-        if pivot is None:
-            continue
-        rows[done], rows[pivot] = rows[pivot], rows[done]
-        for row in rows[done + 1 :]:
-            factor = row[column] / rows[done][column]
-            row[:] = [x - factor * y for x, y in zip(row, rows[done], strict=True)]
-        found.append(column)
-    return found
 
 
 def _relations(products: Sequence[Row]) -> list[Row]:
