@@ -29,14 +29,14 @@ from chasles.statements.derivation import (
     Substitute,
     Take,
 )
+from chasles.statements.derivations import declared_derivations
 from chasles.statements.packages import BOOK
-from chasles.statements.roads import roads
 from chasles.verdict import Fails, Undecided
 from chasles.vocabulary import Negative, Node, Number, Scale, cos, inverse, plain, rate, sin
 
 from .sampling import WHOLE, sample
 
-ROADS = roads()
+ROADS = declared_derivations()
 SOME = sample(ROADS, 4)
 KINDS = {
     "take", "consider", "substitute", "expand", "ansatz", "solve", "differentiate", "factor", "multiply",

@@ -24,7 +24,7 @@ from chasles.deriving import walk
 from chasles.display import Displayed
 from chasles.report.records import certificate_hash
 from chasles.statements import Claim, Inverse, Statement, load
-from chasles.statements.roads import roads_in
+from chasles.statements.derivations import derivations_in
 from chasles.verdict import Counterexample, Fails, Undecided
 
 from .parsed_page import Parsed
@@ -50,7 +50,7 @@ def things() -> Iterator[tuple[str, Any]]:
     inverse = next(entry for entry in BOOK if isinstance(entry.statement, Inverse))
     yield "inverse", judge.decide(inverse.statement)
     yield "its certificate", judge.decide(inverse.statement).certificate
-    road = roads_in("r02_screw_axis")["point_of_the_screw_axis"]
+    road = derivations_in("r02_screw_axis")["point_of_the_screw_axis"]
     yield "derivation", road
     yield "road", walk(road, judge)
     yield "chapter", BOOK
@@ -255,7 +255,7 @@ CELLS = {
     "proved": "chasles.prove(sympy.sin(x) ** 2 + sympy.cos(x) ** 2, 1)",
     "refuted": "refuted",
     "counterexample": "refuted.counterexample",
-    "derivation": "roads_in('r02_screw_axis')['point_of_the_screw_axis']",
+    "derivation": "derivations_in('r02_screw_axis')['point_of_the_screw_axis']",
     "kernel": "chasles.kernel('screw_axis_point')",
     "compiled": "chasles.compile(sympy.sin(x) * y, [x, y])",
     "solution": "chasles.solve('3.5')",
@@ -264,7 +264,7 @@ OPENING = """
 import chasles, sympy
 from chasles.decisions.session import Session
 from chasles.statements import load
-from chasles.statements.roads import roads_in
+from chasles.statements.derivations import derivations_in
 book = load()
 judge = Session(book=book)
 decided = judge.decide(book.select(["3.18"])[0].statement)

@@ -26,16 +26,16 @@ from chasles.decisions.shipped import ANSWERS, shipped
 from chasles.deriving import walk
 from chasles.exercises.solving import solve_with
 from chasles.statements import Chapter, Claim, Definition, Entry, Section, Statement, load, problem_of, unit
+from chasles.statements.derivations import declared_derivations
 from chasles.statements.exercises import exercise_numbers
 from chasles.statements.packages import BOOK
-from chasles.statements.roads import roads
 from chasles.verdict import Contradictory, Fails, Holds, IllFormed, Posed
 from chasles.vocabulary import Node, Sum, cross, dot, number, vector
 
 from .sampling import WHOLE, sample
 
 ROOT = Path(__file__).resolve().parents[1]
-CHAPTER, ROADS, SHIPPED = load(), roads(), shipped(BOOK)
+CHAPTER, ROADS, SHIPPED = load(), declared_derivations(), shipped(BOOK)
 SEARCHES = (
     "chasles.decisions.session.decided",
     "chasles.decisions.session.repair",

@@ -10,8 +10,8 @@ from chasles.exercises.draw import Draw
 from chasles.exercises.euler import conditioning, definitions_of, singular_set, symbolic, symbols_by_name
 from chasles.exercises.picture import Picture
 from chasles.exercises.worksheet import Worksheet
+from chasles.statements.derivations import derivations_in
 from chasles.statements.exercise import Answer, Datum, Else, Exercise, Scalar, Truth, Word, matrix_shape, vector_shape
-from chasles.statements.roads import roads_in
 from chasles.vocabulary import FREQUENCY, inverse, number, vector
 
 SEQUENCES = tuple(f"{i}{j}{k}" for i in "xyz" for j in "xyz" for k in "xyz" if i != j != k)
@@ -26,7 +26,7 @@ def solve(sheet: Worksheet) -> str:
         raise DataError("angles: expected, as rates or omega are given")
     if sheet["rates"] is not None and sheet["omega"] is not None:
         raise DataError("rates, omega: expected one of them, and got both")
-    roads = roads_in("r13_euler_angles")
+    roads = derivations_in("r13_euler_angles")
     chosen = [roads[f"euler_{sheet['sequence']}_{frame}"] for frame in FRAMES]
     fixed, body = (sheet.walk(road, "A derivation, each step decided.") for road in chosen)
     rotation, axes = definitions_of(chosen[0])

@@ -15,8 +15,8 @@ from chasles.repairs.repair import Repair
 from chasles.several import Several
 from chasles.statements import Chapter, load
 from chasles.statements.citing import UnknownNumber, derivations_cited, statements_cited
+from chasles.statements.derivations import declared_derivations
 from chasles.statements.packages import BOOK
-from chasles.statements.roads import roads
 
 __all__ = ["decide", "derive", "repair"]
 
@@ -53,15 +53,15 @@ def repair(number: str, chapter: Named = BOOK) -> Several[Repair]:
 def derive(number: str, chapter: Named = BOOK) -> CheckedDerivation:
     """A derivation of an equation: each step's result is computed and decided, the last compared with the printed one.
 
-    Takes what `decide` takes, and the name of a road. Raises LookupError if no road leads there, or several do, which
-    are named.
+    Takes what `decide` takes, and the name of a derivation. Raises LookupError if none leads there, or several do,
+    which are named.
     """
     book, session = _asked(number, chapter)
-    found = derivations_cited(roads(book.package), [number])
+    found = derivations_cited(declared_derivations(book.package), [number])
     if len(found) > 1:
         raise UnknownNumber(f"{len(found)} derivations lead to {number}: name one of {', '.join(found)}")
-    [road] = found.values()
-    walked = walk(road, session)
+    [derivation] = found.values()
+    walked = walk(derivation, session)
     retained(session.memory)
     return walked
 

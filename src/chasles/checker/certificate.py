@@ -29,7 +29,7 @@ def check(
 ) -> None:
     """Every entry of every equation holds wherever the hypotheses do, and somewhere they do: the certificate proves it.
 
-    `accepted` gives the sides with which given statements are used; a problem needs neither form nor standing. Raises
+    `accepted` gives the sides with which given statements are used; a problem needs neither form nor sides. Raises
     `Rejected` with the reason if the certificate does not prove the statement, and what `problem_of` raises.
     """
     if isinstance(said, Inverse):

@@ -42,7 +42,7 @@ def _asking(book: Chapter, session: Session) -> Iterator[tuple[str, Callable[[],
     """What asks questions: by name, and how it does."""
     for entry in book:
         yield f"({entry.number}) {entry.name}", partial(session.decide, entry.statement)
-    for name, road in all_derivations(book).items():
-        yield f"road {name}", partial(walk, road, session)
+    for name, derivation in all_derivations(book).items():
+        yield f"road {name}", partial(walk, derivation, session)
     for name, sentence in sentences_of_exercises(book.package).items():
         yield f"exercise {name}", partial(session.decide, sentence)

@@ -8,14 +8,14 @@ from chasles.cli.failures import BAD_INPUT, Failure
 from chasles.statements import Chapter, DeclarationError
 from chasles.statements.citing import UnknownNumber, derivations_cited
 from chasles.statements.derivation import Derivation
-from chasles.statements.roads import roads
+from chasles.statements.derivations import declared_derivations
 from chasles.vocabulary.arguments import WrongArgument
 
 
 def all_derivations(book: Chapter) -> dict[str, Derivation]:
     """The derivations by name, in the book's order. Raises Failure for declarations that contradict each other."""
     try:
-        return roads(book.package)
+        return declared_derivations(book.package)
     except DeclarationError as error:
         raise Failure(f"the declarations contradict each other: {error}", BAD_INPUT) from error
     except WrongArgument as error:

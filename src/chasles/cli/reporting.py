@@ -43,14 +43,14 @@ class Reported:
     def in_words(self) -> Iterator[str]:
         """Totals and times."""
         yield from self.outcome.in_words
-        arriving = sum(road.arrives for road in self.roads)
+        arriving = sum(derivation.arrives for derivation in self.roads)
         yield f"{arriving} of {len(self.roads)} derivations complete; all in {seconds(self.seconds)}"
 
     @property
     def failures(self) -> Iterator[str]:
         """A line for each kind of failure; none if all is well."""
         yield from self.outcome.failures
-        stuck = [road.name for road in self.roads if not road.arrives]
+        stuck = [derivation.name for derivation in self.roads if not derivation.arrives]
         if stuck:
             yield f"incomplete derivations: {', '.join(stuck)}"
         yield from self.unsolved
@@ -86,9 +86,9 @@ def _roads_of(book: Chapter) -> dict[str, Derivation]:
     """The derivations that are compared with statements of this book."""
     known = {id(entry.statement) for entry in book}
     return {
-        name: road
-        for name, road in all_derivations(book).items()
-        if any(id(statement) in known for step in road.steps for statement in step.cited)
+        name: derivation
+        for name, derivation in all_derivations(book).items()
+        if any(id(statement) in known for step in derivation.steps for statement in step.cited)
     }
 
 

@@ -75,9 +75,9 @@ class CheckedDerivation(Displayed):
 
 def walk(derivation: Derivation, session: Session) -> CheckedDerivation:
     """The derivation carried out; the first step that is not true, or cannot be made, is its last."""
-    road = CheckedDerivation(derivation, tuple(_checked_steps(derivation, State(derivation, session))))
+    checked = CheckedDerivation(derivation, tuple(_checked_steps(derivation, State(derivation, session))))
     # A combination remembered from an earlier run is a conjecture: where it leads astray, all is done again without it.
-    return walk(derivation, session) if not road.arrives and session.memory.forget_conjectures() else road
+    return walk(derivation, session) if not checked.arrives and session.memory.forget_conjectures() else checked
 
 
 def _checked_steps(derivation: Derivation, state: State) -> Iterator[CheckedStep]:

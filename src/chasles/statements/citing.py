@@ -31,13 +31,13 @@ def statements_cited(book: Chapter, words: Iterable[str]) -> tuple[Entry, ...]:
 
 def derivations_cited(known: Mapping[str, Derivation], words: Iterable[str]) -> dict[str, Derivation]:
     """The derivations by name that end at these numbers, or come past them where none ends there. Raises Unknown."""
-    numbers = dict.fromkeys(number for road in known.values() for number in _numbers(road))
+    numbers = dict.fromkeys(number for derivation in known.values() for number in _numbers(derivation))
     meant = {word.casefold(): word.casefold() for word in (*numbers, *known)}
     found: set[str] = set()
     for cited in _named(words, meant, "no derivation leads to", [*numbers, *known]):
-        ending = [name for name, road in known.items() if cited in (name.casefold(), *_ends(road))]
-        found.update(ending or [name for name, road in known.items() if cited in _numbers(road)])
-    return {name: road for name, road in known.items() if name in found}
+        ending = [name for name, derivation in known.items() if cited in (name.casefold(), *_ends(derivation))]
+        found.update(ending or [name for name, derivation in known.items() if cited in _numbers(derivation)])
+    return {name: derivation for name, derivation in known.items() if name in found}
 
 
 def _named(words: Iterable[str], known: Mapping[str, str], missing: str, all_words: list[str]) -> Iterator[str]:
@@ -56,10 +56,10 @@ def _named(words: Iterable[str], known: Mapping[str, str], missing: str, all_wor
             raise UnknownNumber(f"{missing} {word!r}{nearest(word, all_words)}")
 
 
-def _ends(road: Derivation) -> tuple[str, ...]:
-    return (road.number.casefold(), *(() if road.to is None else (road.to.number.casefold(),)))
+def _ends(derivation: Derivation) -> tuple[str, ...]:
+    return (derivation.number.casefold(), *(() if derivation.to is None else (derivation.to.number.casefold(),)))
 
 
-def _numbers(road: Derivation) -> tuple[str, ...]:
+def _numbers(derivation: Derivation) -> tuple[str, ...]:
     """Every number that the derivation is compared with."""
-    return (*_ends(road), *(statement.number.casefold() for statement in road.stops))
+    return (*_ends(derivation), *(statement.number.casefold() for statement in derivation.stops))

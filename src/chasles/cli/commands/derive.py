@@ -34,21 +34,21 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> int:
 
     book = chapter()
     chosen, session = chosen_derivations(book, numbers), session_of(book)
-    walked = {name: walk(road, session) for name, road in progress(iter(chosen.items()), len(chosen), "Deriving")}
+    walked = {name: walk(one, session) for name, one in progress(iter(chosen.items()), len(chosen), "Deriving")}
     retained(session.memory)
     if json:
-        click.echo(as_json({"roads": [derivation_record(name, road) for name, road in walked.items()]}))
+        click.echo(as_json({"roads": [derivation_record(name, checked) for name, checked in walked.items()]}))
     else:
         screen = Screen()
-        for place, (name, road) in enumerate(walked.items()):
-            page = derivation_page(screen, name, road, latex) if numbers else derivation_line(screen, name, road)
+        for place, (name, checked) in enumerate(walked.items()):
+            page = derivation_page(screen, name, checked, latex) if numbers else derivation_line(screen, name, checked)
             screen.show(*([""] if place and numbers else []), *page)
     return complain(_failures(list(walked.items())))
 
 
 def _failures(walked: Sequence[tuple[str, CheckedDerivation]]) -> Iterator[str]:
     """A line for each derivation that is not complete."""
-    for name, road in walked:
-        if not road.arrives:
-            last = road.steps[-1]
-            yield f"{name} stops at step {len(road.steps)}, {last.kind}: {last.reason}"
+    for name, checked in walked:
+        if not checked.arrives:
+            last = checked.steps[-1]
+            yield f"{name} stops at step {len(checked.steps)}, {last.kind}: {last.reason}"

@@ -12,7 +12,7 @@ from chasles.statements.packages import BOOK, DeclarationError
 ROADS = "roads"
 
 
-def roads(chapter: str = BOOK) -> dict[str, Derivation]:
+def declared_derivations(chapter: str = BOOK) -> dict[str, Derivation]:
     """The derivations that a chapter's package `roads` declares, by name, in the order of its modules `ROADS`.
 
     A chapter without such a package has none. Raises `DeclarationError` for a name that is given twice.
@@ -23,13 +23,13 @@ def roads(chapter: str = BOOK) -> dict[str, Derivation]:
     book = import_module(package)
     found: dict[str, Derivation] = {}
     for module in book.ROADS:
-        for name, road in _declared(f"{package}.{module}"):
-            if found.setdefault(name, road) is not road:
+        for name, derivation in _declared(f"{package}.{module}"):
+            if found.setdefault(name, derivation) is not derivation:
                 raise DeclarationError(f"two derivations are called {name}: give one another name")
     return found
 
 
-def roads_in(module: str, package: str = f"{BOOK}.{ROADS}") -> dict[str, Derivation]:
+def derivations_in(module: str, package: str = f"{BOOK}.{ROADS}") -> dict[str, Derivation]:
     """The derivations of one module of a package, by name; no other module is imported."""
     return dict(_declared(f"{package}.{module}"))
 
@@ -40,4 +40,4 @@ def _declared(module: str) -> Iterator[tuple[str, Derivation]]:
             case Derivation():
                 yield name, value
             case dict():
-                yield from ((key, road) for key, road in value.items() if isinstance(road, Derivation))
+                yield from ((key, found) for key, found in value.items() if isinstance(found, Derivation))
