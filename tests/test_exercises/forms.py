@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from copy import deepcopy
+from decimal import Decimal
 from itertools import permutations
 from random import Random
 from typing import Any
@@ -26,6 +27,11 @@ ONES = (
     "sqrt(2)/sqrt(2)", "tan(pi/4)", "(1+sqrt(2))*(sqrt(2)-1)", "(3/7)*(7/3)", "sqrt(6)/(sqrt(2)*sqrt(3))",
     "2*sin(pi/6)", "(2+sqrt(3))*(2-sqrt(3))", "sqrt(3/2)*sqrt(2/3)", "(sqrt(5)+2)^3*(sqrt(5)-2)^3",
 )  # fmt: skip
+SLIPS = (
+    "2*({0})", "({0})/2", "({0})*sqrt(2)", "({0})*180/pi", "({0})^2", "pi-({0})", "sqrt(({0})^2+1)", "({0})*355/113/pi",
+    "({0})+acos(1/3)-1.2309594173407747", "({0})+sqrt(2)+sqrt(3)-sqrt(9.898979486)",
+)  # fmt: skip
+"""What people take one number for, and numbers near it."""
 
 
 def leaves(value: Any, at: Place = ()) -> Iterator[Place]:
@@ -106,7 +112,7 @@ def other_form(draw: Random, number: Any, is_angle: bool, with_angles: bool = Tr
             ways.append(lambda: f"({exact.p * 6})/({exact.q * 6})")
             ways.append(lambda: f"{exact.p}*sqrt({exact.q**2 * 4})/({2 * exact.q**2})")
             if exact.q in (1, 2, 4, 5, 8, 10, 16, 20, 25, 50, 100, 125):
-                ways.append(lambda: f"{float(exact):.12f}")
+                ways.append(lambda: f"{Decimal(int(exact.p)) / int(exact.q):f}")
         elif (exact**2).is_Rational:
             square = exact**2
             ways.append(lambda: {"root_of": [int(square.q), 0, -int(square.p)], "index": int(value > 0)})
@@ -187,8 +193,13 @@ def spoiled(draw: Random, exercise: Exercise, answers: dict[str, Any]) -> tuple[
             lambda: f"({text})+({draw.choice(ZEROS)})+1/2^60",
             lambda: str(at_place(answers, draw.choice(places))),
             lambda: mpmath.nstr(near(text), 25),
+            lambda: draw.choice(SLIPS).format(text),
+            lambda: draw.choice(SLIPS).format(text),
         ]
     changed = put(answers, place, draw.choice(ways)())
+    if len(places) > 1 and name not in exercise.axes and not draw.randint(0, 5):
+        one, other = draw.sample(places, 2)
+        changed = put(put(answers, one, at_place(answers, other)), other, at_place(answers, one))
     if near(at_place(changed, place)) is None:
         return None
     return None if same_to_many_digits(exercise, answers, changed, name) else (changed, name)

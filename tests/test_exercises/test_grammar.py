@@ -92,6 +92,13 @@ def test_towers_of_powers_and_brackets_end() -> None:
     assert read_number("(" * 90 + "1" + ")" * 90) == 1
 
 
+def test_the_square_of_what_may_be_written_is_read() -> None:
+    digits = "9" * 1900
+    assert read_number(f"sqrt(({digits})^2)", 2000) == int(digits)
+    with pytest.raises(NotANumber):
+        read_number(f"({digits})^8", 2000)
+
+
 @pytest.mark.parametrize("entry", ["__import__('os')", "exit()", "open('f','w')", "9**9**9**9"])
 def test_code_in_a_data_file_is_refused(entry: str) -> None:
     with pytest.raises(DataError, match=r"^a\[3\]: .*at character \d+$"):

@@ -19,8 +19,9 @@ __all__ = ["LONGEST", "MOST_EXPONENT", "NotANumber", "read_number"]
 LONGEST = 200
 MOST_EXPONENT = 64
 MOST_NESTED = 100
-MOST_BITS = 4096
-"""Size of the largest number that a power may come to; exponents of exponents grow beyond every measure."""
+MOST_BITS, BITS_A_CHARACTER = 4096, 7
+"""Size of the largest number that a power may come to, more where a text may be long enough for the square of one:
+exponents of exponents grow beyond every measure."""
 _TOKEN = re.compile(r"\s*(?:([0-9]+\.[0-9]*|\.[0-9]+|[0-9]+)|([A-Za-z]+)|(\*\*|[-+*/^()]))")
 _FUNCTIONS: dict[str, Callable[[Any], Any]] = {
     "sqrt": sp.sqrt,
@@ -56,7 +57,7 @@ def read_number(text: str, longest: int = LONGEST) -> Any:
     if len(text) > longest:
         raise NotANumber(text, longest, f"a number has at most {longest} characters")
     try:
-        return _Reader(text).whole()
+        return _Reader(text, max(MOST_BITS, BITS_A_CHARACTER * longest)).whole()
     except RecursionError:
         raise NotANumber(text, 0, "the number is nested too deeply") from None
 
@@ -78,8 +79,8 @@ def _tokens(text: str) -> Iterator[_Token]:
 class _Reader:
     """Recursive descent: sums of products of signed powers."""
 
-    def __init__(self, text: str) -> None:
-        self.text = text
+    def __init__(self, text: str, most_bits: int) -> None:
+        self.text, self.most_bits = text, most_bits
         self.tokens = list(_tokens(text))
         self.next = self.depth = 0
 
@@ -152,7 +153,7 @@ class _Reader:
         exponent = self.signed()
         if not getattr(exponent, "is_Integer", False) or abs(exponent) > MOST_EXPONENT:
             raise NotANumber(self.text, at, f"an exponent is an integer of at most {MOST_EXPONENT}")
-        if _bits(base) * abs(int(exponent)) > MOST_BITS:
+        if _bits(base) * abs(int(exponent)) > self.most_bits:
             raise NotANumber(self.text, sign.at, "the power is too large a number")
         return self.quotient(sp.Integer(1), base ** abs(exponent), sign) if exponent < 0 else base**exponent
 

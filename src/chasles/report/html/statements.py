@@ -15,7 +15,7 @@ from chasles.report.findings import Replacement, likely_slip, replacements
 from chasles.report.html.certificates import proof_in_words
 from chasles.report.html.citing import Book, Link, place_of_number
 from chasles.report.html.differences import mark_differences
-from chasles.report.html.formulas import equation_tree, markup
+from chasles.report.html.formulas import equation_tree, latex_for_mathml, markup, math
 from chasles.report.html.shown import Equation, Fact, KernelRow, Part, Related, Repaired, badge_of
 from chasles.report.html.words import with_formulas
 from chasles.report.records import certificate_hash
@@ -90,7 +90,7 @@ def _why(entry: Entry, decision: Decision) -> Iterator[Fact]:
         if isinstance(entry.statement, Statement) and isinstance(tried.verdict, Fails):
             left, right = tried.sides
             read = "as likely read" if tried.form == "reading" else "as corrected"
-            yield Fact(read, Markup("<code>{}</code>, which fails too").format(f"{plain(left)} = {plain(right)}"))
+            yield Fact(read, Markup("{}, which fails too").format(_formula(left, right)))
             yield from _by_hand(entry.statement.saying(left, right), decision, tried.verdict.counterexample)
 
 
@@ -104,8 +104,7 @@ def _by_hand(statement: Statement, decision: Decision, found: Counterexample) ->
     """The values, the left side and the right side there, and by which definitions."""
     row, column = found.entry
     by_hand = worked_out(statement, decision, found)
-    sides = [side for given in (statement, *by_hand.left, *by_hand.right) for side in given.printed]
-    known = [*sides, *(Rate(symbol) for side in sides for symbol in symbols_of(side) if not symbol.constant)]
+    known = _with_rates(side for given in (statement, *by_hand.left, *by_hand.right) for side in given.printed)
     if found.goal:
         yield Fact("what fails", escape(found.goal))
     yield Fact("at", with_formulas(point_in_words(found.at) or "every point", known, of_words=False))
@@ -130,8 +129,18 @@ def _definition(given: Statement, here: str) -> Markup:
         return Markup('<a href="#{}">{}</a>').format(
             place_of_number(given.number), number_in_words(given.number, given.part)
         )
-    left, right = given.printed
-    return CODE.format(f"{plain(left)} = {plain(right)}")
+    return _formula(*given.printed)
+
+
+def _formula(left: Node, right: Node) -> Markup:
+    """The equation within a line."""
+    return math(f"{latex_for_mathml(left)} = {latex_for_mathml(right)}")
+
+
+def _with_rates(sides: Iterable[Node]) -> list[Node]:
+    """The sides, and the rates of their symbols: what the values of a point are the values of."""
+    nodes = list(sides)
+    return [*nodes, *(Rate(symbol) for node in nodes for symbol in symbols_of(node) if not symbol.constant)]
 
 
 def _repaired(book: Book, entry: Entry, replacement: Replacement) -> Repaired:
@@ -140,9 +149,9 @@ def _repaired(book: Book, entry: Entry, replacement: Replacement) -> Repaired:
     after = equation_tree(replacement.left, replacement.right, replacement.sign)
     mark_differences(before, after)
     words = f"{plain(replacement.left)} = {plain(replacement.right)}"
-    found = "The search for a repair found it." if replacement.found == "repair" else "It was declared, not found."
-    if replacement.modulo:
-        found += f" {replacement.modulo[0].upper()}{replacement.modulo[1:]}."
+    found = escape(
+        "The search for a repair found it." if replacement.found == "repair" else "It was declared, not found."
+    )
     sides = (*entry.statement.printed, *_read(entry.statement), replacement.left, replacement.right)
     changes = tuple(with_formulas(change, sides) for change in replacement.changes)
     return Repaired(Equation(markup(after), words), _stands(book, replacement), found, changes)
@@ -195,5 +204,7 @@ def _facts(book: Book, entry: Entry, decision: Decision) -> Iterator[Fact]:
         yield Fact("Coq", CODE.format(checked.in_words))
     replacement = decision.correction.verdict if decision.correction and not decision.verdict.true else decision.verdict
     if witness := getattr(replacement, "witness", None):
-        yield Fact("for example at", CODE.format(point_in_words(witness)))
+        statements = (entry.statement, *getattr(entry.statement, "given", ()))
+        known = _with_rates(side for each in statements if isinstance(each, Statement) for side in each.printed)
+        yield Fact("for example at", with_formulas(point_in_words(witness), known, of_words=False))
     yield Fact("declared as", CODE.format(entry.name))

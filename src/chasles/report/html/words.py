@@ -17,7 +17,7 @@ ARTICLES = ("a", "A", "I")
 
 
 def with_formulas(text: str, nodes: Iterable[Node], of_words: bool = True) -> Markup:
-    """The text, in which each part of the nodes that it spells in plain text is a formula.
+    """The text, in which each part of the nodes that it spells in plain text is a formula, and so is an entry of one.
 
     The longest are found first. In a sentence `of_words` a letter that is a word too stays one.
     """
@@ -26,7 +26,9 @@ def with_formulas(text: str, nodes: Iterable[Node], of_words: bool = True) -> Ma
     if not spelled:
         return escape(text)
     anyone = "|".join(re.escape(name) for name in sorted(spelled, key=lambda name: (-len(name), name)))
-    pieces = re.split(rf"(?<![\w'^.(])({anyone})(?![\w'^~])", text)
-    return Markup().join(
-        math(latex_for_mathml(known[piece])) if place % 2 else escape(piece) for place, piece in enumerate(pieces)
-    )
+    pieces = re.split(rf"(?<![\w'^.(])({anyone})(?:_(\d\d?)(?!\w)|(?![\w'^~]))", text)
+    found = escape(pieces[0])
+    for piece, entry, words in zip(pieces[1::3], pieces[2::3], pieces[3::3], strict=True):
+        latex = latex_for_mathml(known[piece])
+        found += math(f"{{{latex}}}_{{{entry}}}" if entry else latex) + escape(words)
+    return found
