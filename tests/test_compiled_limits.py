@@ -10,7 +10,8 @@ import pytest
 import sympy as sp
 
 import chasles
-from chasles.compiling.removable import Stumpff, without_removable
+from chasles.compiling.removable import without_removable
+from chasles.compiling.sums_of_angles import Stumpff
 
 from .counted import at_most
 

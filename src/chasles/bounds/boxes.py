@@ -40,12 +40,6 @@ class Boxes:
         places = {k: (least[which], most[which]) for k, (least, most) in self.places.items()}
         return Boxes(self.regions, self.owner[which], self.low[which], self.high[which], places)
 
-    @property
-    def middles(self) -> Boxes:
-        """The middle of each box, as a box of no extent."""
-        middle = (self.low + self.high) / 2
-        return Boxes(self.regions, self.owner, middle, middle)
-
     def parted(self, split: tuple[NDArray[Any], NDArray[Any]]) -> Boxes:
         """Boxes in which a step's size may lie on both sides of a power of two, once for each of the sides."""
         steps, powers = split

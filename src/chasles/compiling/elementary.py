@@ -9,7 +9,7 @@ from functools import partial
 import sympy
 from sympy.codegen import cfunctions
 
-from chasles.compiling.removable import Stumpff
+from chasles.compiling.sums_of_angles import Stumpff
 from chasles.lowering.builder import Builder
 
 MOST_FACTORS = 32
