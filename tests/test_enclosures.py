@@ -9,7 +9,8 @@ import pytest
 import sympy as sp
 from sympy import Abs, Eq, Rational, acos, asin, atan, atan2, cos, cosh, exp, log, pi, sin, sinh, sqrt
 
-from chasles.from_sympy.enclosures import Enclosures, NotEnclosed, apart
+from chasles.from_sympy.enclosed_functions import NotEnclosed, apart
+from chasles.from_sympy.enclosures import Enclosures
 from chasles.from_sympy.opening import opened
 from chasles.from_sympy.sampling import Sampling
 

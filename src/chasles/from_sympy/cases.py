@@ -5,7 +5,7 @@ Where x - y is positive, x is y + d with a positive d, which takes the place of 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from math import prod
 from typing import Any
@@ -15,21 +15,21 @@ from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 
 from chasles.from_sympy.atoms import ASSUMPTIONS
-from chasles.from_sympy.enclosures import NotEnclosed, ends_of
-from chasles.from_sympy.opening import parts_of
+from chasles.from_sympy.switches import (
+    HOLDING,
+    WRITTEN,
+    deciding,
+    factors_of,
+    powers_in,
+    ratio_of,
+    switches_in,
+    visible_sign,
+)
 
 SIGNS = {"+": 1, "0": 0, "-": -1}
-SWITCHES = (sympy.Max, sympy.Min, sympy.Piecewise, sympy.Heaviside, sympy.sign, sympy.Abs)
 OF_SIGN = {"positive", "negative", "nonpositive", "nonnegative", "zero", "nonzero"}
-BITS = 200
 Fact = tuple[Any, int]
 """An expression, and its sign."""
-
-
-def switches_in(expressions: Iterable[Any], *kinds: type) -> list[Any]:
-    """The parts of some kinds, or of any that change with a sign, innermost first."""
-    found = {part for e in expressions for part in parts_of(e) if isinstance(part, kinds or SWITCHES)}
-    return sorted(found, key=lambda part: (len(part.atoms(*SWITCHES)), str(part)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,8 +64,8 @@ class SplitCase:
     def open(self) -> Any:
         """A factor of what decides the form of some part, of unknown sign; None if there is none."""
         for part in switches_in(self.spoken):
-            for deciding in _deciding(part):
-                for factor in _factors(deciding):
+            for decisive in deciding(part):
+                for factor in factors_of(decisive):
                     if self.sign(factor) is None:
                         return factor
         return None
@@ -78,7 +78,7 @@ class SplitCase:
     @property
     def possible(self) -> bool:
         """Whether the known signs do not visibly contradict each other."""
-        return all(_visible(e) in (None, sign) for e, sign in self.facts)
+        return all(visible_sign(e) in (None, sign) for e, sign in self.facts)
 
     def sign(self, e: Any) -> int | None:
         """The sign of an expression, if it is known."""
@@ -88,13 +88,13 @@ class SplitCase:
 
     def _sign(self, e: Any) -> int | None:
         e = sympy.expand(e)
-        if (visible := _visible(e)) is not None:
+        if (visible := visible_sign(e)) is not None:
             return visible
         for fact, sign in self.facts:
-            if (ratio := _ratio(e, fact)) is not None:
+            if (ratio := ratio_of(e, fact)) is not None:
                 return sign * ratio
-        factors = _factors(e)
-        ratio = _ratio(e, sympy.Mul(*factors))
+        factors = factors_of(e)
+        ratio = ratio_of(e, sympy.Mul(*factors))
         if ratio is None or len(factors) == 1:
             return None
         signs = [self.sign(factor) for factor in factors]
@@ -106,7 +106,7 @@ class SplitCase:
             return None
         if isinstance(part, sympy.Piecewise):
             return self._chosen(part)
-        sign = self.sign(_deciding(part)[0])
+        sign = self.sign(deciding(part)[0])
         return None if sign is None else WRITTEN[part.func](part.args, sign)
 
     def _chosen(self, part: Any) -> Any:
@@ -175,73 +175,6 @@ def _with_value(e: Any, put: Mapping[Any, Any]) -> Any:
         return e.xreplace(put)
     except ValueError:
         return sympy.zoo
-
-
-def powers_in(expressions: Iterable[Any], within: bool) -> list[Any]:
-    """The powers with rational exponents within conditions, or those outside."""
-    found: set[Any] = set()
-    for e in expressions:
-        outside = e.replace(lambda part: isinstance(part, sympy.Piecewise), lambda _: sympy.S.Zero)
-        parts = e.atoms(sympy.Piecewise) if within else {outside}
-        found |= {power for part in parts for power in part.atoms(sympy.Pow) if power.exp.is_Rational}
-    return sorted(found, key=str)
-
-
-def _deciding(part: Any) -> list[Any]:
-    """Whose signs decide the form of a part."""
-    if isinstance(part, sympy.Piecewise):
-        relations = [r for _, condition in part.args for r in sorted(condition.atoms(Relational), key=str)]
-        return [r.lhs - r.rhs for r in relations]
-    if isinstance(part, sympy.Max | sympy.Min):
-        one, other = sorted(part.args, key=str)[:2]
-        return [one - other]
-    return [part.args[0]]
-
-
-def _larger(arguments: tuple[Any, ...], sign: int | None, function: Any) -> Any:
-    one, other, *rest = sorted(arguments, key=str)
-    first = (sign or 0) >= 0 if function is sympy.Max else (sign or 0) <= 0
-    return function(one if first else other, *rest)
-
-
-HOLDING = {"==": (0,), "!=": (1, -1), ">": (1,), ">=": (0, 1), "<": (-1,), "<=": (0, -1)}
-WRITTEN: Mapping[Any, Callable[[Any, Any], Any]] = {
-    sympy.Max: lambda arguments, sign: _larger(arguments, sign, sympy.Max),
-    sympy.Min: lambda arguments, sign: _larger(arguments, sign, sympy.Min),
-    sympy.Abs: lambda arguments, sign: sign * arguments[0],
-    sympy.sign: lambda _, sign: sympy.Integer(sign),
-    sympy.Heaviside: lambda arguments, sign: sympy.Integer((sign + 1) // 2) if sign else arguments[1],
-}
-
-
-def _factors(e: Any) -> list[Any]:
-    """The irreducible factors of a polynomial, each once as often as it occurs; else the expression itself."""
-    symbols = sorted(e.free_symbols, key=str)
-    if not symbols or not e.is_polynomial(*symbols) or e.has(*SWITCHES):
-        return [e]
-    return [factor for factor, power in sympy.factor_list(e)[1] for _ in range(int(power))]
-
-
-def _ratio(e: Any, other: Any) -> int | None:
-    """The sign of a rational number by which one expression is a multiple of another; None if it is none."""
-    one, rest = sympy.expand(e).as_content_primitive()
-    two, same = sympy.expand(other).as_content_primitive()
-    if sympy.expand(rest - same) == 0:
-        return int(sympy.sign(one * two))
-    return int(-sympy.sign(one * two)) if sympy.expand(rest + same) == 0 else None
-
-
-def _visible(e: Any) -> int | None:
-    """The sign that is seen from an expression alone."""
-    if not e.free_symbols:
-        if e == 0:
-            return 0
-        try:
-            least, most = ends_of(e, BITS)
-        except NotEnclosed:
-            return None
-        return 1 if least > 0 else -1 if most < 0 else None
-    return 1 if e.is_positive else -1 if e.is_negative else 0 if e.is_zero else None
 
 
 def _eliminable(factor: Any, expressions: Iterable[Any]) -> Any:

@@ -14,7 +14,8 @@ from typing import Any
 
 import sympy
 
-from chasles.from_sympy.enclosures import NotEnclosed, ends_of
+from chasles.from_sympy.enclosed_functions import NotEnclosed
+from chasles.from_sympy.enclosures import ends_of
 
 MOST_BITS = 20_000
 GUARD = 64

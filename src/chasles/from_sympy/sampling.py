@@ -16,7 +16,8 @@ import sympy
 
 from chasles.algebra.work_limit import check
 from chasles.from_sympy.atoms import ASSUMPTIONS
-from chasles.from_sympy.enclosures import Enclosures, NotEnclosed, apart, sign_of
+from chasles.from_sympy.enclosed_functions import NotEnclosed, apart, sign_of
+from chasles.from_sympy.enclosures import Enclosures
 from chasles.from_sympy.opening import Entries, atoms_of, excerpt
 from chasles.problems.variables import Untreatable
 from chasles.verdict import Counterexample

@@ -9,13 +9,14 @@ from typing import Any
 import sympy
 
 from chasles.from_sympy.atoms import QuantityNames
-from chasles.from_sympy.cases import SplitCase, powers_in, switches_in
+from chasles.from_sympy.cases import SplitCase
 from chasles.from_sympy.complexes import OF_COMPLEX
 from chasles.from_sympy.divisors import divisor_of
 from chasles.from_sympy.generalising import Decide, generalised
 from chasles.from_sympy.opening import Entries, atoms_of, opened, sides
 from chasles.from_sympy.sampling import Sampling
 from chasles.from_sympy.side_conditions import listed, nonvanishing
+from chasles.from_sympy.switches import powers_in, switches_in
 from chasles.problems.variables import Untreatable
 from chasles.verdict import Fails, Holds, HoldsUnder, Undecided, Verdict
 

@@ -10,6 +10,7 @@ from typing import Any
 import sympy
 
 from chasles.checker.expressions.algebra import constant
+from chasles.checker.expressions.assumptions import NUMBERS, SIGNS, is_so, may_be_any
 from chasles.checker.expressions.complexes import parts
 from chasles.checker.expressions.expressions import Circle, Expressions
 from chasles.checker.expressions.quantities import is_atom
@@ -18,16 +19,6 @@ from chasles.checker.expressions.symbolic import Symbolic
 from chasles.checker.expressions.turns import turned
 from chasles.checker.expressions.valuation import UnknownValue, Valuation
 from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, exponents, number
-
-SIGNS = {
-    "positive": (1,), "negative": (-1,), "nonnegative": (0, 1), "nonpositive": (-1, 0),
-    "zero": (0,), "nonzero": (-1, 1),
-}  # fmt: skip
-NUMBERS = (
-    "integer", "noninteger", "even", "odd", "prime", "composite", "rational", "irrational", "algebraic",
-    "transcendental",
-)  # fmt: skip
-"""What SymPy may assume of a quantity: its sign, and what kind of number it is."""
 
 
 class AtPoint(Expressions, Reals):
@@ -66,27 +57,9 @@ class AtPoint(Expressions, Reals):
         value = self.numbers[str(e)]
         for assumption in (*SIGNS, *NUMBERS):
             said = getattr(e, f"is_{assumption}")
-            if said is not None and said is not self._is(value, assumption):
+            if said is not None and said is not is_so(self, value, assumption):
                 raise Rejected(f"{e} is {'' if said else 'not '}{assumption}, and its value is not so")
         return value
-
-    def _is(self, value: Polynomial, assumption: str) -> bool | None:
-        """Whether a number is what SymPy assumes; None where that is not known."""
-        if assumption in SIGNS:
-            return self.sign(value) in SIGNS[assumption]
-        numerator, below = self.cleared(value)
-        known = constant(numerator)
-        if known is not None and not below:
-            return bool(getattr(sympy.Rational(known.numerator, known.denominator), f"is_{assumption}"))
-        if self.sign(value) < 0 and assumption in ("prime", "composite"):
-            return False
-        if len(numerator.places) > 1 or below:
-            return None
-        # A multiple of pi, or of another arctangent of a rational number, is transcendental (Lindemann).
-        transcendental = not numerator.places & self.squares.keys()
-        if transcendental or len(numerator.terms) == 1:
-            return assumption in ("irrational", "noninteger", "transcendental" if transcendental else "algebraic")
-        return {"algebraic": True, "transcendental": False}.get(assumption)
 
     def half_turn(self) -> Polynomial:
         """What pi is."""
@@ -204,7 +177,7 @@ class AtPoint(Expressions, Reals):
                 if not atoms:
                     self._require_fit(monomial)
                     break
-                if any(e not in others and _may_be_any(e) for e in atoms):
+                if any(e not in others and may_be_any(e) for e in atoms):
                     self._require_factors(monomial)
                     break
             else:
@@ -265,10 +238,3 @@ def _exact(point: AtPoint, value: Any) -> Polynomial:
 
 def _is_circular(name: str) -> bool:
     return name.startswith(("cos(", "sin(")) and name.endswith(")")
-
-
-def _may_be_any(e: Any) -> bool:
-    """Whether SymPy knows nothing of a quantity but, maybe, its sign."""
-    said = (getattr(e, f"is_{assumption}") for assumption in ("zero", "prime", "composite"))
-    kinds = (getattr(e, f"is_{assumption}") for assumption in NUMBERS if assumption not in ("prime", "composite"))
-    return not any(said) and all(known is None for known in kinds)

@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from itertools import combinations
 from math import prod
 from typing import Any
 
 import sympy
 from sympy.core.function import AppliedUndef
-from sympy.core.relational import Relational
 
-from chasles.checker.expressions.enclosed import HOLDING, sign_of_number
+from chasles.checker.expressions.enclosed import sign_of_number
+from chasles.checker.expressions.switches import SWITCHES, deciding, sign_of_multiple, visible_sign, written
 from chasles.checker.sparse import Rejected
 
-SWITCHES = (sympy.Max, sympy.Min, sympy.Piecewise, sympy.Heaviside, sympy.sign, sympy.Abs)
 KINDS = ("integer", "noninteger", "rational", "irrational", "algebraic", "transcendental", "even", "odd", "prime")
 Pairs = tuple[tuple[Any, Any], ...]
 
@@ -63,7 +61,7 @@ class CheckedCase:
     @property
     def impossible(self) -> bool:
         """Whether what is known here visibly contradicts itself, or what is given."""
-        signs = any(_visible(e) not in (None, sign) for e, sign in self.facts)
+        signs = any(visible_sign(e) not in (None, sign) for e, sign in self.facts)
         apart = [one - other for one, other in self.pairs] + list(self.equations)
         return signs or any(self.sign(e) in (1, -1) for e in apart)
 
@@ -80,7 +78,7 @@ class CheckedCase:
         case = self
         while True:
             for part in case.switches():
-                value = case.written(part)
+                value = written(part, case.sign)
                 if value is not None:
                     sides = tuple(tuple(e.xreplace({part: value}) for e in side) for side in case.sides)
                     pairs = tuple(tuple(e.xreplace({part: value}) for e in pair) for pair in case.pairs)
@@ -95,47 +93,14 @@ class CheckedCase:
         found = {part for e in self.spoken for part in e.atoms(*SWITCHES)}
         return sorted(found, key=lambda part: (len(part.atoms(*SWITCHES)), str(part)))
 
-    def written(self, part: Any) -> Any:
-        """What such a part is; None where that is not known."""
-        if isinstance(part, sympy.Piecewise):
-            for value, condition in part.args:
-                truth = self._truth(condition)
-                if truth is None or truth:
-                    return value if truth else None
-            return sympy.nan
-        if isinstance(part, sympy.Max | sympy.Min):
-            for one, other in combinations(sorted(part.args, key=str), 2):
-                sign = self.sign(one - other)
-                if sign is not None:
-                    least = other if (sign >= 0) == isinstance(part, sympy.Max) else one
-                    return part.func(*(e for e in part.args if e != least))
-            return None
-        sign = self.sign(part.args[0])
-        if sign is None:
-            return None
-        if isinstance(part, sympy.Abs):
-            return sign * part.args[0]
-        if isinstance(part, sympy.sign):
-            return sympy.Integer(sign)
-        return sympy.Integer(max(sign, 0)) if sign else part.args[1]
-
-    def _truth(self, condition: Any) -> bool | None:
-        known = {}
-        for relation in condition.atoms(Relational):
-            sign = self.sign(relation.lhs - relation.rhs)
-            if sign is not None:
-                known[relation] = sympy.true if sign in HOLDING[relation.rel_op] else sympy.false
-        found = condition.xreplace(known)
-        return found == sympy.true if found in (sympy.true, sympy.false) else None
-
     def sign(self, e: Any) -> int | None:
         """The sign of an expression, if it is known: by itself, as a multiple of a known one, or by its factors."""
         e = sympy.expand(e)
-        visible = _visible(e)
+        visible = visible_sign(e)
         if visible is not None:
             return visible
         for known, sign in self.facts:
-            multiple = _multiple(e, known)
+            multiple = sign_of_multiple(e, known)
             if multiple is not None:
                 return sign * multiple
         symbols = sorted(e.free_symbols, key=str)
@@ -149,26 +114,13 @@ class CheckedCase:
 
     def split(self, text: str, size: str) -> dict[str, CheckedCase]:
         """The cases in which a factor of what decides some form is positive, zero and negative."""
-        factor = next((f for f in self._deciding() if str(f) == text), None)
+        factor = next((f for f in deciding(self.switches()) if str(f) == text), None)
         if factor is None:
             raise Rejected(f"the sign of {text} decides nothing")
         if not isinstance(size, str) or size in self.names:
             raise Rejected(f"the symbol {size} is not new")
         positive = sympy.Symbol(size, positive=True)
         return {name: self._with(factor, sign, positive) for name, sign in (("+", 1), ("0", 0), ("-", -1))}
-
-    def _deciding(self) -> Iterator[Any]:
-        for part in self.switches():
-            if isinstance(part, sympy.Piecewise):
-                differences = [r.lhs - r.rhs for _, condition in part.args for r in condition.atoms(Relational)]
-            elif isinstance(part, sympy.Max | sympy.Min):
-                differences = [one - other for one, other in combinations(sorted(part.args, key=str), 2)]
-            else:
-                differences = [part.args[0]]
-            for e in differences:
-                yield e
-                if e.free_symbols and not e.has(*SWITCHES) and e.is_polynomial(*e.free_symbols):
-                    yield from (factor for factor, _ in sympy.factor_list(e)[1])
 
     def _with(self, factor: Any, sign: int, positive: Any) -> CheckedCase:
         zeros = self.zeros if sign else (*self.zeros, self.back(factor))
@@ -221,7 +173,7 @@ class CheckedCase:
 
     def required(self) -> list[set[str]]:
         """What is to be said of divisors and radicands outside of conditions, each in one of some ways."""
-        return [texts for power in self._outside() for texts in _requirements(power, _visible(power.base))]
+        return [texts for power in self._outside() for texts in _requirements(power, visible_sign(power.base))]
 
     def required_inside(self) -> list[set[str]]:
         """What is to be said of those within, where it is not seen in this case whether it holds."""
@@ -258,19 +210,3 @@ def _requirements(power: Any, sign: int | None) -> list[set[str]]:
     if not power.exp.is_Integer and sign not in (0, 1) and not base.is_nonnegative:
         found.append({f"{base} >= 0", f"{base} > 0"})
     return found
-
-
-def _visible(e: Any) -> int | None:
-    """The sign that an expression has whatever its symbols are."""
-    if not e.free_symbols:
-        return sign_of_number(e)
-    return 1 if e.is_positive else -1 if e.is_negative else 0 if e.is_zero else None
-
-
-def _multiple(e: Any, known: Any) -> int | None:
-    """The sign of the rational number by which one expression is a multiple of another, if it is one."""
-    (one, rest), (other, same) = (sympy.expand(side).as_content_primitive() for side in (e, known))
-    for sign in (1, -1):
-        if sympy.expand(rest - sign * same) == 0:
-            return int(sympy.sign(sign * one * other))
-    return None

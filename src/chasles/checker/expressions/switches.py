@@ -1,0 +1,82 @@
+"""What changes its form with a sign: Max and Min, absolute values, signs, steps and cases; and signs that are seen."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from itertools import combinations
+from typing import Any
+
+import sympy
+from sympy.core.relational import Relational
+
+from chasles.checker.expressions.enclosed import HOLDING, sign_of_number
+
+SWITCHES = (sympy.Max, sympy.Min, sympy.Piecewise, sympy.Heaviside, sympy.sign, sympy.Abs)
+Sign = Callable[[Any], int | None]
+"""The sign of an expression, where it is known."""
+
+
+def written(part: Any, sign_of: Sign) -> Any:
+    """What a part is that changes its form; None where that takes a sign that is not known."""
+    if isinstance(part, sympy.Piecewise):
+        for value, condition in part.args:
+            truth = _truth(condition, sign_of)
+            if truth is None or truth:
+                return value if truth else None
+        return sympy.nan
+    if isinstance(part, sympy.Max | sympy.Min):
+        for one, other in combinations(sorted(part.args, key=str), 2):
+            sign = sign_of(one - other)
+            if sign is not None:
+                least = other if (sign >= 0) == isinstance(part, sympy.Max) else one
+                return part.func(*(e for e in part.args if e != least))
+        return None
+    sign = sign_of(part.args[0])
+    if sign is None:
+        return None
+    if isinstance(part, sympy.Abs):
+        return sign * part.args[0]
+    if isinstance(part, sympy.sign):
+        return sympy.Integer(sign)
+    return sympy.Integer(max(sign, 0)) if sign else part.args[1]
+
+
+def _truth(condition: Any, sign_of: Sign) -> bool | None:
+    known = {}
+    for relation in condition.atoms(Relational):
+        sign = sign_of(relation.lhs - relation.rhs)
+        if sign is not None:
+            known[relation] = sympy.true if sign in HOLDING[relation.rel_op] else sympy.false
+    found = condition.xreplace(known)
+    return found == sympy.true if found in (sympy.true, sympy.false) else None
+
+
+def deciding(parts: Iterable[Any]) -> Iterator[Any]:
+    """Whose signs decide the form of the parts: differences, and their factors."""
+    for part in parts:
+        if isinstance(part, sympy.Piecewise):
+            differences = [r.lhs - r.rhs for _, condition in part.args for r in condition.atoms(Relational)]
+        elif isinstance(part, sympy.Max | sympy.Min):
+            differences = [one - other for one, other in combinations(sorted(part.args, key=str), 2)]
+        else:
+            differences = [part.args[0]]
+        for e in differences:
+            yield e
+            if e.free_symbols and not e.has(*SWITCHES) and e.is_polynomial(*e.free_symbols):
+                yield from (factor for factor, _ in sympy.factor_list(e)[1])
+
+
+def visible_sign(e: Any) -> int | None:
+    """The sign that an expression has whatever its symbols are."""
+    if not e.free_symbols:
+        return sign_of_number(e)
+    return 1 if e.is_positive else -1 if e.is_negative else 0 if e.is_zero else None
+
+
+def sign_of_multiple(e: Any, known: Any) -> int | None:
+    """The sign of the rational number by which one expression is a multiple of another, if it is one."""
+    (one, rest), (other, same) = (sympy.expand(side).as_content_primitive() for side in (e, known))
+    for sign in (1, -1):
+        if sympy.expand(rest - sign * same) == 0:
+            return int(sympy.sign(sign * one * other))
+    return None
