@@ -340,6 +340,31 @@ EXCERPTS = sorted(
 )
 
 
+@pytest.mark.parametrize(
+    ("page", "expected"),
+    [
+        (
+            [r"V = M g y + m g z", r"T = \frac12 (M + m) \dot y^2"],
+            ["'M' = { is = \"scalar\" }", "'T' = { is = \"scalar\" }"],
+        ),
+        (
+            [r"\tau = I \dot\omega + \omega \times (I \omega)"],
+            ["'I' = { is = \"matrix\" }", "'\\tau' = { is = \"vector\" }"],
+        ),
+        ([r"\vec F = m \vec a", r"\underline{\underline{C}} \, \vec a = \vec F"], ["'\\vec{F}' = { is = \"vector\" }"]),
+        ([r"\mathbf{M} = \mathbf{r} \times \mathbf{F}"], ["'\\mathbf{F}' = { is = \"vector\" }"]),
+        ([r"X^{\mathrm{T}} X = 1", "Y = X^T"], ["'X' = { is = \"matrix\" }"]),
+        ([r"\dot R = R [\phi]_\times", r"\theta^2 = \phi^T \phi"], ["'\\phi' = { is = \"vector\" }"]),
+    ],
+)
+def test_kinds_are_proposed_with_which_the_equations_fit_together(page: list[str], expected: list[str]) -> None:
+    equations = [PrintedEquation(text) for text in page]
+    text = proposed(equations)
+    assert all(each in text for each in expected), text
+    read = read_equations(equations, load_notation(text))
+    assert not any(part.fault for each in read for part in each.readings[0].parts)
+
+
 @pytest.mark.parametrize("path", EXCERPTS, ids=lambda path: path.name)
 def test_excerpts_are_read_whole_and_three_quarters_of_them_with_what_is_proposed(path: Path) -> None:
     printed = displayed(path.read_text("utf-8"), kind_of(path.name))

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from chasles.reading.applying import EVALUATED
 from chasles.reading.commands import MARKS
 from chasles.reading.equations import segments
-from chasles.reading.glyphs import Glyph, joined, letter_of, spelled, text_of
-from chasles.reading.grammar import Atom, Terms, formula, terms_in
+from chasles.reading.glyphs import Glyph, joined, letter_of, said_of, spelled, text_of
+from chasles.reading.grammar import Atom, Chain, Terms, formula, terms_in
 from chasles.reading.grouping import TYPEFACES, Unread
 from chasles.reading.marks import SIZE, WITHOUT_WORD
 from chasles.reading.notation_file import load_notation
@@ -22,17 +21,28 @@ from chasles.reading.spellings import called
 from chasles.reading.tokens import BadPage, Token
 from chasles.vocabulary.measure import Extent
 
-__all__ = ["INVERSES", "OPERATORS", "RATES", "TRANSPOSES", "LetterUse", "letter_uses", "looks"]
+__all__ = ["BARE", "IDENTITIES", "OPERATORS", "RATES", "SKEW", "TRANSPOSES", "LetterUse", "chains_of", "inertias",
+           "is_declared", "letter_uses", "looks", "parted", "stem_of"]  # fmt: skip
 
-TRANSPOSES, INVERSES = ("T", r"\top"), ("- 1", "- T", r"- \top")
+TRANSPOSES, INVERSES = ("T", r"\top", r"\intercal"), ("- 1", "- T", r"- \top")
 RATES = (r"\dot", r"\ddot", r"\dddot")
 OPERATORS = (*RATES, r"\tilde")
 """Accents that are put on a letter; any other is part of its name."""
 NO_LETTERS = frozenset([*WITHOUT_WORD, r"\partial"])
 DIFFERENTIAL = re.compile(r"\\o?int\b|\bd t\b|\\mathrm \{ d \}")
-BARE = (r"\pi", "e", "0", "I", r"\mathbf I", r"\mathbf 0", r"\mathbf 1", r"\mathrm d")
+IDENTITIES = (r"\mathbf 1", r"\mathbf I", "I")
+BARE = (r"\pi", "e", "0", r"\mathbf 0", r"\mathrm d", *IDENTITIES)
 """What is no letter of the page where it has no subscript."""
+INERTIA = re.compile(
+    r"(?:(\\mathbf) \{ I \}|(?<!\{ )\bI) (?:\\(?:[a-z]*dot|vec|mathbf|boldsymbol|omega|alpha) |[a-z] |\^ \{ - 1)"
+)
+"""An I before a letter, or inverted, is no identity: nobody writes that."""
+WORDS = (*TRANSPOSES, *INVERSES, r"\wedge", r"\vee", r"\times")
 MANY = 3
+SKEW = frozenset({r"^\wedge", r"^\times", r"[]_\times"})
+"""Signs that make a cross-product matrix of a vector."""
+ARROWS = frozenset({r"\vec", r"\underline", r"\overrightarrow", r"\underrightarrow"})
+"""Accents that say that a letter is a vector."""
 
 
 @dataclass
@@ -46,6 +56,16 @@ class LetterUse:
     other: str = ""
     shape: tuple[Extent, ...] = ()
 
+    @property
+    def is_square(self) -> bool:
+        """Whether it is inverted, or has a determinant or a trace."""
+        return bool(self.signs & {r"\det", "tr", r"\tr", *(f"^{sup}" for sup in INVERSES)})
+
+    @property
+    def is_matrix(self) -> bool:
+        """Whether it is used as no scalar is: also if it is transposed."""
+        return self.is_square or any(f"^{sup}" in self.signs for sup in TRANSPOSES)
+
 
 @dataclass(frozen=True, slots=True)
 class _Noting:
@@ -55,10 +75,19 @@ class _Noting:
     usual: PageNotation
     at: int
     operators: tuple[str, ...]
+    bare: frozenset[str]
+
+
+def chains_of(equation: PrintedEquation) -> list[Chain]:
+    """What stands side by side or line by line in the equation; nothing where that cannot be read."""
+    try:
+        return [formula(line) for line, _ in segments(equation.tokens) if line]
+    except (Unread, BadPage):
+        return []
 
 
 def letter_uses(
-    equations: Sequence[PrintedEquation], texts: Sequence[str], operators: tuple[str, ...]
+    equations: Sequence[PrintedEquation], texts: Sequence[str], operators: tuple[str, ...], bare: frozenset[str]
 ) -> dict[Glyph, LetterUse]:
     """The letters in their order, with how they are used and what they may be.
 
@@ -67,10 +96,9 @@ def letter_uses(
     usual = load_notation("")
     uses: dict[Glyph, LetterUse] = {}
     for place, equation in enumerate(equations):
-        with suppress(Unread, BadPage):
-            for line, _ in segments(equation.tokens):
-                for side in formula(line).sides:
-                    _note(side, "", _Noting(uses, usual, place, operators))
+        for chain in chains_of(equation):
+            for side in chain.sides:
+                _note(side, "", _Noting(uses, usual, place, operators, bare))
     if any(map(DIFFERENTIAL.search, texts)):
         uses.pop(Glyph("d"), None)
     elif Glyph("d") in uses:
@@ -78,24 +106,31 @@ def letter_uses(
     uses = dict(sorted(uses.items(), key=lambda each: spelled(each[0])))
     are_bold = sum(looks(stem)[0] for stem in uses) >= MANY
     for stem, use in uses.items():
-        use.kind, use.other = _kind(stem, use, are_bold)
+        entries = uses.get(Glyph(stem.base, stem.accents, "#"), LetterUse()).letters
+        has_parts = not stem.sub and {"x", "y"} <= {glyph.sub for glyph in entries}
+        use.kind, use.other = _kind(stem, use, are_bold, has_parts)
     return uses
 
 
-def _kind(stem: Glyph, use: LetterUse, are_bold: bool) -> tuple[str, str]:
+def inertias(text: str) -> set[str]:
+    """The letters for an identity that are something else in this equation, given as one text."""
+    return {f"{face} I".strip() for face in INERTIA.findall(f"{text} ")}
+
+
+def _kind(stem: Glyph, use: LetterUse, are_bold: bool, has_parts: bool) -> tuple[str, str]:
     """What the letter is most likely, and what else it may be; where vectors are bold, others are none at first."""
     letter = stem.base.split()[-1]
     bold, large = looks(stem)
-    square = any(f"^{sup}" in use.signs for sup in INVERSES) or bool(use.signs & {r"\det", "tr", r"\tr"})
-    vector = bool(use.signs & {r"\times", r"\cdot", r"\|\|", r"\lfloor\rfloor", r"\tilde", r"^\wedge"})
-    transposed = any(f"^{sup}" in use.signs for sup in TRANSPOSES)
-    if large and (bold or square or transposed):
+    crossed = bool(use.signs & {r"\times", r"\|\|", r"\lfloor\rfloor", *SKEW})
+    vector = crossed or (not large and r"\tilde" in use.signs)
+    if large and (bold or use.is_matrix) and (use.is_square or not crossed or letter in ("R", "Q", "C")):
         return ("rotation", "matrix") if letter in ("R", "Q", "C") else ("matrix", "")
-    has_parts = stem in use.letters and {"x", "y"} <= {glyph.sub for glyph in use.letters}
-    if bold or (vector and not large and (has_parts or not are_bold)):
+    if bold or use.signs & SKEW or (vector and not are_bold) or (has_parts and not large):
         return "vector", "" if bold or r"\cdot" not in use.signs else "scalar"
-    if transposed:
+    if use.is_matrix:
         return "vector", "matrix"
+    if r"\otimes" in use.signs and not large:
+        return "quaternion", "scalar"
     if use.signs & {r"\sin", r"\cos", r"\tan"}:
         return "angle", ""
     return ("matrix", "scalar") if large else ("scalar", "vector")
@@ -104,8 +139,11 @@ def _kind(stem: Glyph, use: LetterUse, are_bold: bool) -> tuple[str, str]:
 def looks(stem: Glyph) -> tuple[bool, bool]:
     """Whether the letter is bold, or has an accent of vectors, and whether it is a capital."""
     letter = stem.base.split()[-1]
-    accented = bool({*stem.accents} & {r"\vec", r"\bar", r"\hat"})
-    return r"\mathbf" in stem.base or r"\vec" in stem.base or accented, letter.strip("\\")[:1].isupper()
+    accented = bool({*stem.accents} & {r"\bar", r"\hat", *ARROWS})
+    is_double = stem.accents.count(r"\underline") > 1
+    is_column = not is_double and (bool({*stem.accents} & ARROWS) or r"\vec" in stem.base)
+    is_large = is_double or (letter.strip("\\")[:1].isupper() and not is_column)
+    return r"\mathbf" in stem.base or is_column or accented, is_large
 
 
 def _note(terms: Terms | None, within: str, noting: _Noting) -> None:
@@ -122,11 +160,21 @@ def _note(terms: Terms | None, within: str, noting: _Noting) -> None:
             if piece.kind == "LETTER" and name in noting.usual.spellings.names:
                 before = name
                 continue
-            if name == "d" and isinstance(after, Atom) and after.kind == "LETTER" and not _is_derivative(terms, within):
+            if (
+                name == "d"
+                and isinstance(after, Atom)
+                and (after.kind == "LETTER" or after.text in TYPEFACES)
+                and not _is_derivative(terms, within)
+            ):
                 _note_letter(letter_of(joined((piece, after)) or piece), around, noting)
                 before = within
                 continue
             inside = piece.text if piece.text in (r"\|\|", "||", r"\lfloor\rfloor") else before
+            inside = (
+                r"[]_\times"
+                if piece.kind == "BRACKET" and r"\times" in map(said_of, (piece.sub or (), *piece.sups))
+                else inside
+            )
             inside = "d" if len(piece.arguments) == 2 and upright(piece.arguments[0])[:1] == ["d"] else inside
             for inner in terms_in(piece):
                 _note(inner, inside, noting)
@@ -140,16 +188,32 @@ def _is_derivative(terms: Terms | None, within: str) -> bool:
     return within == "d" or terms is None or "int" in text_of(terms)
 
 
-def _note_letter(letter: Glyph, around: set[str], noting: _Noting) -> None:
-    is_bare = letter.base in BARE and (letter.base != "e" or bool(letter.sups))
+def parted(letter: Glyph, operators: Sequence[str]) -> tuple[Glyph, tuple[str, ...]]:
+    """The letter with all that is part of its name, and the accents and superscripts that are not."""
+    plain = {re.sub(r"\\math\w+ ", "", sup): sup for sup in letter.sups}
+    scripts = tuple(sup for sup in plain if sup in WORDS or sup.isdigit() or sup.startswith(EVALUATED))
+    accents = tuple(accent for accent in letter.accents if accent not in operators)
+    own = tuple(sup for said, sup in plain.items() if said not in scripts)
+    made = tuple(accent for accent in letter.accents if accent in operators and accent not in RATES)
+    return Glyph(letter.base, accents, letter.sub, letter.primes, own, letter.before), (*made, *scripts)
+
+
+def stem_of(own: Glyph) -> Glyph:
+    """What the letters have in common that are most likely of one kind: those with subscripts, or those without."""
+    return Glyph(own.base, own.accents, "#" if own.sub else "")
+
+
+def is_declared(letter: Glyph, bare: frozenset[str]) -> bool:
+    """Whether it is a letter of the page, and not one that has a meaning everywhere."""
+    is_bare = letter.base in bare and (letter.base != "e" or bool(letter.sups))
     is_bare = is_bare and (not letter.sub or bool(SIZE.fullmatch(letter.sub))) and not {*letter.accents} - {*RATES}
-    if is_bare or letter.base in NO_LETTERS or " , " in letter.base or letter.base.startswith(("[", "(", r"\begin")):
-        return
-    words = (*TRANSPOSES, *INVERSES, r"\wedge", r"\vee")
-    scripts = {sup for sup in letter.sups if sup in words or sup.isdigit() or sup.startswith(EVALUATED)}
-    accents = tuple(accent for accent in letter.accents if accent not in noting.operators)
-    own = Glyph(letter.base, accents, letter.sub, letter.primes, tuple(set(letter.sups) - scripts), letter.before)
-    stem = replace(own, sub="")
-    use = noting.uses.setdefault(stem, LetterUse())
-    use.letters[own] = use.places[noting.at] = None
-    use.signs |= around | {f"^{sup}" for sup in scripts} | ({*letter.accents} & {*noting.operators[len(RATES) :]})
+    is_name = letter.base.startswith(("[", "(", r"\begin")) or " , " in letter.base or letter.base in NO_LETTERS
+    return not (is_bare or is_name)
+
+
+def _note_letter(letter: Glyph, around: set[str], noting: _Noting) -> None:
+    if is_declared(letter, noting.bare):
+        own, marks = parted(letter, noting.operators)
+        use = noting.uses.setdefault(stem_of(own), LetterUse())
+        use.letters[own] = use.places[noting.at] = None
+        use.signs |= around | {each if each in noting.operators else f"^{each}" for each in marks}

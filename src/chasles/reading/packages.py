@@ -7,8 +7,11 @@ __all__ = ["ALWAYS", "PACKAGES"]
 ALWAYS = r"""
 \newcommand\prescript[3]{{}^{#1}_{#2}{#3}}
 \newcommand\leftidx[3]{{}#1{#2}#3}
+\newcommand\abs[1]{\left|#1\right|} \newcommand\norm[1]{\left\|#1\right\|}
+\newcommand\vect[1]{\vec{#1}} \newcommand\vb[1]{\mathbf{#1}} \newcommand\mbf[1]{\mathbf{#1}}
+\newcommand\bs[1]{\boldsymbol{#1}}
 """
-"""What is the same in every package that has it."""
+"""What is the same in every package that has it, or a usual name for it where the page does not define it."""
 
 PACKAGES = {
     "physics": r"""

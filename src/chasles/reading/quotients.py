@@ -120,7 +120,8 @@ def fraction_fits(atom: Atom, ctx: FittingContext) -> list[Fit]:
 
 def exponential_fits(exponent: Tokens, ctx: FittingContext) -> list[Fit]:
     """The exponential of a scalar, or of a multiple of a cross-product matrix."""
-    made_of = [(fit, made(exponential, fit.node)) for fit in of_tokens(exponent, ctx) if ctx.is_as_printed(fit)]
+    fits = [fit for each in of_tokens(exponent, ctx) if (fit := each if each.node is not None else each.at(each.usual))]
+    made_of = [(fit, made(exponential, fit.node)) for fit in fits if ctx.is_as_printed(fit)]
     return [Fit(node, ctx.said(node), fit.cost) for fit, node in made_of if node is not None]
 
 

@@ -1,0 +1,203 @@
+"""Which shapes the letters of a page have: whether its equations fit together is seen without reading them in full."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import reduce
+
+from chasles.reading.glyphs import Glyph, letter_of, with_arguments
+from chasles.reading.grammar import Atom, Chain, FlatRow, Terms, formula
+from chasles.reading.grouping import Grid, Tokens, Unread
+from chasles.reading.page_functions import lists_letters
+from chasles.reading.quotients import order_of_rate, upright
+from chasles.reading.spellings import called
+from chasles.reading.tokens import Token
+
+__all__ = ["Misshapen", "Shape", "ShapeOf", "shape_of_chain"]
+
+Shape = tuple[int, int]
+ShapeOf = Callable[[Glyph], tuple[Shape | None, tuple[str, ...]]]
+"""What shape a letter has, None if that is not known, and which accents and superscripts are no part of its name."""
+SCALAR, VECTOR, MATRIX = (1, 1), (3, 1), (3, 3)
+OF_ANY = (r"\exp", r"\log", r"\ln", "Exp", "Log", r"\det", "tr", r"\tr", "Tr", "trace", "diag", "skew", "vect")
+"""Functions of what may be no scalar."""
+TRANSPARENT = (r"\sum", r"\int", r"\oint", r"\prod", r"\lim")
+
+
+class Misshapen(ValueError):
+    """Two pieces that do not fit together."""
+
+
+def shape_of_chain(chain: Chain, of: ShapeOf, names: frozenset[str]) -> list[Shape | None]:
+    """The shapes of the sides; raises `Misshapen` where they do not fit together. `names` are those of functions."""
+    shapes_of = _PieceShapes(of, names)
+    shapes = [shapes_of.terms(side) for side in chain.sides if side is not None]
+    reduce(_same, shapes, None)
+    return shapes
+
+
+def _same(one: Shape | None, other: Shape | None) -> Shape | None:
+    if one is not None and other is not None and one != other:
+        raise Misshapen
+    return one if one is not None else other
+
+
+def _times(one: Shape | None, other: Shape | None) -> Shape | None:
+    if one is None or other is None:
+        return None
+    if one == SCALAR or other == SCALAR:
+        return other if one == SCALAR else one
+    if one[1] != other[0]:
+        raise Misshapen
+    return one[0], other[1]
+
+
+class _PieceShapes:
+    """The shapes of pieces of a formula; None for what may have any."""
+
+    def __init__(self, of: ShapeOf, names: frozenset[str]) -> None:
+        self.of, self.names = of, names
+
+    def terms(self, terms: Terms) -> Shape | None:
+        return reduce(_same, map(self.row, terms.rows), None)
+
+    def tokens(self, tokens: Tokens) -> Shape | None:
+        try:
+            sides = formula(tokens).sides if tokens else ()
+        except Unread:
+            return None
+        return self.terms(sides[0]) if len(sides) == 1 and sides[0] is not None else None
+
+    def row(self, row: FlatRow) -> Shape | None:
+        pieces = row.pieces
+        if len(pieces) == 1 and isinstance(pieces[0], Atom) and pieces[0].text in ("0", "1"):
+            return None
+        parts: list[list[Atom]] = [[]]
+        for piece in pieces:
+            parts = [*parts, []] if isinstance(piece, Token) else [*parts[:-1], [*parts[-1], piece]]
+        shape, is_number = self.product(parts[0]), all(atom.kind == "NUMBER" for atom in parts[0])
+        for sign, part in zip((piece.text for piece in pieces if isinstance(piece, Token)), parts[1:], strict=True):
+            shape = _combined(sign, shape, self.product(part) if part else None, is_number)
+        return shape
+
+    def product(self, atoms: Sequence[Atom]) -> Shape | None:
+        shape: Shape | None = SCALAR
+        at = 0
+        while at < len(atoms):
+            atom, behind = atoms[at], atoms[at + 1] if at + 1 < len(atoms) else None
+            name, at = called(atom), at + 1
+            if atom.text in TRANSPARENT:
+                continue
+            if behind is not None and (name == "d" or (name in self.names and atom.kind in ("LETTER", "COMMAND"))):
+                shape, at = shape if name == "d" else _times(shape, self.value(name, behind)), at + 1
+            elif atom.kind == "COMMAND_OF_TWO" and upright(atom.arguments[0]) in (["d"], [r"\partial"]):
+                shape = shape if order_of_rate(*atom.arguments) else None
+            elif behind is not None and behind.text == "()" and atom.kind != "NUMBER" and _is_argument(behind):
+                shape, at = _times(shape, self.marked(self.atom(atom), letter_of(behind).sups)), at + 1
+            else:
+                shape = _times(shape, self.atom(atom))
+        return shape
+
+    def value(self, name: str, argument: Atom) -> Shape | None:
+        """The shape of a function's value."""
+        inner = self.atom(argument)
+        if name not in OF_ANY and inner not in (SCALAR, None):
+            raise Misshapen
+        return SCALAR if inner == SCALAR or name in (r"\det", "tr", r"\tr", "Tr", "trace") else None
+
+    def atom(self, atom: Atom) -> Shape | None:
+        letter, text = letter_of(atom), atom.text
+        shape: Shape | None = SCALAR
+        match atom.kind:
+            case "NUMBER":
+                pass
+            case "BRACKET" if r"\times" in (*letter.sups, letter.sub) and len(atom.inside) == 1:
+                return self.marked(self.terms(atom.inside[0]), (r"\times",))
+            case "BRACKET" if text == r"\|\|" and atom.inside:
+                inner = self.terms(atom.inside[0])
+                if inner is not None and (inner[1] != 1 or inner == SCALAR):
+                    raise Misshapen
+            case "BRACKET" if text in ("()", "[]") and atom.inside:
+                cells = [self.terms(each) for each in atom.inside]
+                shape = cells[0] if len(cells) == 1 else _stacked([[cell] for cell in cells])
+            case "BRACKET":
+                return SCALAR if text in ("||", r"\langle\rangle") else None
+            case "GRID" if isinstance(atom.grid, Grid) and atom.grid.name.endswith(("matrix", "array")):
+                shape = _stacked([[self.tokens(cell) for cell in row] for row in atom.grid.rows])
+            case "COMMAND_OF_TWO" if "frac" in text:
+                shape = self.fraction(*atom.arguments)
+            case "COMMAND" if text == r"\sqrt":
+                if self.tokens(atom.arguments[0]) not in (SCALAR, None):
+                    raise Misshapen
+            case "GROUP" if not letter.accents:
+                shape = self.tokens(atom.arguments[0])
+            case "LETTER" if text == "e" and len(atom.sups) == 1 and not atom.sub:
+                shape = self.tokens(atom.sups[0])
+                if shape not in (SCALAR, MATRIX, None):
+                    raise Misshapen
+                return shape
+            case _:
+                shape, marks = self.of(letter)
+                return self.marked(shape, marks)
+        return self.marked(shape, letter.sups)
+
+    def fraction(self, above: Tokens, below: Tokens) -> Shape | None:
+        top, bottom = upright(above), upright(below)
+        if top[:1] in (["d"], [r"\partial"]) and bottom[:1] == top[:1]:
+            start = next(at for at, token in enumerate(above) if token.text in ("d", r"\partial")) + 1
+            return self.tokens(above[start:]) if order_of_rate(above, below) == 1 else None
+        if self.tokens(below) not in (SCALAR, None):
+            raise Misshapen
+        return SCALAR if top in (["1"], ["0"]) else self.tokens(above)
+
+    def marked(self, shape: Shape | None, marks: Sequence[str]) -> Shape | None:
+        for mark in marks:
+            plain = mark.replace(r"\mathrm ", "").replace(r"\mathsf ", "")
+            if shape is None:
+                return None
+            if plain in ("T", r"\top", r"\intercal", "- T", r"- \top"):
+                shape = shape[1], shape[0]
+            elif plain in (r"\tilde", r"\wedge", r"\times"):
+                if shape != VECTOR:
+                    raise Misshapen
+                shape = MATRIX
+            elif plain == r"\vee":
+                shape = VECTOR
+            elif plain == "2" and shape[1] == 1:
+                shape = SCALAR
+            elif (plain == "- 1" or plain.isdigit()) and shape[0] != shape[1]:
+                raise Misshapen
+        return shape
+
+
+def _is_argument(bracket: Atom) -> bool:
+    with_them = with_arguments(Glyph(""), bracket)
+    return lists_letters(bracket) or len(bracket.inside) > 1 or (with_them is not None and with_them.arguments == "t")
+
+
+def _combined(sign: str, one: Shape | None, other: Shape | None, is_number: bool) -> Shape | None:
+    if sign == r"\times" and not is_number:
+        if {one, other} - {VECTOR, None}:
+            raise Misshapen
+        return VECTOR
+    if sign == r"\otimes" and None not in (one, other) and SCALAR not in (one, other):
+        return MATRIX if one == other == VECTOR else _same(one, other)
+    if sign == "/":
+        if other not in (SCALAR, None):
+            raise Misshapen
+        return one
+    if sign == r"\cdot" and one == other and one is not None and one[1] == 1:
+        return SCALAR
+    return _times(one, other) if sign in (r"\times", r"\cdot", "*") else None
+
+
+def _stacked(rows: Sequence[Sequence[Shape | None]]) -> Shape | None:
+    """The shape of a matrix of blocks; None where some row or column is of unknown size."""
+    if len({*map(len, rows)}) != 1:
+        return None
+    heights = [{cell[0] for cell in row if cell} for row in rows]
+    widths = [{cell[1] for cell in column if cell} for column in zip(*rows, strict=True)]
+    if any(len(each) > 1 for each in (*heights, *widths)):
+        raise Misshapen
+    sizes = [sum(next(iter(each), 1) for each in side) for side in (heights, widths)]
+    return (sizes[0], sizes[1]) if any(map(any, rows)) or len(rows) > 1 else None

@@ -1,0 +1,166 @@
+"""What the letters of a page are: the most likely kinds with which the most equations fit together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import lru_cache
+from itertools import combinations, islice, product
+
+from chasles.reading.glyphs import Glyph, letter_of
+from chasles.reading.grammar import Atom, Chain, Terms
+from chasles.reading.letter_shapes import Misshapen, Shape, shape_of_chain
+from chasles.reading.letter_uses import (
+    ARROWS,
+    SKEW,
+    LetterUse,
+    chains_of,
+    is_declared,
+    letter_uses,
+    looks,
+    parted,
+    stem_of,
+)
+from chasles.reading.notation_file import load_notation
+from chasles.reading.printed import PrintedEquation
+from chasles.vocabulary.measure import Extent
+
+__all__ = ["shaped_letters"]
+
+Kind = tuple[str, tuple[Extent, ...]]
+SHAPES = {
+    "scalar": (1, 1),
+    "angle": (1, 1),
+    "vector": (3, 1),
+    "matrix": (3, 3),
+    "rotation": (3, 3),
+    "quaternion": (4, 1),
+}
+USUAL = {(True, True): ("matrix", "vector"), (True, False): ("vector", "matrix"),
+         (False, True): ("matrix", "scalar", "vector"), (False, False): ("scalar", "vector")}  # fmt: skip
+"""What a letter may be, by whether it is bold and whether it is a capital."""
+ROUNDS, MOST_TOGETHER, MOST_TRIED, MOST_AFFECTED = 3, 3, 300, 40
+UNLIKELY = 0.3
+"""What another kind than that which its looks suggest costs, in equations that do not fit together."""
+
+
+def shaped_letters(
+    equations: Sequence[PrintedEquation], texts: Sequence[str], operators: tuple[str, ...], bare: frozenset[str]
+) -> tuple[dict[Glyph, LetterUse], int]:
+    """The letters with what they are, and how many equations do not fit together even so."""
+    uses = letter_uses(equations, texts, operators, bare)
+    search = _KindSearch([chains_of(equation) for equation in equations], uses, operators, bare)
+    for _ in range(ROUNDS):
+        for place in [place for place in search.stems if search.faults(place)]:
+            search.mend(place)
+    return uses, sum(map(search.faults, search.stems))
+
+
+class _KindSearch:
+    """Changes the kinds of letters, a few at a time, where an equation does not fit together."""
+
+    def __init__(
+        self,
+        chains: Sequence[Sequence[Chain]],
+        uses: dict[Glyph, LetterUse],
+        operators: tuple[str, ...],
+        bare: frozenset[str],
+    ) -> None:
+        self.chains, self.uses, self.operators, self.bare = chains, uses, operators, bare
+        self.names = frozenset(load_notation("").spellings.names)
+        self.stems: dict[int, list[Glyph]] = {}
+        for stem, use in uses.items():
+            for place in use.places:
+                self.stems.setdefault(place, []).append(stem)
+        self.kinds: dict[Glyph, list[Kind]] = {stem: _kinds(stem, use) for stem, use in uses.items()}
+        self.known: dict[object, int] = {}
+        self.parted = lru_cache(maxsize=None)(lambda letter: parted(letter, operators))
+
+    def shape_of(self, letter: Glyph) -> tuple[Shape | None, tuple[str, ...]]:
+        own, marks = self.parted(letter)
+        use = self.uses.get(stem_of(own)) if is_declared(letter, self.bare) else None
+        if use is None:
+            return (1, 1) if letter.base == r"\pi" else None, marks
+        return (use.shape[0], use.shape[1]) if use.shape else SHAPES[use.kind], marks
+
+    def faults(self, place: int) -> int:
+        """How many relations of the equation do not fit together."""
+        key = place, *((self.uses[stem].kind, self.uses[stem].shape) for stem in self.stems[place])
+        if key not in self.known:
+            self.known[key] = sum(self._is_misshapen(chain) for chain in self.chains[place])
+        return self.known[key]
+
+    def _is_misshapen(self, chain: Chain) -> bool:
+        try:
+            shape_of_chain(chain, self.shape_of, self.names)
+        except Misshapen:
+            return True
+        return False
+
+    def mend(self, place: int) -> None:
+        """Let few letters of the equation be something else, if more equations fit together then."""
+        for stem, shape in self._wanted(place):
+            kind: Kind = next(((name, ()) for name, each in SHAPES.items() if each == shape), ("matrix", shape))
+            self.kinds[stem] += [kind] if kind not in self.kinds[stem] else []
+        best = 0.0
+        found: tuple[tuple[Glyph, Kind], ...] = ()
+        here = self.faults(place)
+        for change in islice(self._changes(place), MOST_TRIED):
+            affected = list(dict.fromkeys(each for stem, _ in change for each in self.uses[stem].places))[
+                :MOST_AFFECTED
+            ]
+            before = sum(map(self.faults, affected))
+            old = self._let(change)
+            if self.faults(place) < here:
+                gain = before - sum(map(self.faults, affected)) - UNLIKELY * sum(self._cost(each) for each in change)
+                gain += UNLIKELY * sum(self._cost(each) for each in old)
+                best, found = (gain, change) if gain > best else (best, found)
+            self._let(old)
+        self._let(found)
+
+    def _cost(self, chosen: tuple[Glyph, Kind]) -> int:
+        return self.kinds[chosen[0]].index(chosen[1]) > 0
+
+    def _let(self, change: Sequence[tuple[Glyph, Kind]]) -> tuple[tuple[Glyph, Kind], ...]:
+        """Let the letters be so; what they were before."""
+        old = tuple((stem, (self.uses[stem].kind, self.uses[stem].shape)) for stem, _ in change)
+        for stem, (kind, shape) in change:
+            self.uses[stem].kind, self.uses[stem].shape = kind, shape
+        return old
+
+    def _changes(self, place: int) -> Iterator[tuple[tuple[Glyph, Kind], ...]]:
+        stems = [stem for stem in self.stems[place] if len(self.kinds[stem]) > 1]
+        for count in range(1, MOST_TOGETHER + 1):
+            for chosen in combinations(stems, count):
+                now = [(self.uses[stem].kind, self.uses[stem].shape) for stem in chosen]
+                others = (
+                    [kind for kind in self.kinds[stem] if kind != was] for stem, was in zip(chosen, now, strict=True)
+                )
+                for kinds in product(*others):
+                    yield tuple(zip(chosen, kinds, strict=True))
+
+    def _wanted(self, place: int) -> Iterator[tuple[Glyph, Shape]]:
+        """The shapes of what letters are set equal to."""
+        for chain in self.chains[place]:
+            sides = [side for side in chain.sides if side is not None]
+            shapes = {shape for side in sides if (shape := self._shape(side)) is not None}
+            for side in sides:
+                piece = side.rows[0].pieces[0]
+                if len(side.rows) == len(side.rows[0].pieces) == 1 and isinstance(piece, Atom):
+                    stem = stem_of(self.parted(letter_of(piece))[0])
+                    yield from ((stem, shape) for shape in shapes if stem in self.uses)
+
+    def _shape(self, side: Terms) -> Shape | None:
+        try:
+            return shape_of_chain(Chain((side,), ()), self.shape_of, self.names)[0]
+        except Misshapen:
+            return None
+
+
+def _kinds(stem: Glyph, use: LetterUse) -> list[Kind]:
+    """What the letter may be, the most likely first."""
+    is_open = not (use.is_matrix or use.signs & SKEW or r"\mathbf" in stem.base or ARROWS & {*stem.accents})
+    usual = [each for each in (*USUAL[looks(stem)], "scalar") if each != "scalar" or is_open]
+    quaternion = ["quaternion"] if {r"\otimes", r"\circ"} & use.signs else []
+    matrix = ["matrix"] if use.is_matrix else []
+    usual = [use.kind] if use.signs & SKEW else usual
+    return [(kind, ()) for kind in dict.fromkeys((use.kind, *usual, *quaternion, *matrix))]
