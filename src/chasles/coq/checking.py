@@ -25,6 +25,7 @@ AXIOMS = frozenset({
     "functional_extensionality_dep",
 })  # fmt: skip
 """What the real numbers of Coq's library rest on. A theorem that rests on anything else is not counted as accepted."""
+PROVED = re.compile(r"^\w+_holds\s+: \w+$", re.MULTILINE)
 ANSWER = re.compile(r"^(?=Axioms:|Closed under the global context)", re.MULTILINE)
 REFUSED = "while it is expected to have type"
 BOUNDED = 'ulimit -v 2097152 2>/dev/null; ulimit -t 300; exec "$@"'
@@ -109,17 +110,26 @@ def _proved(folder: Path, part: Chunk, claims: list[Claimed]) -> Iterator[CoqVer
             waiting.append(claim)
     while waiting:
         done = _compiled(folder, part.proofs, part.proved({claim.name for claim in waiting}))
-        answers = ANSWER.split(done.stdout)[1:]
-        accepted = waiting if not done.returncode else waiting[: len(answers)]
-        for claim, answer in zip(accepted, answers, strict=True):
-            yield CoqVerdict(claim, _objection(answer))
-        waiting = waiting[len(accepted) :]
-        if waiting:
-            yield CoqVerdict(waiting.pop(0), _reason(done))
+        if not done.returncode:
+            yield from _resting(folder, part, waiting, done.stdout)
+            return
+        proved = len(PROVED.findall(done.stdout))
+        yield CoqVerdict(waiting.pop(min(proved, len(waiting) - 1)), _reason(done))
+
+
+def _resting(folder: Path, part: Chunk, claims: list[Claimed], said: str) -> Iterator[CoqVerdict]:
+    """Whether theorems that Coq has accepted rest on no more than they may: of all at once, then of each."""
+    answers = ANSWER.split(said)[1:]
+    if len(answers) == 1 and not _objection(answers[0]):
+        yield from map(CoqVerdict, claims)
+        return
+    done = _compiled(folder, part.proofs, part.proved({claim.name for claim in claims}, apart=True))
+    for claim, answer in zip(claims, ANSWER.split(done.stdout)[1:], strict=True):
+        yield CoqVerdict(claim, _objection(answer))
 
 
 def _objection(answer: str) -> str:
-    """What is wrong with a theorem that Coq has accepted, by what it says that it rests on; empty if nothing is."""
+    """What is wrong with theorems that Coq has accepted, by what it says that they rest on; empty if nothing is."""
     axioms = set(re.findall(r"^([\w.']+)\s*:", answer.removeprefix("Axioms:"), re.MULTILINE))
     return f"it rests on {', '.join(foreign)}" if (foreign := sorted(axioms - AXIOMS)) else ""
 
