@@ -80,7 +80,7 @@ class _ScalarProof:
         for name, kind, text in certificate.get("words", ()):
             numbers = [sympy.sqrt(int(text))] if kind == "sqrt" and text.isdigit() else []
             for e in (*self._roots_of(kind), *numbers):
-                if name not in self._named and self._same(self.plain(e.args[0]), text):
+                if name not in self._named and self._same(self.plain(e.args[0]), kind, text):
                     self.plain(e)
             if name not in self._named:
                 raise Unsaid(f"a certificate of the {kind} of {text}, of which the question does not speak")
@@ -195,9 +195,8 @@ class _ScalarProof:
         square = said if kind == "sqrt" else said**2
         name = self._remember(e)
         lemma = "root" if kind == "sqrt" else "size"
-        names = [
-            each for each, what, text in self.certificate.get("words", ()) if what == kind and self._same(said, text)
-        ]
+        words = self.certificate.get("words", ())
+        names = [each for each, what, text in words if what == kind and self._same(said, kind, text)]
         self._facts.append(f"pose proof ({lemma}_positive _ _ of'{name}) as positive'{name}.")
         for text, factors in () if names else self.certificate.get("roots", ()):
             ratio = sympy.cancel(square / self._parsed(text))
@@ -229,8 +228,10 @@ class _ScalarProof:
         found = powers if kind == "sqrt" else expressions.atoms(sympy.Abs)
         return sorted(set(found), key=lambda e: (e.count_ops(), str(e)))
 
-    def _same(self, said: Any, text: str) -> bool:
-        return not sympy.expand(said - self._parsed(text))
+    def _same(self, said: Any, kind: str, text: str) -> bool:
+        """Whether a root, or an absolute value, is that of the certificate."""
+        value = self._parsed(text)
+        return not sympy.expand(said - value) or (kind == "abs" and not sympy.expand(said + value))
 
     def _remember(self, e: Any) -> str:
         name = f"value'{len(self._remembered)}"
