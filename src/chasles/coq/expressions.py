@@ -132,7 +132,7 @@ class Spelling:
                     sign, other = ("-", term.term) if isinstance(term, w.Negative) else ("+", term)
                     text += f" {sign} {part(other, PLUS - 1)}"
                 return text, PLUS
-        raise Unsaid(f"{type(node).__name__} is no word of the theories")
+        raise Unsaid(f"{getattr(node, 'function', type(node).__name__)} is no word of the theories")
 
 
 def held(spelled: Spelled, most: int) -> str:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from functools import cached_property
 
 from chasles import vocabulary as w
 from chasles.checker.quantities import squeezed
@@ -29,11 +28,6 @@ class KnownFacts:
         self._norms: dict[w.Node, str] = {}
         self._angles: list[tuple[str, w.Call]] = []
         self._integrals: list[tuple[str, w.Integral, str]] = []
-
-    @cached_property
-    def identity(self) -> str:
-        """The step that shows an identity, the likelier one first."""
-        return "fraction" if any(isinstance(node, w.Quotient | w.Vect) for node in self.said.nodes) else "identity"
 
     def polynomial(self, label: str) -> str:
         """What vanishes, by its label."""
@@ -61,7 +55,7 @@ class KnownFacts:
             if place in first:
                 other = first[place]
                 known = f"positive'{name} positive'{other} square'{name} square'{other}"
-                steps = f"apply (same_root _ _ _ _ {known}); words; {self.identity}"
+                steps = f"apply (same_root _ _ _ _ {known}); words; identity"
                 yield f"assert (same'{name} : {name} = {other}) by ({steps})."
                 yield f"subst {name}."
             else:
@@ -73,7 +67,7 @@ class KnownFacts:
         for of, name in self.spell.norms.items():
             self.squares.append(f"squared'{name}")
             value = self.spell(self.reading(w.Dot(of, of))[0][0])
-            steps = f"apply Rminus_diag_uniq; refine (eq_trans _ square'{name}); words; {self.identity}"
+            steps = f"apply Rminus_diag_uniq; refine (eq_trans _ square'{name}); words; identity"
             yield f"assert (squared'{name} : {name} ^ 2 = {value}) by ({steps})."
 
     # Cosines and sines: of multiples of angles, by the addition formulas.
@@ -148,7 +142,7 @@ class KnownFacts:
         split = "rewrite plus'; " * (len(products) - 1)
         return (
             f"transitivity (integral (fun b => {total})); [f_equal; extensionality b; rewrite ?norm_square; words; "
-            f"{self.identity} | {split}rewrite !scale'; spelled_out integral; identity]."
+            f"identity | {split}rewrite !scale'; spelled_out integral; identity]."
         )
 
     @property
@@ -174,7 +168,7 @@ class KnownFacts:
             elif hypothesis.kind == "positive":
                 source = f"(Rgt_not_eq _ _ {source})"
             factor = self.spell(self.reading.nonzero[k])
-            yield f"assert (nonzero'{k} : {factor} <> 0) by (apply (not_zero_as _ _ {source}); words; {self.identity})."
+            yield f"assert (nonzero'{k} : {factor} <> 0) by (apply (not_zero_as _ _ {source}); words; identity)."
 
     def vanishing(self, labels: list[str]) -> Iterator[str]:
         """What vanishes, of these labels."""
@@ -191,14 +185,14 @@ class KnownFacts:
             place = self.reading.places[squeezed(label.removeprefix("norm "))]
             of = self.reading.variables[place][1]
             below = self.spell.product(cleared(self.reading(w.Dot(of, of))[0][0], self.reading.nonzero)[1]) or "1"
-            return f"apply (equal_numbers ({below}) _ _ _ square'{self.spell.norms[of]}); words; fraction"
+            return f"apply (equal_numbers ({below}) _ _ _ square'{self.spell.norms[of]}); words; identity"
         if label not in self.sources:
             raise Unsaid(f"what vanishes as {label}")
         source = self.sources[label]
         below = self.spell.product(source.below) or "1"
         equation = self.instant.equation(source)
         squares = "".join(f"rewrite ?{each}; " for each in self.squares)
-        steps = f"first [fraction | {squares}fraction]" if squares else "fraction"
+        steps = f"first [reckon | {squares}reckon]" if squares else "identity"
         if source.left.shape == (1, 1):
             return f"apply (equal_numbers ({below}) _ _ _ {equation}); words; {steps}"
         return f"apply (equal_entries ({below}) _ _ {source.i} {source.j} _ {equation}); words; {steps}"

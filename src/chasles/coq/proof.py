@@ -134,8 +134,8 @@ class _Proof:
         products = [f"{self.spell(cofactor)} * {self.facts.polynomial(label)}" for label, cofactor in why.cofactors]
         total = " + ".join(products) or "0"
         if below := self.spell.product(why.powers):
-            return f"apply (by_multiple ({below}) _ _ ({total})); [not_zero | vanish | fraction]"
-        return f"apply (by_parts _ _ ({total})); [vanish | {self.facts.identity}]" if products else self.facts.identity
+            return f"apply (by_multiple ({below}) _ _ ({total})); [not_zero | vanish | identity]"
+        return f"apply (by_parts _ _ ({total})); [vanish | identity]" if products else "identity"
 
 
 def _labels(certificate: Mapping[str, Any]) -> list[str]:

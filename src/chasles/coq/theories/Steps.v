@@ -50,7 +50,6 @@ Ltac not_zero_alone := first
       | apply (not_zero_factor a b (1/2) K); field | apply (not_zero_factor a b (-1/2) K); field
       | apply (not_zero_factor a b 4 K); ring ] end ].
 Ltac not_zero := repeat split; not_zero_alone.
-Ltac fraction := identity.
 
 (* Angles and lengths. *)
 Lemma circle x : cos x ^ 2 + sin x ^ 2 - 1 = 0.
