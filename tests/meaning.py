@@ -15,7 +15,7 @@ from random import Random
 
 from chasles.points import sampling as points
 from chasles.problems.context import build
-from chasles.problems.unfold import UndeclaredDivisor
+from chasles.problems.divisors import UndeclaredDivisor
 from chasles.problems.variables import Untreatable
 from chasles.statements import Goal, Problem
 from chasles.vocabulary import Integral, Node, Symbol, symbols_of, walk
