@@ -78,8 +78,8 @@ def test_only_what_is_part_of_an_equation_becomes_a_formula() -> None:
 
 
 def test_the_command_writes_it_whole(tmp_path: Path) -> None:
-    from chasles.cli.writing import write_whole
+    from chasles.cli.files import write_files
 
-    write_whole(tmp_path / "site", {"index.html": "words", "picture.png": b"\x89PNG"})
+    write_files(tmp_path / "site", {"index.html": "words", "picture.png": b"\x89PNG"})
     assert (tmp_path / "site" / "index.html").read_text("utf-8") == "words"
     assert (tmp_path / "site" / "picture.png").read_bytes() == b"\x89PNG"

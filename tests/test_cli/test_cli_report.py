@@ -9,7 +9,7 @@ import pytest
 
 from chasles.cli import recorded
 from chasles.cli.failures import Failure
-from chasles.cli.writing import write_whole
+from chasles.cli.files import write_files
 from chasles.statements import Claim
 from chasles.vocabulary import vector
 
@@ -63,13 +63,13 @@ def test_a_damaged_manifest_is_named(run, chapter_is, tmp_path: Path, monkeypatc
 def test_nothing_changes_where_one_file_cannot_be_written(tmp_path: Path) -> None:
     (tmp_path / "first").write_text("old", "utf-8")
     with pytest.raises(Failure, match="cannot write to"):
-        write_whole(tmp_path, {"first": "new", "no/such/folder": "new"})
+        write_files(tmp_path, {"first": "new", "no/such/folder": "new"})
     assert [path.name for path in tmp_path.iterdir()] == ["first"]
     assert (tmp_path / "first").read_text("utf-8") == "old"
 
 
 def test_other_files_are_left_alone(tmp_path: Path) -> None:
     (tmp_path / "mine").write_text("old", "utf-8")
-    write_whole(tmp_path, {"first": "one\n"})
-    write_whole(tmp_path, {"first": "two\n"})
+    write_files(tmp_path, {"first": "one\n"})
+    write_files(tmp_path, {"first": "two\n"})
     assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == {"mine": b"old", "first": b"two\n"}

@@ -8,7 +8,7 @@ from contextlib import suppress
 from pathlib import Path
 from uuid import uuid4
 
-from chasles.cli.failures import BAD_INPUT, Failure
+from chasles.cli.failures import BAD_INPUT, FAILED, Failure
 
 
 def text_of_file(file: Path) -> str:
@@ -26,6 +26,19 @@ def write_whole(file: Path, text: str) -> None:
         replace_whole({file: text})
     except OSError as error:
         raise Failure(f"cannot write {file}: {error.strerror}", BAD_INPUT) from error
+
+
+def write_files(folder: Path, texts: Mapping[str, str | bytes]) -> None:
+    """Make the files in the folder hold `texts`, other files there left alone; all are whole, or as they were.
+
+    Raises Failure.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        replace_whole({folder / name: text for name, text in texts.items()})
+    except OSError as error:
+        where = error.filename2 or error.filename or folder
+        raise Failure(f"cannot write to {folder}: {error.strerror or error} ({where})", FAILED) from error
 
 
 def replace_whole(texts: Mapping[Path, str | bytes]) -> None:

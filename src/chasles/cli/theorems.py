@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from chasles.cli.failures import FAILED, Failure
-from chasles.cli.writing import write_whole
+from chasles.cli.files import write_files
 from chasles.coq.accepted import accepted_before, keep_accepted
 from chasles.coq.checking import MISSING, CoqVerdict, coq_version, verdicts_of_coq
 from chasles.coq.folder import Chunk, chunks, files_of
@@ -119,5 +119,5 @@ def written(folder: Path, decisions: Sequence[Decision], anew: bool = False) -> 
             raise Failure(str(error), FAILED) from error
         chosen = {each.claim.name for each in checked if each.accepted}
     found = Theorems(folder, claims, parts, version, checked)
-    write_whole(folder, files_of(parts, chosen) | found.recorded(decisions))
+    write_files(folder, files_of(parts, chosen) | found.recorded(decisions))
     return found

@@ -22,7 +22,7 @@ def command(folder: Path, json: bool) -> int:
     `--chapter`, before the command's name: `chasles --chapter ./NAME decide`.
     """
     from chasles.cli.building import NEW_CHAPTER
-    from chasles.cli.writing import write_whole
+    from chasles.cli.files import write_files
     from chasles.report.records import as_json
     from chasles.targets import Origin, Page
     from chasles.targets.emit import filled
@@ -39,7 +39,7 @@ def command(folder: Path, json: bool) -> int:
     texts = {page.path: filled(NEW_CHAPTER, page, Origin(name)) for page in pages}
     for part in sorted({str(Path(path).parent) for path in texts}):
         inside = {Path(path).name: text for path, text in texts.items() if str(Path(path).parent) == part}
-        write_whole(folder / part, inside)
+        write_files(folder / part, inside)
     if json:
         click.echo(as_json({"folder": str(folder), "files": sorted(texts)}))
     else:

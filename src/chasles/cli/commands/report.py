@@ -31,13 +31,13 @@ def command(out: Path, site: Path | None, address: str, json: bool) -> int:
     index.html needs no network; chapter.tex compiles with pdflatex. Either everything is written or nothing. The
     exit status is 1 where that of `decide` is, or if a derivation is not complete.
     """
+    from chasles.cli.files import write_files
     from chasles.cli.reporting import reported
-    from chasles.cli.writing import write_whole
     from chasles.report.records import as_json
 
     folder = site or out
     made = reported(chapter(), site is not None, address)
-    write_whole(folder, made.files)
+    write_files(folder, made.files)
     sizes = {name: len(text if isinstance(text, bytes) else text.encode()) for name, text in made.files.items()}
     if json:
         files = [{"path": str(folder / name), "bytes": size} for name, size in sizes.items()]
