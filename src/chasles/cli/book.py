@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import sys
 import traceback
 from collections.abc import Callable, Iterator, Sequence
@@ -48,6 +49,11 @@ def of_sections(command: Callable[..., Any]) -> Callable[..., Any]:
 def as_data(command: Callable[..., Any]) -> Callable[..., Any]:
     """Give a command the option `--json`."""
     return click.option("--json", "json", is_flag=True, help="Print JSON for a program to read.")(command)
+
+
+def print_data(value: object) -> None:
+    """Print the value as JSON for people and machines: indented, ASCII only, so that every terminal can show it."""
+    click.echo(json.dumps(value, indent=2))
 
 
 def chapter() -> Chapter:

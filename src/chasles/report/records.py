@@ -14,7 +14,7 @@ from chasles.statements import Entry, Statement
 from chasles.statements.elsewhere import chapter_of, other_chapter
 from chasles.verdict import Counterexample
 
-__all__ = ["as_json", "certificate_hash", "described", "record"]
+__all__ = ["certificate_hash", "described", "record"]
 
 ROLES = {"inverse": "theorem"}
 """An inverse with cases is proved from the claims that it generates, as a theorem is, and is recorded as one."""
@@ -67,11 +67,6 @@ def certificate_hash(certificate: Mapping[str, Any] | None) -> str | None:
         return None
     canonical = json.dumps(certificate, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
     return f"sha256:{sha256(canonical.encode()).hexdigest()}"
-
-
-def as_json(value: object) -> str:
-    """The value as JSON for people and machines: indented, ASCII only, so that every terminal can show it."""
-    return json.dumps(value, indent=2)
 
 
 def _identity(entry: Entry) -> dict[str, Any]:

@@ -7,7 +7,7 @@ from time import perf_counter
 
 import click
 
-from chasles.cli.book import as_data, chapter
+from chasles.cli.book import as_data, chapter, print_data
 from chasles.cli.checkout import generated_folder, remember
 from chasles.cli.failures import BAD_INPUT, Failure
 from chasles.statements.packages import BOOK
@@ -48,10 +48,8 @@ def command(out: Path | None, json: bool) -> int:
     made = compiled(kernels, texts, folder)
     module = offered(book, folder)
     if json:
-        from chasles.report.records import as_json
-
         names = [kernel.name for kernel in kernels]
-        click.echo(as_json({"folder": str(folder), "kernels": names, "compiled": str(made), "import": module}))
+        print_data({"folder": str(folder), "kernels": names, "compiled": str(made), "import": module})
     else:
         click.echo(f"{number_of(len(kernels), 'kernel')}, proved and compiled in {seconds(perf_counter() - started)}")
         click.echo(f"from {module} import kernels")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from chasles.cli.book import as_data
+from chasles.cli.book import as_data, print_data
 
 VARIABLE = "_CHASLES_COMPLETE"
 """What Click reads to know that a shell asks for words."""
@@ -34,8 +34,6 @@ def command(shell: str, json: bool) -> None:
     assert kind is not None
     script = kind(group, {}, "chasles", VARIABLE).source()
     if json:
-        from chasles.report.records import as_json
-
-        click.echo(as_json({"shell": shell, "script": script}))
+        print_data({"shell": shell, "script": script})
     else:
         click.echo(script)

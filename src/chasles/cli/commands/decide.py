@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from chasles.cli.book import as_data, chapter, chosen, of_numbers, of_sections
+from chasles.cli.book import as_data, chapter, chosen, of_numbers, of_sections, print_data
 from chasles.cli.failures import complain
 
 if TYPE_CHECKING:
@@ -52,7 +52,7 @@ def command(
     """
     from chasles.cli.hint import say_once_what_is_faster
     from chasles.cli.outcome import decide
-    from chasles.report.records import as_json, record
+    from chasles.report.records import record
 
     book = chapter()
     outcome, _ = decide(chosen(book, numbers, sections), book, recheck=recheck, anew=anew)
@@ -63,7 +63,7 @@ def command(
         theorems = written(coq, [decision for _, decision in outcome.decided], anew)
     if json:
         records = [record(entry, decision) for entry, decision in outcome.decided]
-        click.echo(as_json({"statements": records} | ({"coq": theorems.record} if theorems else {})))
+        print_data({"statements": records} | ({"coq": theorems.record} if theorems else {}))
     else:
         _show(outcome, brief)
         for line in theorems.in_words if theorems else ():

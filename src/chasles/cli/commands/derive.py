@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from chasles.cli.book import as_data, chapter, of_numbers
+from chasles.cli.book import as_data, chapter, of_numbers, print_data
 from chasles.cli.failures import complain
 
 if TYPE_CHECKING:
@@ -28,7 +28,6 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> int:
     from chasles.decisions.recalled import retained, session_of
     from chasles.deriving import walk
     from chasles.report.derivation_page import derivation_line, derivation_page, derivation_record
-    from chasles.report.records import as_json
     from chasles.report.screen import Screen
     from chasles.report.waiting import progress
 
@@ -37,7 +36,7 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> int:
     walked = {name: walk(one, session) for name, one in progress(iter(chosen.items()), len(chosen), "Deriving")}
     retained(session.memory)
     if json:
-        click.echo(as_json({"roads": [derivation_record(name, checked) for name, checked in walked.items()]}))
+        print_data({"roads": [derivation_record(name, checked) for name, checked in walked.items()]})
     else:
         screen = Screen()
         for place, (name, checked) in enumerate(walked.items()):

@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from chasles.cli.book import as_data
+from chasles.cli.book import as_data, print_data
 from chasles.cli.failures import complain
 
 Lines = Iterator[tuple[str, str]]
@@ -26,9 +26,7 @@ def command(json: bool) -> int:
     found = examined()
     wrong = list(problems(found))
     if json:
-        from chasles.report.records import as_json
-
-        click.echo(as_json({**found, "problems": wrong}))
+        print_data({**found, "problems": wrong})
     else:
         _show(found)
     return complain(wrong)

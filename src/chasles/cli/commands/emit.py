@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from chasles.cli.book import as_data, chapter
+from chasles.cli.book import as_data, chapter, print_data
 from chasles.cli.checkout import generated_folder, remember
 from chasles.cli.failures import FAILED, Failure, complain
 
@@ -55,9 +55,7 @@ def command(check: bool, anew: bool, out: Path | None, targets: tuple[str, ...],
     except EmissionError as error:
         raise Failure(str(error)) from error
     if json:
-        from chasles.report.records import as_json
-
-        click.echo(as_json({"folder": str(folder), "kernels": [kernel.name for kernel in kernels], **report}))
+        print_data({"folder": str(folder), "kernels": [kernel.name for kernel in kernels], **report})
     else:
         click.echo(f"{head}, emitted in {seconds(perf_counter() - started)}")
         click.echo(f"files in {folder}: {_counted(report)}")
@@ -85,10 +83,8 @@ def _check(folder: Path, texts: Mapping[str, str], head: str, others_stay: bool,
     found = stale(folder, texts)
     differences = tuple(each for each in found if not (others_stay and each.kind == "superfluous"))
     if json:
-        from chasles.report.records import as_json
-
         rows = [{"path": d.path, "kind": d.kind, "summary": d.summary} for d in differences]
-        click.echo(as_json({"folder": str(folder), "stale": rows}))
+        print_data({"folder": str(folder), "stale": rows})
     elif not differences:
         click.echo(f"{head}; {folder} is as emitted")
     for difference in () if json else differences:

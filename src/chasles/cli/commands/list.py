@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from chasles.cli.book import as_data, chapter, chosen, of_sections
+from chasles.cli.book import as_data, chapter, chosen, of_sections, print_data
 
 
 @click.command("list", short_help="List the numbers of the book.", epilog="Example: chasles list --section 3.2")
@@ -14,9 +14,9 @@ def command(sections: tuple[str, ...], json: bool) -> None:
     """List the numbers of the book and what each says."""
     entries = chosen(chapter(), (), sections)
     if json:
-        from chasles.report.records import as_json, described
+        from chasles.report.records import described
 
-        click.echo(as_json({"statements": [described(entry) for entry in entries]}))
+        print_data({"statements": [described(entry) for entry in entries]})
     else:
         from chasles.report.contents import contents
         from chasles.report.screen import Screen

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import click
 
-from chasles.cli.book import as_data
+from chasles.cli.book import as_data, print_data
 from chasles.cli.failures import BAD_INPUT, Failure
 
 
@@ -23,7 +23,6 @@ def command(folder: Path, json: bool) -> int:
     """
     from chasles.cli.building import NEW_CHAPTER
     from chasles.cli.files import write_files
-    from chasles.report.records import as_json
     from chasles.targets import Origin, Page
     from chasles.targets.emit import filled
 
@@ -41,7 +40,7 @@ def command(folder: Path, json: bool) -> int:
         inside = {Path(path).name: text for path, text in texts.items() if str(Path(path).parent) == part}
         write_files(folder / part, inside)
     if json:
-        click.echo(as_json({"folder": str(folder), "files": sorted(texts)}))
+        print_data({"folder": str(folder), "files": sorted(texts)})
     else:
         click.echo(f"{folder}: {', '.join(sorted(texts))}")
         click.echo(f"Decide it with: chasles --chapter {folder if folder.parent.name else f'./{name}'} decide")

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from chasles.cli import completing
-from chasles.cli.book import as_data, package_chosen
+from chasles.cli.book import as_data, package_chosen, print_data
 from chasles.cli.failures import BAD_INPUT, FAILED, Failure
 from chasles.cli.files import text_of_file
 from chasles.statements.packages import BOOK
@@ -46,7 +46,6 @@ def command(
     from chasles.decisions.decision import DoesNotStand
     from chasles.exercises.data import DataError, read_json
     from chasles.exercises.practice import grade_lines, practice
-    from chasles.report.records import as_json
     from chasles.statements.exercises import UnknownExercise
 
     package = package_chosen()
@@ -60,7 +59,7 @@ def command(
     except DoesNotStand as error:
         raise Failure(f"answers to exercise {exercise} cannot be graded: {error}") from error
     if json:
-        click.echo(as_json(task.as_data() | ({} if marks is None else marks.as_data())))
+        print_data(task.as_data() | ({} if marks is None else marks.as_data()))
     else:
         from rich.text import Text
 

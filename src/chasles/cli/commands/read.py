@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from chasles.cli.book import as_data
+from chasles.cli.book import as_data, print_data
 from chasles.cli.failures import BAD_INPUT, FAILED, Failure, complain
 from chasles.cli.files import replace_whole, text_of_file, write_whole
 from chasles.cli.quiet import is_quiet
@@ -101,11 +101,10 @@ def _tell_unmatched(said: str, entries: Sequence[Sequence[str]]) -> None:
 
 def _show(found: Sequence[Page], is_short: bool, github: bool, json: bool) -> None:
     from chasles.pages.findings_told import annotation_of, is_fine, line_of, records_of
-    from chasles.report.records import as_json
 
     if json:
         records = [records_of(page) for page in found]
-        click.echo(as_json(records[0] if len(records) == 1 else records))
+        print_data(records[0] if len(records) == 1 else records)
     for page in () if json else found:
         for each in page.equations:
             if not is_short or not is_fine(each):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from chasles.cli.book import as_data, chapter, chosen, decisions, of_numbers
+from chasles.cli.book import as_data, chapter, chosen, decisions, of_numbers, print_data
 
 
 @click.command(
@@ -22,7 +22,6 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> None:
     and for a wrong one nothing may be found: both are reported, and neither is a failure.
     """
     from chasles.decisions.recalled import retained, session_of
-    from chasles.report.records import as_json
     from chasles.report.repair_page import repair_page, repair_record
     from chasles.report.screen import Screen
 
@@ -32,7 +31,7 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> None:
     retained(session.memory)
     shown = [(entry, found) for entry, found in decided if numbers or not found.verdict.true]
     if json:
-        click.echo(as_json({"statements": [repair_record(entry, found) for entry, found in shown]}))
+        print_data({"statements": [repair_record(entry, found) for entry, found in shown]})
         return
     screen = Screen()
     for place, (entry, found) in enumerate(shown):

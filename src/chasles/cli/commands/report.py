@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from chasles.cli.book import as_data, chapter
+from chasles.cli.book import as_data, chapter, print_data
 from chasles.cli.failures import complain
 
 
@@ -33,7 +33,6 @@ def command(out: Path, site: Path | None, address: str, json: bool) -> int:
     """
     from chasles.cli.files import write_files
     from chasles.cli.reporting import reported
-    from chasles.report.records import as_json
 
     folder = site or out
     made = reported(chapter(), site is not None, address)
@@ -41,7 +40,7 @@ def command(out: Path, site: Path | None, address: str, json: bool) -> int:
     sizes = {name: len(text if isinstance(text, bytes) else text.encode()) for name, text in made.files.items()}
     if json:
         files = [{"path": str(folder / name), "bytes": size} for name, size in sizes.items()]
-        click.echo(as_json({"folder": str(folder), "files": files, "seconds": round(made.seconds, 3)}))
+        print_data({"folder": str(folder), "files": files, "seconds": round(made.seconds, 3)})
     else:
         for line in made.in_words:
             click.echo(line)

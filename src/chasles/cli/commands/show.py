@@ -5,7 +5,7 @@ from __future__ import annotations
 import click
 
 from chasles.cli import completing
-from chasles.cli.book import as_data, chapter, chosen, decisions
+from chasles.cli.book import as_data, chapter, chosen, decisions, print_data
 
 
 @click.command("show", short_help="Show an equation and its verdict.", epilog="Example: chasles show 3.16 --latex")
@@ -20,7 +20,7 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> None:
     from chasles.cli.recorded import manifest
     from chasles.decisions.recalled import session_of
     from chasles.report.emission_records import emitted_kernels
-    from chasles.report.records import as_json, described, record
+    from chasles.report.records import described, record
     from chasles.report.screen import Screen
     from chasles.report.statement_page import statement_page
 
@@ -31,7 +31,7 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> None:
     emitted = emitted_kernels(manifest(book))
     if json:
         found = [described(entry, emitted) | record(entry, decision) for entry, decision in decided]
-        click.echo(as_json({"statements": found}))
+        print_data({"statements": found})
         return
     screen = Screen()
     for place, (entry, decision) in enumerate(decided):

@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from chasles.cli import completing
-from chasles.cli.book import as_data, package_chosen
+from chasles.cli.book import as_data, package_chosen, print_data
 from chasles.cli.failures import BAD_INPUT, Failure
 from chasles.cli.files import text_of_file, write_whole
 from chasles.cli.quiet import is_quiet
@@ -27,7 +27,6 @@ def command(exercise: str, data: Path | None, html: Path | None, hint: int | Non
     from chasles.decisions.decision import DoesNotStand
     from chasles.exercises.data import DataError, read_json
     from chasles.exercises.solving import solve_with
-    from chasles.report.records import as_json
     from chasles.report.screen import Screen
     from chasles.report.worked_page import hints_page, worked_page
     from chasles.statements.exercises import UnknownExercise
@@ -45,11 +44,11 @@ def command(exercise: str, data: Path | None, html: Path | None, hint: int | Non
 
         write_whole(html, as_page(solution))
     if hint is not None and json:
-        click.echo(as_json({"exercise": solution.exercise, "hints": solution.hints[:hint], "of": len(solution.hints)}))
+        print_data({"exercise": solution.exercise, "hints": solution.hints[:hint], "of": len(solution.hints)})
     elif hint is not None:
         Screen().show(*hints_page(solution, hint))
     elif json:
-        click.echo(as_json(solution.as_data()))
+        print_data(solution.as_data())
     elif html is None:
         screen = Screen()
         screen.show(*worked_page(solution, screen.signs))

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from chasles.cli.book import as_data, chapter, chosen, of_sections
+from chasles.cli.book import as_data, chapter, chosen, of_sections, print_data
 from chasles.cli.failures import complain
 
 if TYPE_CHECKING:
@@ -34,9 +34,7 @@ def command(sections: tuple[str, ...], samples: int, json: bool) -> int:
     asking = [(entry, kernel) for entry in entries for kernel in entry.kernels]
     verification = verified(asking, installed_kernels(book), ("generic",), samples, session)
     if json:
-        from chasles.report.records import as_json
-
-        click.echo(as_json(_data(outcome, verification)))
+        print_data(_data(outcome, verification))
     else:
         _show(outcome, verification)
     return complain(chain(outcome.failures, verification.failures(strict=False)))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import click
 
 from chasles.cli import completing
-from chasles.cli.book import as_data, chapter
+from chasles.cli.book import as_data, chapter, print_data
 from chasles.cli.failures import complain
 
 STRATEGIES = ("generic", "near", "simple")
@@ -41,7 +41,6 @@ def command(names: tuple[str, ...], points: tuple[str, ...], samples: int, stric
     from chasles.decisions.recalled import session_of
     from chasles.report.emission_records import emitted_kernels, proved
     from chasles.report.evidence import evidence_table, losses
-    from chasles.report.records import as_json
     from chasles.report.screen import Screen
 
     book = chapter()
@@ -50,7 +49,7 @@ def command(names: tuple[str, ...], points: tuple[str, ...], samples: int, stric
     emitted = emitted_kernels(manifest(book))
     recorded = {kernel.name: emitted[kernel.name] for _, kernel in asked if kernel.name in emitted}
     if json:
-        click.echo(as_json(found.as_json() | {"proved": {name: record["bound"] for name, record in recorded.items()}}))
+        print_data(found.as_json() | {"proved": {name: record["bound"] for name, record in recorded.items()}})
     else:
         screen = Screen()
         # Of all kernels together the bounds would be more than is read: `chasles show` has them.
