@@ -60,9 +60,23 @@ class Hypothesis(Declared):
         return with_fields(self, subjects=subjects, equations=equations, nonvanishing=nonvanishing)
 
 
-def _symbol(subject: Node, kind: str) -> None:
-    if not isinstance(subject, Symbol) or subject.stands_for is not None:
-        raise TypeError(f"{kind} is said of a symbol, and {subject} is an expression")
+def said_of(
+    kind: str,
+    subjects: tuple[Node, ...],
+    letters: str,
+    words: str,
+    *equations: tuple[Node, Node],
+    nonvanishing: tuple[Node, ...] = (),
+) -> Hypothesis:
+    """The hypothesis, said in LaTeX and in plain text with the subjects at {0}, {1} and {2}."""
+    said = letters.format(*map(latex, subjects)), words.format(*map(plain, subjects))
+    return Hypothesis(kind, subjects, equations, nonvanishing, *said)
+
+
+def _symbols(kind: str, *subjects: Node) -> None:
+    for subject in subjects:
+        if not isinstance(subject, Symbol) or subject.stands_for is not None:
+            raise TypeError(f"{kind} is said of a symbol, and {subject} is an expression")
 
 
 def _scalar(subject: Node, kind: str) -> None:
@@ -73,20 +87,19 @@ def _scalar(subject: Node, kind: str) -> None:
 @declaring
 def unit(vector: Node) -> Hypothesis:
     """The vector has length one."""
-    _symbol(vector, "unit")
+    _symbols("unit", vector)
     equation = (Dot(vector, vector), Number(Fraction(1)))
-    return Hypothesis("unit", (vector,), (equation,), (), rf"\|{latex(vector)}\| = 1", f"|{plain(vector)}| = 1")
+    return said_of("unit", (vector,), r"\|{0}\| = 1", "|{0}| = 1", equation)
 
 
 @declaring
 def unit_column(*parts: Node) -> Hypothesis:
     """The quantities, one below the other, make a column of length one, as Euler-Rodrigues parameters do."""
-    for part in parts:
-        _symbol(part, "unit_column")
+    _symbols("unit_column", *parts)
+    places = ", ".join(f"{{{place}}}" for place in range(len(parts)))
     total = Sum(tuple(part * part if part.is_scalar else Dot(part, part) for part in parts))
-    names, letters = ", ".join(map(plain, parts)), ", ".join(map(latex, parts))
     equation = (total, Number(Fraction(1)))
-    return Hypothesis("unit column", parts, (equation,), (), rf"\|[{letters}]\| = 1", f"|[{names}]| = 1")
+    return said_of("unit column", parts, rf"\|[{places}]\| = 1", f"|[{places}]| = 1", equation)
 
 
 @declaring
@@ -101,24 +114,16 @@ def nonzero(expression: Node, letter: str = "") -> Hypothesis:
 @declaring
 def positive(quantity: Node) -> Hypothesis:
     """The scalar is greater than zero, as a mass is; a proof uses only that it is not zero."""
-    _symbol(quantity, "positive")
+    _symbols("positive", quantity)
     _scalar(quantity, "positive")
-    return Hypothesis("positive", (quantity,), (), (quantity,), f"{latex(quantity)} > 0", f"{plain(quantity)} > 0")
+    return said_of("positive", (quantity,), "{0} > 0", "{0} > 0", nonvanishing=(quantity,))
 
 
 @declaring
 def symmetric(matrix: Node) -> Hypothesis:
     """The matrix equals its transpose."""
-    _symbol(matrix, "symmetric")
-    equation = (matrix, Transpose(matrix))
-    return Hypothesis(
-        "symmetric",
-        (matrix,),
-        (equation,),
-        (),
-        rf"{latex(matrix)} = {latex(matrix)}^T",
-        f"{plain(matrix)} is symmetric",
-    )
+    _symbols("symmetric", matrix)
+    return said_of("symmetric", (matrix,), "{0} = {0}^T", "{0} is symmetric", (matrix, Transpose(matrix)))
 
 
 @declaring
@@ -127,82 +132,50 @@ def definite(matrix: Node) -> Hypothesis:
 
     The equations of a proof use its symmetry, and that its determinant is not zero; a sum of squares, x . M x itself.
     """
-    _symbol(matrix, "definite")
-    return Hypothesis(
-        "definite",
-        (matrix,),
-        ((matrix, Transpose(matrix)),),
-        (Determinant(matrix),),
-        rf"{latex(matrix)} \text{{ positive-definite}}",
-        f"{plain(matrix)} is positive-definite",
+    _symbols("definite", matrix)
+    letters, words, equation = (
+        r"{0} \text{{ positive-definite}}",
+        "{0} is positive-definite",
+        (matrix, Transpose(matrix)),
     )
+    return said_of("definite", (matrix,), letters, words, equation, nonvanishing=(Determinant(matrix),))
 
 
 @declaring
 def rotation(matrix: Node) -> Hypothesis:
     """The matrix is proper orthogonal; the 21 quadrics that say so are already a Groebner basis."""
-    _symbol(matrix, "rotation")
-    return Hypothesis(
-        "rotation",
-        (matrix,),
-        _proper_orthogonal(matrix),
-        (),
-        rf"{latex(matrix)} \in SO(3)",
-        f"{plain(matrix)} is a rotation",
-    )
+    _symbols("rotation", matrix)
+    return said_of("rotation", (matrix,), r"{0} \in SO(3)", "{0} is a rotation", *_proper_orthogonal(matrix))
 
 
 @declaring
 def half_turn(matrix: Node) -> Hypothesis:
     """The matrix is a rotation through the angle pi: it is symmetric, its trace is -1, and Q + 1 has rank one."""
-    _symbol(matrix, "half_turn")
+    _symbols("half_turn", matrix)
     equations = (
         (matrix, Transpose(matrix)),
         (Trace(matrix), Number(Fraction(-1))),
         (Cofactor(matrix + Identity(3)), Zero(3, 3)),
     )
-    return Hypothesis(
-        "half_turn",
-        (matrix,),
-        equations,
-        (),
-        rf"{latex(matrix)} \text{{ is a half-turn}}",
-        f"{plain(matrix)} is a half-turn",
-    )
+    return said_of("half_turn", (matrix,), r"{0} \text{{ is a half-turn}}", "{0} is a half-turn", *equations)
 
 
 @declaring
 def orthonormal(first: Node, second: Node, third: Node) -> Hypothesis:
     """The three vectors are orthonormal and right-handed: as columns they make a rotation."""
     triad = (first, second, third)
-    for vector in triad:
-        _symbol(vector, "orthonormal")
-    names = ", ".join(map(plain, triad))
-    letters = ", ".join(map(latex, triad))
-    return Hypothesis(
-        "orthonormal",
-        triad,
-        _proper_orthogonal(Block((triad,))),
-        (),
-        rf"\{{ {letters} \}} \text{{ orthonormal, right-handed}}",
-        f"{names} are orthonormal and right-handed",
-    )
+    _symbols("orthonormal", *triad)
+    letters = r"\{{ {0}, {1}, {2} \}} \text{{ orthonormal, right-handed}}"
+    words = "{0}, {1}, {2} are orthonormal and right-handed"
+    return said_of("orthonormal", triad, letters, words, *_proper_orthogonal(Block((triad,))))
 
 
 @declaring
 def perpendicular(one: Node, other: Node) -> Hypothesis:
     """The two vectors are at right angles."""
-    _symbol(one, "perpendicular")
-    _symbol(other, "perpendicular")
+    _symbols("perpendicular", one, other)
     equation = (Dot(one, other), Number(Fraction(0)))
-    return Hypothesis(
-        "perpendicular",
-        (one, other),
-        (equation,),
-        (),
-        rf"{latex(one)} \perp {latex(other)}",
-        f"{plain(one)} is perpendicular to {plain(other)}",
-    )
+    return said_of("perpendicular", (one, other), r"{0} \perp {1}", "{0} is perpendicular to {1}", equation)
 
 
 def _proper_orthogonal(matrix: Node) -> tuple[tuple[Node, Node], ...]:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import replace as with_fields
 from typing import TypeVar
 
-from chasles.statements.hypotheses import Hypothesis
+from chasles.statements.hypotheses import Hypothesis, said_of
 from chasles.statements.kernel import Kernel
 from chasles.statements.statement import Statement
-from chasles.vocabulary import Contract, Determinant, Identity, Misfit, Negative, Node, Symbol, Transpose, latex, plain
+from chasles.vocabulary import Contract, Determinant, Identity, Misfit, Negative, Node, Symbol, Transpose
 from chasles.vocabulary.arguments import declaring
 from chasles.vocabulary.sizes import at_sizes
 
@@ -18,8 +18,7 @@ _S = TypeVar("_S", bound=Statement)
 @declaring
 def invertible(matrix: Node) -> Hypothesis:
     """The matrix has an inverse."""
-    said = rf"\det {latex(matrix)} \neq 0"
-    return Hypothesis("nonzero", (matrix,), (), (Determinant(matrix),), said, f"{plain(matrix)} is invertible")
+    return said_of("nonzero", (matrix,), r"\det {0} \neq 0", "{0} is invertible", nonvanishing=(Determinant(matrix),))
 
 
 @declaring
@@ -27,33 +26,28 @@ def orthogonal(matrix: Symbol) -> Hypothesis:
     """The transpose of the matrix is its inverse."""
     one, back = Identity(matrix.shape[0]), Transpose(matrix)
     equations = ((back @ matrix, one), (matrix @ back, one))
-    said = rf"{latex(matrix)} \text{{ is orthogonal}}"
-    return Hypothesis("orthogonal", (matrix,), equations, (), said, f"{plain(matrix)} is orthogonal")
+    return said_of("orthogonal", (matrix,), r"{0} \text{{ is orthogonal}}", "{0} is orthogonal", *equations)
 
 
 @declaring
 def orthonormal_columns(matrix: Symbol) -> Hypothesis:
     """The columns of the matrix have length one, and are at right angles to each other."""
     equation = (Transpose(matrix) @ matrix, Identity(matrix.shape[1]))
-    said = rf"{latex(matrix)}^T {latex(matrix)} = \mathbf{{1}}"
-    return Hypothesis(
-        "orthonormal columns", (matrix,), (equation,), (), said, f"{plain(matrix)} has orthonormal columns"
-    )
+    letters, words = r"{0}^T {0} = \mathbf{{1}}", "{0} has orthonormal columns"
+    return said_of("orthonormal columns", (matrix,), letters, words, equation)
 
 
 @declaring
 def skew_symmetric(matrix: Symbol) -> Hypothesis:
     """The matrix is the negative of its transpose."""
-    said = rf"{latex(matrix)} = -{latex(matrix)}^T"
     equation = (matrix, Negative(Transpose(matrix)))
-    return Hypothesis("skew-symmetric", (matrix,), (equation,), (), said, f"{plain(matrix)} is skew-symmetric")
+    return said_of("skew-symmetric", (matrix,), "{0} = -{0}^T", "{0} is skew-symmetric", equation)
 
 
 @declaring
 def idempotent(matrix: Symbol) -> Hypothesis:
     """The matrix is its own square, as a projection is."""
-    said = rf"{latex(matrix)}^2 = {latex(matrix)}"
-    return Hypothesis("idempotent", (matrix,), ((matrix @ matrix, matrix),), (), said, f"{plain(matrix)} is idempotent")
+    return said_of("idempotent", (matrix,), "{0}^2 = {0}", "{0} is idempotent", (matrix @ matrix, matrix))
 
 
 @declaring
@@ -61,9 +55,8 @@ def commuting(one: Symbol, other: Symbol) -> Hypothesis:
     """The two matrices commute."""
     if one.shape != other.shape:
         raise Misfit(f"{one} and {other} cannot commute: they are of different size")
-    said = rf"{latex(one)} {latex(other)} = {latex(other)} {latex(one)}"
     equation = (Contract((one, other)), Contract((other, one)))
-    return Hypothesis("commuting", (one, other), (equation,), (), said, f"{plain(one)} and {plain(other)} commute")
+    return said_of("commuting", (one, other), "{0} {1} = {1} {0}", "{0} and {1} commute", equation)
 
 
 def with_sizes(statement: _S, numbers: dict[str, int], kernel: Kernel | None = None) -> _S:
