@@ -702,7 +702,7 @@ def test_every_certificate_of_the_book_is_accepted() -> None:
             check(decision.repaired, "printed", decision.certificate, judge.accepted)
             checked += 1
         if isinstance(decision.verdict, Fails) and not isinstance(decision.statement, Inverse):
-            problem = problem_of(decision.statement, accepted=judge.accepted)
+            problem = problem_of(decision.statement, standing=judge.accepted)
             check_counterexample(problem, decision.verdict.counterexample)
     assert checked >= (98 if WHOLE else 98 // EVERY)
 
@@ -740,7 +740,7 @@ def test_a_certificate_is_checked_in_the_form_in_which_it_was_made() -> None:
         check(slip, "printed", certificate)
     resting = claim("0.1", x, norm(e) ** 2, given=(Claim("0.2", x, 2 * dot(e, e), corrected=dot(e, e)),))
     corrected = methodcaller("form", "corrected")
-    certificate = decided(problem_of(resting, accepted=corrected))
+    certificate = decided(problem_of(resting, standing=corrected))
     check(resting, "printed", certificate, corrected)
     with pytest.raises(Rejected, match="does not follow"):
         check(resting, "printed", certificate)

@@ -184,7 +184,7 @@ def test_counterexamples_have_the_values_that_they_say(section: str) -> None:
     for entry, sentence, verdict in decided(section):
         if isinstance(verdict, Fails):
             assert isinstance(sentence, Statement)
-            problem = problem_of(sentence, accepted=chapter_session().accepted)
+            problem = problem_of(sentence, standing=chapter_session().accepted)
             for error in recomputed(problem, verdict.counterexample):
                 assert abs(error) * 10**AGREEMENT < 1, entry.number
 
@@ -220,7 +220,7 @@ def test_without_a_hypothesis_that_it_needs_a_claim_is_violated(section: str) ->
     for entry, sentence, verdict in decided(section):
         if not isinstance(verdict, HoldsUnder) or isinstance(sentence, Inverse):
             continue
-        problem = problem_of(sentence, accepted=chapter_session().accepted)
+        problem = problem_of(sentence, standing=chapter_session().accepted)
         for hypothesis in problem.hypotheses:
             # That a matrix is definite is needed for its squares to be squares, not for an equation.
             if hypothesis.text in verdict.needs and hypothesis.equations and hypothesis.kind != "definite":
@@ -265,7 +265,7 @@ def test_repairs_agree_too(section: str) -> None:
 def test_what_is_said_to_be_a_square_is_not_negative(section: str) -> None:
     for entry in CHAPTER:
         if entry.section.number == section and isinstance(entry.statement, Theorem):
-            problem = problem_of(entry.statement, accepted=chapter_session().accepted)
+            problem = problem_of(entry.statement, standing=chapter_session().accepted)
             for form in entry.statement.forms:
                 for square in form.squares if isinstance(form, Definite | OnlyWhere) else ():
                     assert all(World(problem, seed).instant()(square)[0][0] > 0 for seed in range(5)), entry.number

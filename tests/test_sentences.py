@@ -329,7 +329,7 @@ def test_a_given_statement_stands_in_the_form_it_is_said_to() -> None:
     given = Claim("1", p, a, corrected=-a)
     claim = Claim("2", p, a, given=(given,))
     assert problem_of(claim).rules == ((p, a),)
-    assert problem_of(claim, accepted=methodcaller("form", "corrected")).rules == ((p, -a),)
+    assert problem_of(claim, standing=methodcaller("form", "corrected")).rules == ((p, -a),)
 
 
 # Theorems.

@@ -42,7 +42,7 @@ def worked_out(statement: Statement, decision: Decision, found: Counterexample) 
     try:
         if found.goal or any(place[0] >= side.shape[0] or place[1] >= side.shape[1] for side in sides):
             return ByHand()
-        context = build(problem_of(statement, accepted=decision.accepted))
+        context = build(problem_of(statement, standing=decision.accepted))
         for side in sides:
             parts = [part for part in parts_of_entry(side, place) if part[0] in context.unfold.rules]
             rest: list[Symbol] = []

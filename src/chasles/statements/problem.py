@@ -76,12 +76,12 @@ def default_sides(statement: Statement) -> Equation:
     return statement.form(default_form(statement))
 
 
-def problem_of(statement: Decidable, form: str = "printed", accepted: AcceptedSides = default_sides) -> Problem:
-    """The problem that decides a statement in one of its forms; `accepted` gives the sides used of a given one.
+def problem_of(statement: Decidable, form: str = "printed", standing: AcceptedSides = default_sides) -> Problem:
+    """The problem that decides a statement in one of its forms; `standing` gives the sides used of a given one.
 
     Raises `Misfit` if that form does not fit together, and TypeError if a given statement cannot be used.
     """
-    rules, conditions, unknowns = _given(statement, accepted)
+    rules, conditions, unknowns = _given(statement, standing)
     rules = passed_on([*rules, *_angle_rules(statement, form, rules, conditions, unknowns)])
     refuse_circles(statement.number, rules, unknowns)
     hypotheses = tuple(dict.fromkeys((*_hypotheses(statement), *_agreeing(dict(rules)))))
@@ -94,7 +94,7 @@ def problem_of(statement: Decidable, form: str = "printed", accepted: AcceptedSi
             cases=tuple(cases_of(statement)),
         )
     else:
-        goals = tuple(goals_of(statement, form, accepted, problem))
+        goals = tuple(goals_of(statement, form, standing, problem))
     for goal in goals:
         added(measured(goal.left), measured(goal.right), (goal.left, goal.right), "equate")
     return with_directions(_with_simple_lengths(_in_simpler_words(with_fields(problem, goals=goals))))
