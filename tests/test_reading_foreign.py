@@ -340,6 +340,47 @@ EXCERPTS = sorted(
 )
 
 
+def test_a_command_that_nothing_defines_is_no_letter_that_is_proposed() -> None:
+    equations = [PrintedEquation(r"\third x = \diff{x}{t}"), PrintedEquation(r"y = \unknown{y} r")]
+    text = proposed(equations)
+    assert r"# \third: no command of LaTeX" in text
+    assert [each.status for each in read_equations(equations, load_notation(text))] == ["unread", "unread"]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (r"r = + h - r", ["r=h-r"]),
+        (r"r = h, \quad i = 1, 2, \ldots, n", ["r=h"]),
+        (r"r = h \quad (h \neq 0)", ["r=h"]),
+        (r"r = h \quad \text{for small } p", ["r=h"]),
+        (r"r = h, \quad r, h \in \mathbb{R}", ["r=h"]),
+        (r"r, h = 1", [", is not expected here"]),
+        (r"r = 3,14", [", is not expected here"]),
+        (r"r = \mathbf{a}^2", [r"r=\mathbf{a}\cdot\mathbf{a}"]),
+        (r"\mathbf A = -\mathbf a \times", [r"\mathbf{A}=-[\mathbf{a}]_\times"]),
+        (r"p = p \circ q", [r"p=p\otimesq"]),
+        (r"\frac{d r}{d h} = r", [r"\frac{d}{dh}(r)=r"]),
+        (
+            r"\frac{d r}{d \mathbf{a}} = r",
+            ["no word for a derivative by anything but a scalar letter: write a partial one"],
+        ),
+        (r"r = 1 + h + \dots", [r"r=1+h+\dots"]),
+        (r"r + h = \text{const.}", [r"r+h=\mathrm{const}in:1:1"]),
+        (
+            r"r = \left\{\begin{array}{ll} h & h > 0 \\ 0 & h \leq 0 \end{array}\right.",
+            [r"r=\begin{cases}h&h>0\\0&\text{otherwise}\end{cases}"],
+        ),
+        (
+            r"\mathbf A = \begin{pmatrix} r \\ & h \\ & & 1 \end{pmatrix}",
+            [r"\mathbf{A}=\begin{bmatrix}r&0&0\\0&h&0\\0&0&1\end{bmatrix}"],
+        ),
+    ],
+)
+def test_what_stands_beside_equations_and_what_is_left_out_in_them(text: str, expected: list[str]) -> None:
+    assert readings(text) == expected
+
+
 @pytest.mark.parametrize(
     ("page", "expected"),
     [
@@ -376,7 +417,7 @@ def test_excerpts_are_read_whole_and_three_quarters_of_them_with_what_is_propose
 @pytest.mark.parametrize(
     ("text", "why"),
     [
-        (r"r = \mathbf{a}^2", r"\mathbf{a} is 3 x 1: \mathbf{a}^{2} has no meaning"),
+        (r"r = \mathbf{a}^3", r"\mathbf{a} is 3 x 1: \mathbf{a}^{3} has no meaning"),
         (r"r = \tilde{r}", r"\tilde has no meaning in the notation"),
         (r"r = k_{\text{rot}}", r"the notation does not say what k_{\mathrm{rot}} is"),
     ],

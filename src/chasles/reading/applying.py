@@ -13,6 +13,7 @@ from chasles.reading.grammar import Atom
 from chasles.reading.read_back import tokens_of
 from chasles.reading.spellings import Make
 from chasles.vocabulary import (
+    Dot,
     Node,
     Power,
     latex,
@@ -51,7 +52,7 @@ def with_marks(fits: list[Fit], rest: Glyph, ctx: FittingContext) -> list[Fit]:
 def _raised(fits: list[Fit], sup: str, rest: Glyph, ctx: FittingContext) -> list[Fit]:
     words = " ".join(rest.loose.sups) if sup == rest.sups[0] else sup
     if words.isdigit():
-        makes: tuple[Make, ...] = (lambda of: Power(of, int(words)),)
+        makes: tuple[Make, ...] = (lambda of: Power(of, int(words)) if of.is_scalar or int(words) != 2 else square(of),)
     elif words.startswith(EVALUATED):
         makes = (lambda of: _taken_at(of, words.removeprefix(EVALUATED), ctx.notation.home),)
     else:
@@ -61,6 +62,11 @@ def _raised(fits: list[Fit], sup: str, rest: Glyph, ctx: FittingContext) -> list
             fits = _raised(fits, word, Glyph("", sups=(word,), place=rest.place), ctx)
         return fits
     return applied(makes, fits, ctx, rest, f"^{{{words}}}")
+
+
+def square(of: Node) -> Node:
+    """The square of a matrix, or that of a vector, which is its length squared."""
+    return Power(of, 2) if of.shape[1] != 1 else Dot(of, of)
 
 
 def _taken_at(of: Node, place: str, home: str) -> Node:

@@ -207,7 +207,7 @@ class _Respelling:
         self.at += 1
         text = commands.SYNONYMS.get(token.text, token.text)
         if text == "." and size.text in (r"\left", r"\right", r"\middle"):
-            return []
+            return [PrintedAtom([])] if size.text == r"\right" else []
         return [PrintedAtom([token._replace(text={"<": r"\langle", ">": r"\rangle"}.get(text, text))])]
 
     def environment(self, begin: Token) -> list[PrintedAtom]:
@@ -259,5 +259,6 @@ def _text(command: Token, inside: list[Token]) -> list[PrintedAtom]:
         return styled(style, [PrintedAtom([command._replace(text=words)])], command)
     if UNIT.fullmatch(words) and not words.isalpha():
         return [PrintedAtom([command._replace(text=rf"\operatorname{{{words}}}")])]
+    words = words[:-1] if words[:-1].isalpha() and words[-1] == "." else words  # an abbreviation
     is_name = words.isalpha() and words.isascii() and "\\" + words.lower() not in commands.CONNECTIVES
     return [PrintedAtom([command._replace(text=rf"\{'operatorname' if is_name else 'text'}{{{words}}}")])]

@@ -14,7 +14,15 @@ from chasles.reading.grammar import Atom
 from chasles.reading.marks import atom_fits, letter_fits
 from chasles.reading.page_functions import lists_letters
 from chasles.reading.page_notation import repeated_rate
-from chasles.reading.quotients import of_tokens, order_of_rate, partial_by, rate_in_frame, seen_from, upright
+from chasles.reading.quotients import (
+    derivative_by,
+    of_tokens,
+    order_of_rate,
+    partial_by,
+    rate_in_frame,
+    seen_from,
+    upright,
+)
 from chasles.reading.spellings import Make, called
 from chasles.vocabulary import At, symbols_of
 from chasles.vocabulary.partial import PartialDerivative
@@ -92,6 +100,8 @@ def operators_of(atom: Atom, ctx: FittingContext) -> list[Make]:
     order = order_of_rate(*atom.arguments)
     if order and len(above) == (1 if order == 1 else 3):
         return [repeated_rate(order)]
+    if above == ["d"] or (above[:2] == ["d", "^"] and len(above) == 3):
+        return derivative_by(atom.arguments[0], atom.arguments[1], ctx)
     variables = partial_by(atom.arguments[0], atom.arguments[1], ctx) if above == [r"\partial"] else []
     return [partial(PartialDerivative, by=by) for by in variables]
 

@@ -27,6 +27,8 @@ __all__ = [
 
 BOLD = {r"\boldsymbol": r"\mathbf"}
 _LETTERS = TYPEFACES | MARKS
+ARROWS = frozenset({r"\vec", r"\underline", r"\overrightarrow", r"\underrightarrow"})
+"""Accents that say that a letter is a vector: they are part of its name, whatever else is put under them."""
 NAME = re.compile(r"\\(?:operatorname|text)\{(.*)\}$")
 
 
@@ -141,6 +143,7 @@ def letter_of(atom: Atom) -> Glyph:
             accents.insert(0, {r"\widetilde": r"\tilde", r"\widehat": r"\hat"}.get(atom.text, atom.text))
         atom = inner
     base = " ".join((*dict.fromkeys(styles), _text(atom)))
+    accents.sort(key=lambda accent: accent not in ARROWS)
     return Glyph(base, tuple(accents), sub, primes, tuple(sups), before, place=place)
 
 

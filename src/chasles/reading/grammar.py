@@ -102,6 +102,7 @@ class _Built(Transformer[Any, Any]):
     def terms(self, parts: list[Any]) -> Terms:
         signs = [] if isinstance(parts[0], str) else [""]
         signs += [part for part in parts if isinstance(part, str)]
+        signs[0] = signs[0].replace("+", "")
         return Terms(tuple(signs), tuple(part for part in parts if isinstance(part, FlatRow)))
 
     def sign(self, parts: list[Any]) -> str:

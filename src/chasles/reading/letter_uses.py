@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from chasles.reading.applying import EVALUATED
 from chasles.reading.commands import MARKS
 from chasles.reading.equations import segments
-from chasles.reading.glyphs import Glyph, joined, letter_of, said_of, spelled, text_of
+from chasles.reading.glyphs import ARROWS, Glyph, joined, letter_of, said_of, spelled, text_of
 from chasles.reading.grammar import Atom, Chain, Terms, formula, terms_in
 from chasles.reading.grouping import TYPEFACES, Unread
 from chasles.reading.marks import SIZE, WITHOUT_WORD
@@ -41,8 +41,6 @@ WORDS = (*TRANSPOSES, *INVERSES, r"\wedge", r"\vee", r"\times")
 MANY = 3
 SKEW = frozenset({r"^\wedge", r"^\times", r"[]_\times"})
 """Signs that make a cross-product matrix of a vector."""
-ARROWS = frozenset({r"\vec", r"\underline", r"\overrightarrow", r"\underrightarrow"})
-"""Accents that say that a letter is a vector."""
 
 
 @dataclass
@@ -156,6 +154,7 @@ def _note(terms: Terms | None, within: str, noting: _Noting) -> None:
                 continue
             after = row.pieces[place + 1] if place + 1 < len(row.pieces) else None
             around = {before, after.text if isinstance(after, Token) else ""} - {""}
+            around |= {"{}"} if isinstance(after, Atom) and after.kind == "GROUP" else set()
             name = called(piece)
             if piece.kind == "LETTER" and name in noting.usual.spellings.names:
                 before = name
@@ -216,4 +215,5 @@ def _note_letter(letter: Glyph, around: set[str], noting: _Noting) -> None:
         own, marks = parted(letter, noting.operators)
         use = noting.uses.setdefault(stem_of(own), LetterUse())
         use.letters[own] = use.places[noting.at] = None
+        use.signs |= {"marked"} if letter.sub or letter.accents or letter.primes or letter.sups else set()
         use.signs |= around | {each if each in noting.operators else f"^{each}" for each in marks}

@@ -25,10 +25,14 @@ def grid_fits(grid: Grid, ctx: FittingContext, read: Callable[[Tokens, FittingCo
     if name not in (*MATRICES, "vmatrix"):
         ctx.note(f"the environment {grid.name} stands inside a formula", grid.place)
         return []
-    if len({len(row) for row in grid.rows}) != 1 or not all(all(row) for row in grid.rows):
+    rows, width = grid.rows, max(map(len, grid.rows), default=0)
+    if len(rows) == width > 1 and all(row[at:] and row[at] for at, row in enumerate(rows)):  # what is left out is zero
+        zero = (grid.place._replace(text="0"),)
+        rows = tuple(tuple(cell or zero for cell in (*row, *[()] * (width - len(row)))) for row in rows)
+    if not rows or not all(len(row) == width and all(row) for row in rows):
         ctx.note("the rows of the matrix differ in length, or an entry is empty", grid.place)
         return []
-    fits = block_fits([[read(cell, ctx) for cell in row] for row in grid.rows], ctx)
+    fits = block_fits([[read(cell, ctx) for cell in row] for row in rows], ctx)
     if name != "vmatrix":
         return fits
     nodes = [(fit, made(Determinant, fit.node, tolerant=ctx.tolerant)) for fit in fits]

@@ -39,7 +39,7 @@ NOT_PRINTED = (Rate, Identity, Zero)
 USUAL = {
     "skew": [r"[#]_\times", r"[# \times]", r"\lfloor # \times \rfloor", r"[#]^\times", r"#^\times", r"#^\wedge"],
     "vee": [r"#^\vee"],
-    "quaternion_product": [r"# \otimes #"],
+    "quaternion_product": [r"# \otimes #", r"# \circ #"],
     "outer_product": [r"# \otimes #"],
     "exp": [r"\operatorname{Exp}(#)"],
     "quantity": [r"#^\circ"],

@@ -9,6 +9,8 @@ ALWAYS = r"""
 \newcommand\leftidx[3]{{}#1{#2}#3}
 \newcommand\abs[1]{\left|#1\right|} \newcommand\norm[1]{\left\|#1\right\|}
 \newcommand\vect[1]{\vec{#1}} \newcommand\vb[1]{\mathbf{#1}} \newcommand\mbf[1]{\mathbf{#1}}
+\newcommand\Exp{\operatorname{Exp}} \newcommand\Log{\operatorname{Log}} \newcommand\tr{\operatorname{tr}}
+\newcommand\diag{\operatorname{diag}} \newcommand\R{\mathbb{R}} \newcommand\half{\frac{1}{2}}
 \newcommand\bs[1]{\boldsymbol{#1}}
 """
 """What is the same in every package that has it, or a usual name for it where the page does not define it."""

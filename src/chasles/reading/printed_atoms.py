@@ -100,6 +100,10 @@ def bracket(atoms: list[PrintedAtom]) -> None:
     if len(atoms) < 3 or any(atoms[-3][1:]) or any(atoms[-2][1:]) or len(atoms[-3].nucleus) != 1:
         return
     opening, inside, closing = atoms[-3].nucleus[0], atoms[-2].nucleus, atoms[-1].nucleus
+    if opening.text == r"\{" and not closing and inside and inside[0].text in UNBRACKETED:
+        begin, end = (inside[at]._replace(text=rf"\{side}{{cases}}") for at, side in ((0, "begin"), (-1, "end")))
+        atoms[-3:] = [PrintedAtom([begin, *inside[1:-1], end])]
+        return
     close, name = BRACKETED.get(opening.text, ("", ""))
     if close and [token.text for token in closing] == [close] and inside and inside[0].text in UNBRACKETED:
         ends = opening._replace(text=rf"\begin{{{name}}}"), closing[0]._replace(text=rf"\end{{{name}}}")

@@ -9,8 +9,9 @@ from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
+from chasles.reading.commands import LETTERS, MARKS
 from chasles.reading.glyphs import Glyph, in_latex, letter_in, spelled
-from chasles.reading.grouping import Unread
+from chasles.reading.grouping import TYPEFACES, Unread
 from chasles.reading.letter_uses import BARE, IDENTITIES, OPERATORS, RATES, TRANSPOSES, LetterUse, inertias
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.shape_search import shaped_letters
@@ -18,6 +19,7 @@ from chasles.reading.tokens import BadPage
 
 __all__ = ["proposed"]
 
+KNOWN = LETTERS | MARKS | TYPEFACES
 PRIMED = re.compile(r"[])] ('(?: ')*)")
 
 
@@ -38,11 +40,16 @@ def proposed(equations: Sequence[PrintedEquation]) -> str:
     quantity = [f"quantity = [{signs}]  # ? what these marks make of an expression"] if primes else []
     operators = [*_operators(uses, inertia), *quantity]
     lines = ["[operators]", *operators, "", "[symbols]"]
+    marked = {word for stem, use in uses.items() if "marked" in use.signs for word in stem.base.split()}
+    letters = KNOWN | marked - {word for stem, use in uses.items() if "{}" in use.signs for word in stem.base.split()}
     for stem, use in uses.items():
         question = f"  # ? or {use.other}" if use.other not in ("", use.kind) else ""
         for glyph, said in _declared(stem, use, uses):
             of = f", of = {_quoted(said['of'])}" if "of" in said else ""
             of += f", shape = {said['shape']}" if "shape" in said else ""
+            if unknown := [word for word in stem.base.split() if word[0] == "\\" and word not in letters]:
+                lines.append(f"# {unknown[-1]}: no command of LaTeX; --macros FILE defines it, or say here what it is")
+                continue
             known = _is_one_letter(glyph)
             entry = f'{_quoted(spelled(glyph))} = {{ is = "{said["is"]}"{of} }}{"" if of else question}'
             lines.append(entry if known else f"# {spelled(glyph)}: several letters in one; say what it is")

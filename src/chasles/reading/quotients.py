@@ -10,9 +10,9 @@ from chasles.reading.applying import applied
 from chasles.reading.context import FittingContext
 from chasles.reading.exponentials import exponential
 from chasles.reading.fits import Fit, made, own_quantity
-from chasles.reading.glyphs import Glyph, letter_of, said_of
+from chasles.reading.glyphs import Glyph, in_latex, letter_of, said_of
 from chasles.reading.grammar import Atom, formula
-from chasles.reading.grouping import Tokens, Unread, closing
+from chasles.reading.grouping import Tokens, Unread, closing, lines_of
 from chasles.reading.page_notation import repeated_rate
 from chasles.reading.spellings import Make
 from chasles.vocabulary import (
@@ -21,12 +21,13 @@ from chasles.vocabulary import (
     Rate,
     latex,
 )
+from chasles.vocabulary.dimension import has_units
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.partial import PartialDerivative
 from chasles.vocabulary.spelling import Precedence
 
-__all__ = ["exponential_fits", "fraction_fits", "of_tokens", "order_of_rate", "partial_by", "rate_in_frame",
-           "seen_from", "sized_quotient", "upright"]  # fmt: skip
+__all__ = ["derivative_by", "exponential_fits", "fraction_fits", "of_tokens", "order_of_rate", "partial_by",
+           "rate_in_frame", "seen_from", "sized_quotient", "upright"]  # fmt: skip
 
 
 def of_tokens(tokens: Tokens, ctx: FittingContext) -> list[Fit]:
@@ -80,6 +81,18 @@ def rate_in_frame(frame: str, home: str) -> Make:
     return make
 
 
+def derivative_by(above: Tokens, below: Tokens, ctx: FittingContext) -> list[Make]:
+    """A derivative by a letter that is no time: a quantity of its own, for which units have no word."""
+    behind = below[next((at for at, token in enumerate(below) if token.text == "d"), 0) + 1 :]
+    behind = behind[1:] if [token.text for token in behind[:1]] == ["}"] else behind
+    variable = lines_of(behind, ("^",))[0]
+    if has_units(ctx.notation.home) or not any(fit.shape == (1, 1) for fit in of_tokens(tuple(variable), ctx)):
+        return []
+    texts = in_latex(said_of(above[: 1 if upright(above)[1:2] != ["^"] else 5])), in_latex(said_of(behind))
+    mark = rf"\frac{{{texts[0]}}}{{d {texts[1]}}}"
+    return [lambda of: own_quantity(f"{mark} ({latex(of)})", measured(of), ctx.notation.home)]
+
+
 def upright(tokens: Tokens) -> list[str]:
     """The tokens of a differential without their typeface."""
     return [token.text for token in tokens if token.text not in (r"\mathrm", "{", "}")]
@@ -96,8 +109,12 @@ def fraction_fits(atom: Atom, ctx: FittingContext) -> list[Fit]:
     if frame and of:
         return applied((rate_in_frame(frame, ctx.notation.home),), of_tokens(of, ctx), ctx, Glyph(""), atom.text)
     if upright(above)[:1] == upright(below)[:1] == ["d"]:
-        ctx.note("no word for a derivative by anything but the time: write a partial one", atom.place)
-        return []
+        start = next(at for at, token in enumerate(above) if token.text == "d") + 1 + (above[0].text == r"\mathrm")
+        start = closing(above, start + 1) + 1 if above[start:] and above[start].text == "^" else start
+        if not (makes := derivative_by(above, below, ctx)):
+            ctx.note("no word for a derivative by anything but a scalar letter: write a partial one", atom.place)
+            return []
+        return applied(makes, of_tokens(above[start:], ctx), ctx, Glyph(""), atom.text)
     if len(above) > 1 and (variables := partial_by(above, below, ctx)):
         makes = [partial(PartialDerivative, by=by) for by in variables]
         return applied(makes, of_tokens(above[1:], ctx), ctx, replace(letter_of(atom), base="", accents=()), atom.text)

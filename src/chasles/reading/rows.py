@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from chasles.reading.applying import made_of
+from chasles.reading.applying import applied, made_of
 from chasles.reading.context import FittingContext
 from chasles.reading.factors import factors, operators_of
 from chasles.reading.fits import UNUSUAL, Fit, kept, made
-from chasles.reading.glyphs import joined, letter_of
+from chasles.reading.glyphs import Glyph, joined, letter_of
 from chasles.reading.grammar import Atom, FlatRow
 from chasles.reading.quotients import sized_quotient
 from chasles.reading.spellings import Make
 from chasles.reading.tokens import Token
 from chasles.reading.totals import TOTALS, end_of_total, totals
-from chasles.vocabulary import Block, Contract, Misfit, Node, Quotient, Scale, Sum
+from chasles.vocabulary import Block, Contract, Misfit, Node, Quotient, Scale, Skew, Sum
 from chasles.vocabulary.parts import part
 from chasles.vocabulary.spelling import Precedence
 
@@ -38,6 +38,8 @@ def _signed(pieces: Pieces, ctx: FittingContext) -> list[Fit]:
     cuts = [k for k, piece in enumerate(pieces) if isinstance(piece, Token)]
     if not cuts:
         return _product(tuple(piece for piece in pieces if isinstance(piece, Atom)), ctx)
+    if cuts[-1] == len(pieces) - 1 > 0 and pieces[-1].text == r"\times":  # what is multiplied is still to come
+        return applied((Skew,), _signed(pieces[:-1], ctx), ctx, Glyph(""), r"\times")
     found: list[Fit] = []
     texts = {k: piece.text for k, piece in enumerate(pieces) if isinstance(piece, Token)}
     step = 1 if r"\times" in texts.values() else UNUSUAL

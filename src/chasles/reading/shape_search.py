@@ -6,11 +6,10 @@ from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from itertools import combinations, islice, product
 
-from chasles.reading.glyphs import Glyph, letter_of
+from chasles.reading.glyphs import ARROWS, Glyph, letter_of
 from chasles.reading.grammar import Atom, Chain, Terms
 from chasles.reading.letter_shapes import Misshapen, Shape, shape_of_chain
 from chasles.reading.letter_uses import (
-    ARROWS,
     SKEW,
     LetterUse,
     chains_of,

@@ -6,16 +6,20 @@ from chasles.reading.context import FittingContext
 from chasles.reading.expanding import order_of, up_to_order
 from chasles.reading.fits import MOST, Fit, Shape, kept, made, own_quantity
 from chasles.reading.glyphs import in_latex, text_of
-from chasles.reading.grammar import Terms
+from chasles.reading.grammar import Atom, FlatRow, Terms
 from chasles.reading.grouping import Unread
 from chasles.reading.rows import row_fits
-from chasles.vocabulary import Negative, Node, Sum
+from chasles.reading.spellings import called
+from chasles.vocabulary import NO_DIMENSION, Negative, Node, Sum, latex, uniform
+from chasles.vocabulary.dimension import has_units
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.spelling import Precedence
 
 __all__ = ["sum_fits"]
 
 MOST_TERMS = 500
+OPEN = (r"\dots", r"\ldots", r"\cdots", "const", "constant")
+"""Of what is left out nothing is known, and a constant is another one in each equation."""
 EITHER = frozenset({r"\pm", r"\mp"})
 
 
@@ -23,8 +27,13 @@ def sum_fits(terms: Terms, ctx: FittingContext) -> list[Fit]:
     """The readings of a sum, the usual ones first."""
     if len(terms.rows) > MOST_TERMS:
         raise Unread(f"a sum of more than {MOST_TERMS} terms: write it as several")
-    if EITHER.intersection(terms.signs):
+    said = [row for row in terms.rows if not _is_open(row)]
+    if EITHER.intersection(terms.signs) or 0 < len(said) < len(terms.rows):
         return _either(terms, ctx)
+    if not said and not has_units(ctx.notation.home):
+        letter, home = f"{in_latex(text_of(terms))} in {ctx.where}", ctx.notation.home
+        sized = lambda shape: own_quantity(letter, uniform(shape, NO_DIMENSION), home)  # noqa: E731
+        return [Fit(None, (letter,), sized=sized)]
     if len(terms.rows) > 1 and terms.signs[-1] == "+" and (order := order_of(terms.rows[-1], ctx)):
         return up_to_order(sum_fits(Terms(terms.signs[:-1], terms.rows[:-1]), ctx), order, ctx)
     problems = len(ctx.problems)
@@ -46,13 +55,20 @@ def sum_fits(terms: Terms, ctx: FittingContext) -> list[Fit]:
     return kept(found)
 
 
+def _is_open(row: FlatRow) -> bool:
+    """Whether these are dots for what is left out, or a constant that is not named."""
+    return len(row.pieces) == 1 and isinstance(row.pieces[0], Atom) and called(row.pieces[0]) in OPEN
+
+
 def _either(terms: Terms, ctx: FittingContext) -> list[Fit]:
-    r"""A sum with a \pm that is not on both sides: a quantity of its own, another one in each equation."""
-    signs = ["+" if sign in EITHER else sign for sign in terms.signs]
-    letter = in_latex(text_of(terms))
+    r"""A sum with a \pm that is not on both sides, or dots: a quantity of its own, another one in each equation."""
+    pairs = [(sign, row) for sign, row in zip(terms.signs, terms.rows, strict=True) if not _is_open(row)]
+    signs = ["+" if sign in EITHER else sign for sign, _ in pairs]
+    is_either = EITHER.intersection(terms.signs)
     found = []
-    for fit in sum_fits(Terms(("" if signs[0] == "+" else signs[0], *signs[1:]), terms.rows), ctx):
+    for fit in sum_fits(Terms(("" if signs[0] == "+" else signs[0], *signs[1:]), tuple(row for _, row in pairs)), ctx):
         if fit.node is not None and fit.shape:
+            letter = in_latex(text_of(terms)) if is_either else rf"{latex(fit.node)} + \dots"
             symbol = own_quantity(letter, measured(fit.node), ctx.notation.home, f"{letter} in {ctx.where}")
             found.append(Fit(symbol, ctx.said(symbol), fit.cost))
     return found
