@@ -45,11 +45,8 @@ class Verdict(Displayed):
     """The outcome of a decision; `name` is its one word."""
 
     name: ClassVar[str] = "verdict"
-
-    @property
-    def true(self) -> bool:
-        """Whether the statement may stand as printed."""
-        return True
+    true: ClassVar[bool] = True
+    """Whether the statement may stand as printed."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,11 +122,8 @@ class Fails(Verdict):
     """Refuted by an exact counterexample."""
 
     name: ClassVar[str] = "fails"
+    true: ClassVar[bool] = False
     counterexample: Counterexample
-
-    @property
-    def true(self) -> bool:
-        return False
 
 
 @dataclass(frozen=True, slots=True)
@@ -137,11 +131,8 @@ class IllFormed(Verdict):
     """The two sides, or the parts of one, do not fit together: there is nothing to decide as printed."""
 
     name: ClassVar[str] = "ill-formed"
+    true: ClassVar[bool] = False
     reason: str
-
-    @property
-    def true(self) -> bool:
-        return False
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,12 +143,9 @@ class Contradictory(Verdict):
     """
 
     name: ClassVar[str] = "contradictory"
+    true: ClassVar[bool] = False
     hypotheses: tuple[str, ...]
     certificate: Mapping[str, Any] | None = None
-
-    @property
-    def true(self) -> bool:
-        return False
 
     @property
     def reason(self) -> str:
@@ -173,9 +161,6 @@ class Undecided(Verdict):
     """
 
     name: ClassVar[str] = "undecided"
+    true: ClassVar[bool] = False
     reason: str
     without_form: bool = field(default=False, compare=False, repr=False)
-
-    @property
-    def true(self) -> bool:
-        return False

@@ -23,6 +23,10 @@ class Step(Declared):
     __slots__ = ()
     kind: ClassVar[str] = "step"
 
+    def _hold(self, **values: object) -> None:
+        for name, value in values.items():
+            object.__setattr__(self, name, value)
+
     @property
     def cited(self) -> tuple[Statement, ...]:
         """The statements that the step names."""
@@ -41,7 +45,7 @@ class Take(Step):
     statements: tuple[Statement, ...]
 
     def __init__(self, *statements: Statement) -> None:
-        object.__setattr__(self, "statements", statements)
+        self._hold(statements=statements)
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,9 +70,7 @@ class Substitute(Step):
     using: tuple[Statement, ...]
 
     def __init__(self, *statements: Statement, both: bool = False, using: tuple[Statement, ...] = ()) -> None:
-        object.__setattr__(self, "statements", statements)
-        object.__setattr__(self, "both", both)
-        object.__setattr__(self, "using", using)
+        self._hold(statements=statements, both=both, using=using)
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,8 +93,7 @@ class Factor(Step):
     using: tuple[Statement, ...]
 
     def __init__(self, *terms: Node, using: tuple[Statement, ...] = ()) -> None:
-        object.__setattr__(self, "terms", terms)
-        object.__setattr__(self, "using", using)
+        self._hold(terms=terms, using=using)
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,10 +139,7 @@ class Solve(Step):
         by: Statement | None = None,
         using: tuple[Statement, ...] = (),
     ) -> None:
-        object.__setattr__(self, "unknowns", unknowns)
-        object.__setattr__(self, "terms", terms)
-        object.__setattr__(self, "by", by)
-        object.__setattr__(self, "using", using)
+        self._hold(unknowns=unknowns, terms=terms, by=by, using=using)
 
 
 @dataclass(frozen=True, slots=True)
