@@ -10,6 +10,7 @@ from chasles.deriving.solving import solve_by_moving, solve_by_multiplying, solv
 from chasles.deriving.state import Equation, State, usable
 from chasles.rewriting.isolate import CannotIsolate, alone, before
 from chasles.rewriting.matching import occurs, put_for
+from chasles.rewriting.product import chained
 from chasles.rewriting.products import multiplied_out, without_brackets
 from chasles.rewriting.rates import carried_out, rate_of
 from chasles.rewriting.tidy import tidied
@@ -227,7 +228,7 @@ def _multiply(step: Multiply, state: State) -> StepResult:
     def times(side: Node) -> Node:
         if factor.is_scalar:
             return Scale(factor, side)
-        return Contract((*_factors(side), *_factors(factor)) if step.right else (*_factors(factor), *_factors(side)))
+        return chained((side, factor) if step.right else (factor, side))
 
     after = tuple((times(left), times(right)) for left, right in state.equations)
     goals = [
@@ -236,10 +237,6 @@ def _multiply(step: Multiply, state: State) -> StepResult:
     ]
     side = "right" if step.right else "left"
     return StepResult(after, state.decide(goals, state.environment()), f"by {step.factor}, from the {side}")
-
-
-def _factors(node: Node) -> tuple[Node, ...]:
-    return node.factors if isinstance(node, Contract) else (node,)
 
 
 def _take_vector(step: TakeVector, state: State) -> StepResult:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from chasles.rewriting.coefficients import added
+from chasles.rewriting.product import chained
 from chasles.vocabulary import Contract, Node, Sum, Symbol, rebuilt
 
 
@@ -18,10 +19,10 @@ def put_for(node: Node, pattern: Node, value: Node) -> Node:
     parts = node.below
     changed = tuple(put_for(part, pattern, value) for part in parts)
     if changed != parts:
-        node = _flat(changed) if isinstance(node, Contract) else rebuilt(node, changed)
+        node = chained(changed) if isinstance(node, Contract) else rebuilt(node, changed)
     match node, pattern:
         case Contract(factors), Contract(run):
-            return _contracted(list(_with_run(factors, run, value)))
+            return chained(_with_run(factors, run, value))
         case Sum(terms), Sum(run):
             return _added(terms, run, value)
     return node
@@ -33,12 +34,6 @@ def occurs(pattern: Node, node: Node) -> bool:
     return put_for(node, pattern, Symbol(f"[{pattern}]", str(pattern), pattern.measure)) != node
 
 
-def _flat(factors: Sequence[Node]) -> Node:
-    return Contract(
-        tuple(f for factor in factors for f in (factor.factors if isinstance(factor, Contract) else (factor,)))
-    )
-
-
 def _with_run(factors: Sequence[Node], run: Sequence[Node], value: Node) -> Iterator[Node]:
     k = 0
     while k < len(factors):
@@ -48,10 +43,6 @@ def _with_run(factors: Sequence[Node], run: Sequence[Node], value: Node) -> Iter
         else:
             yield factors[k]
             k += 1
-
-
-def _contracted(factors: list[Node]) -> Node:
-    return factors[0] if len(factors) == 1 else _flat(factors)
 
 
 def _added(terms: Sequence[Node], run: Sequence[Node], value: Node) -> Node:

@@ -65,6 +65,11 @@ def contraction(factors: tuple[Node, ...]) -> Node:
     return factors[0] if len(factors) == 1 else Contract(factors)
 
 
+def chained(factors: Iterable[Node]) -> Node:
+    """The product of the factors, of products among them factor by factor."""
+    return contraction(tuple(f for one in factors for f in (one.factors if isinstance(one, Contract) else (one,))))
+
+
 def collected(found_terms: Iterable[Product]) -> list[Product]:
     """The products, those that differ in their numbers alone put together; what cancels is left out."""
     found: dict[object, Product] = {}

@@ -7,7 +7,7 @@ from fractions import Fraction
 from itertools import product
 
 from chasles.rewriting.coefficients import added
-from chasles.rewriting.product import Product, cancelled, collected, contraction, divided, spelled_out
+from chasles.rewriting.product import Product, cancelled, chained, collected, contraction, divided, spelled_out
 from chasles.vocabulary import (
     At,
     Block,
@@ -48,7 +48,7 @@ def without_brackets(node: Node) -> Node:
             if changed == parts:
                 return node
             if isinstance(node, Contract):
-                return Contract(tuple(f for c in changed for f in (c.factors if isinstance(c, Contract) else (c,))))
+                return chained(changed)
             return rebuilt(node, changed)
 
 

@@ -13,6 +13,7 @@ from itertools import combinations, combinations_with_replacement, islice, produ
 
 from chasles.rewriting.coefficients import ONE
 from chasles.rewriting.coefficients import product as product_of
+from chasles.rewriting.product import chained
 from chasles.vocabulary import (
     NO_DIMENSION,
     At,
@@ -236,8 +237,7 @@ def _enter(basis: TermBasis, node: Node) -> None:
 
 
 def _contracted(left: Node, right: Node) -> Node:
-    factors = (part.factors if isinstance(part, Contract) else (part,) for part in (left, right))
-    return Contract(tuple(factor for each in factors for factor in each))
+    return chained((left, right))
 
 
 def _fitting(make: Callable[[Node, Node], Node], left: Node, right: Node) -> Iterator[Node]:
