@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from textwrap import wrap
 
 from chasles.lowering.program import Op, Program
-from chasles.targets.kernel import TargetKernel
+from chasles.targets.kernel import TargetKernel, signature
 
 _WIDTH = 100
 _LABEL = 12
@@ -43,6 +43,17 @@ def contract(kernel: TargetKernel, inputs: Sequence[str], outputs: Sequence[str]
         *_labelled("error bound", _bounded(kernel)),
         *_labelled("derivation", [f"sha256 {heading.derivation}"]),
     )
+
+
+def contract_in_arrays(kernel: TargetKernel, words: Sequence[str] = ()) -> tuple[str, ...]:
+    """The contract of a function of arrays with its signature; `words` are its parameters where these have other names.
+
+    The shapes are those of one item: batch axes come before.
+    """
+    parameters, count = kernel.program.parameters, len(kernel.program.arguments)
+    named = zip(words or [item.name for item in parameters], parameters, strict=True)
+    shown = [f"{name} ({', '.join(map(str, item.shape))})" if item.shape else name for name, item in named]
+    return (*contract(kernel, shown[:count], shown[count:]), f"  {'signature':<{_LABEL}}{signature(kernel.program)}")
 
 
 def summary(kernel: TargetKernel, what: str) -> tuple[str, ...]:

@@ -70,6 +70,11 @@ def called(program: Program) -> set[tuple[str, int]]:
     return functions | {_CIRCULAR[step.op] for step in program.steps if step.op in _CIRCULAR}
 
 
+def flat(name: str, shape: Shape, entry: int) -> str:
+    """The entry of an array of numbers one after the other."""
+    return f"{name}[{entry}]" if shape else name
+
+
 def nested(name: str, shape: Shape, entry: int) -> str:
     """The entry of arrays in arrays, row by row."""
     places: list[int] = []

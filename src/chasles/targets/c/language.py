@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from chasles.lowering.program import Op
 from chasles.targets.constants import DOUBLE, SINGLE, Precision, literals
-from chasles.targets.dialect import ARITHMETIC, Dialect, Level, Phrase, Shape, call
+from chasles.targets.dialect import ARITHMETIC, Dialect, Level, Phrase, call, flat
 
 _KEYWORDS = """
     auto break case char const continue default do double else enum extern float for goto if inline int long register
@@ -35,10 +35,6 @@ RESERVED = frozenset(f"{_KEYWORDS} {_LIBRARY} {_FLOATS}".split())
 """Words that name no argument, result or temporary."""
 
 
-def _component(name: str, shape: Shape, entry: int) -> str:
-    return f"{name}[{entry}]" if shape else name
-
-
 def _dialect(precision: Precision) -> Dialect:
     suffix = precision.suffix
     spell: Mapping[Op, Phrase] = {
@@ -57,7 +53,7 @@ def _dialect(precision: Precision) -> Dialect:
     def function(name: str, operands: int) -> Phrase:
         return call(f"{name}{suffix}", operands)
 
-    return Dialect(spell, literals(precision), _component, declare, RESERVED, function=function)
+    return Dialect(spell, literals(precision), flat, declare, RESERVED, function=function)
 
 
 DIALECTS: Mapping[Precision, Dialect] = {precision: _dialect(precision) for precision in (DOUBLE, SINGLE)}

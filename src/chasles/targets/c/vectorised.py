@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from chasles.lowering.program import Op
 from chasles.targets.c.language import RESERVED
 from chasles.targets.constants import DOUBLE, SINGLE, Precision, literals
-from chasles.targets.dialect import ARITHMETIC, Dialect, Level, Phrase, Shape, call
+from chasles.targets.dialect import ARITHMETIC, Dialect, Level, Phrase, call, flat
 
 _USED = """
     LANES LANESF GROUPS GROUPSF LIST LISTF SHUFFLE LOWER UPPER LOWERF UPPERF EVENF ODDF
@@ -38,10 +38,6 @@ def spread(text: str, precision: Precision) -> str:
     return text if _NAME.search(text) else f"spread{precision.suffix}({text})"
 
 
-def _component(name: str, shape: Shape, entry: int) -> str:
-    return f"{name}[{entry}]" if shape else name
-
-
 def _dialect(precision: Precision) -> Dialect:
     suffix = precision.suffix
     spell: Mapping[Op, Phrase] = {
@@ -64,7 +60,7 @@ def _dialect(precision: Precision) -> Dialect:
         return call(f"{name}_of{suffix}", operands)
 
     return Dialect(
-        spell, literals(precision), _component, declare, _RESERVED, lift=f"spread{suffix}({{}})", function=function
+        spell, literals(precision), flat, declare, _RESERVED, lift=f"spread{suffix}({{}})", function=function
     )
 
 

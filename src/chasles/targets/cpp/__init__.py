@@ -15,7 +15,7 @@ from chasles.lowering.program import Argument, Op, Result
 from chasles.targets.c.functions import PRECISIONS, Function, head, unread
 from chasles.targets.c.language import RESERVED
 from chasles.targets.constants import SINGLE, Precision, literals
-from chasles.targets.dialect import ARITHMETIC, Dialect, Level, Phrase, Shape, call, circular
+from chasles.targets.dialect import ARITHMETIC, Dialect, Level, Phrase, Shape, call, circular, flat
 from chasles.targets.kernel import TargetKernel, signature
 from chasles.targets.layout import listed
 from chasles.targets.spelling import spelled
@@ -52,7 +52,7 @@ def _dialect(precision: Precision) -> Dialect:
     return Dialect(
         spell,
         literals(precision),
-        lambda name, shape, entry: f"{name}[{entry}]" if shape else name,
+        flat,
         lambda name, text, truth: f"const {'bool' if truth else precision.name} {name} = {text};",
         _RESERVED,
         function=function,

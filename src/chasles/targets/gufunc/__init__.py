@@ -11,10 +11,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from chasles.lowering.program import Argument, Result
 from chasles.targets.c.blocks import loop_name
 from chasles.targets.constants import DOUBLE, SINGLE
-from chasles.targets.contract import contract
+from chasles.targets.contract import contract_in_arrays
 from chasles.targets.gufunc.text import c_string
 from chasles.targets.kernel import TargetKernel, signature
 from chasles.targets.target import Page, Target
@@ -38,21 +37,14 @@ class _Ufunc:
 
 def _ufunc(kernel: TargetKernel) -> _Ufunc:
     program = kernel.program
-    given = [_shown(item) for item in program.arguments]
-    returned = [_shown(item) for item in program.results]
-    text = (*contract(kernel, given, returned), f"  {'signature':<12}{signature(program)}")
     call = f"{kernel.name}({', '.join(item.name for item in program.arguments)}, /, *, out=None)"
     return _Ufunc(
         name=kernel.name,
         loops=", ".join(f"&{loop_name(kernel, precision)}" for precision in _LOOPS),
         operands=", ".join(c_string(item.name) for item in program.parameters),
-        docstring=tuple(c_string(f"{line}\n") for line in (call, "--", "", *text)),
+        docstring=tuple(c_string(f"{line}\n") for line in (call, "--", "", *contract_in_arrays(kernel))),
         signature=c_string(signature(program)),
     )
-
-
-def _shown(item: Argument | Result) -> str:
-    return f"{item.name} ({', '.join(map(str, item.shape))})" if item.shape else item.name
 
 
 def _pages(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:

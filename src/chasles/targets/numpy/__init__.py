@@ -8,11 +8,11 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from chasles.lowering.program import Argument, Op, Program, Result
+from chasles.lowering.program import Op, Program
 from chasles.targets.constants import DOUBLE, literals
-from chasles.targets.contract import contract
+from chasles.targets.contract import contract_in_arrays
 from chasles.targets.dialect import ARITHMETIC, Dialect, Level, Phrase, call, nested
-from chasles.targets.kernel import TargetKernel, signature
+from chasles.targets.kernel import TargetKernel
 from chasles.targets.layout import listed
 from chasles.targets.numpy.hypotheses import divisors, rows
 from chasles.targets.spelling import Spelled, spelled
@@ -79,9 +79,7 @@ def function(kernel: TargetKernel, end: str = "return delivered(out, {})", diale
     """The function of a kernel, which `end`s by handing over its results."""
     program = kernel.program
     text = spelled(program, dialect)
-    given = [_shown(name, item) for name, item in zip(text.arguments, program.arguments, strict=True)]
-    returned = [_shown(name, item) for name, item in zip(text.results, program.results, strict=True)]
-    says, *docstring = _docstring((*contract(kernel, given, returned), f"  {'signature':<12}{signature(program)}"))
+    says, *docstring = _docstring(contract_in_arrays(kernel, (*text.arguments, *text.results)))
     return _Function(
         name=kernel.name,
         says=says,
@@ -114,11 +112,6 @@ def _closing(kernel: TargetKernel, text: Spelled, end: str) -> Iterator[str]:
     for name, result, entries in zip(text.results, kernel.program.results, text.entries, strict=True):
         yield from listed(f"{name} = batch.array(", [str(result.shape), *entries], ")", closing_line=True)
     yield end.format(", ".join(text.results))
-
-
-def _shown(name: str, item: Argument | Result) -> str:
-    """The name with its core shape; batch axes come before."""
-    return f"{name} ({', '.join(map(str, item.shape))})" if item.shape else name
 
 
 def _docstring(lines: tuple[str, ...]) -> tuple[str, ...]:

@@ -10,8 +10,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from chasles.lowering.program import Argument, Result
-from chasles.targets.contract import cited, contract
+from chasles.lowering.program import Result
+from chasles.targets.contract import cited, contract_in_arrays
 from chasles.targets.kernel import TargetKernel, signature
 from chasles.targets.target import Page, Target
 
@@ -42,10 +42,7 @@ class _Declared:
 
 def _declared(kernel: TargetKernel) -> _Declared:
     program = kernel.program
-    given = [_shown(item) for item in program.arguments]
-    returned = [_shown(item) for item in program.results]
-    contracted = (*contract(kernel, given, returned), f"  {'signature':<12}{signature(program)}")
-    says, *docstring = (_quoted(line.removeprefix("  ")) for line in contracted)
+    says, *docstring = (_quoted(line.removeprefix("  ")) for line in contract_in_arrays(kernel))
     gives = [_type_of(result) for result in program.results]
     one_each = f"tuple[{', '.join(['Array | None'] * len(gives))}]"
     return _Declared(
@@ -69,10 +66,6 @@ def _quoted(text: str) -> str:
 def _type_of(result: Result) -> str:
     """What is known of the type of a result: without core axes it is a number or, in a batch, an array."""
     return "Array" if result.shape else "Any"
-
-
-def _shown(item: Argument | Result) -> str:
-    return f"{item.name} ({', '.join(map(str, item.shape))})" if item.shape else item.name
 
 
 def _pages(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
