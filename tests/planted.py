@@ -24,7 +24,7 @@ from chasles.prover.decide import decide_problem
 from chasles.repairs.repair import Repair, repair
 from chasles.statements import Chapter, Claim, Statement, load, problem_of
 from chasles.verdict import Fails
-from chasles.vocabulary import Block, Misfit, Negative, Node, Sum, children
+from chasles.vocabulary import Block, Misfit, Negative, Node, Sum, children, plain
 
 from .meaning import Meaning
 from .mutation import Mutant, mutants_of
@@ -135,7 +135,7 @@ def _says(found: Repair, case: Planted) -> bool:
     if all(meaning(a) == meaning(b) for a, b in zip((found.left, found.right), sides, strict=True)):
         return True
     if not isinstance(meaning(sides[1]), tuple):
-        return all(_same_in_words(a, b) for a, b in zip((found.left, found.right), sides, strict=True))
+        return all(_same_in_words(a, b, case) for a, b in zip((found.left, found.right), sides, strict=True))
     try:
         one, other = (Sum((left, Negative(right))) for left, right in ((found.left, found.right), sides))
     except Misfit:
@@ -145,10 +145,13 @@ def _says(found: Repair, case: Planted) -> bool:
     )
 
 
-def _same_in_words(one: Node, other: Node) -> bool:
-    """Whether two expressions are proved equal with nothing given, where they have no values at free points."""
+def _same_in_words(one: Node, other: Node, case: Planted) -> bool:
+    """Whether two expressions are proved equal by what the claim assumes, where they have no values at free points."""
     try:
-        return one == other or decide_problem(problem_of(Claim("0", one, other))).true
+        return (
+            plain(one) == plain(other)
+            or decide_problem(problem_of(Claim("0", one, other, assuming=case.original.assuming))).true
+        )
     except (Misfit, TypeError):
         return False
 

@@ -20,8 +20,10 @@ from chasles.vocabulary import (
     Cross,
     Dot,
     Group,
+    Identity,
     Negative,
     Node,
+    Norm,
     Number,
     Power,
     Quotient,
@@ -39,12 +41,14 @@ from chasles.vocabulary import (
 from chasles.vocabulary.parts import Submatrix
 from chasles.vocabulary.parts import part as entry
 
-__all__ = ["FORM", "SingleEdit", "edits_at"]
+__all__ = ["FORM", "SingleEdit", "edits_at", "turned_signs"]
 
 _T = TypeVar("_T")
 FORM = 3
 """The effort of undoing a slip of form, or of a wrong letter."""
 TWO = Number(Fraction(2))
+_MADE_OF_OTHERS = Transpose | Sum | Negative | Scale | Quotient | Group | Identity | Zero
+"""What is transposed by its parts, or not changed by that."""
 
 
 class SingleEdit(NamedTuple):
@@ -57,14 +61,16 @@ class SingleEdit(NamedTuple):
 
 def edits_at(part: Node, parent: Node | None = None, *, turned: bool = True) -> Iterator[SingleEdit]:
     """The edits at the root of an expression that stands in another; signs only if `turned`."""
-    made = printed(lambda: [*_of_form(part), *_of_factors(part), *_of_rates(part)])  # type: ignore[type-var]
+    made = printed(lambda: [*_of_form(part), *_of_factors(part), *_of_rates(part, parent)])  # type: ignore[type-var]
     yield from (SingleEdit(new, "") for new in made)
+    powers = printed(lambda: list(_exponents(part, parent)))  # type: ignore[type-var]
+    yield from (SingleEdit(new, "", FACTOR if part.is_scalar or isinstance(part, Power) else FORM) for new in powers)
     yield from _with_factor(part)
-    flat = isinstance(part, Symbol | Rate | Contract | Block) and part.measure is not None and max(part.shape) > 1
+    flat = not isinstance(part, _MADE_OF_OTHERS) and part.measure is not None and max(part.shape) > 1
     if flat and not isinstance(parent, Rate | Transpose):
         yield SingleEdit(Transpose(part), "")
     if turned:
-        yield from _signs(part)
+        yield from turned_signs(part)
 
 
 def _of_form(node: Node) -> Iterator[Node]:
@@ -76,9 +82,6 @@ def _of_form(node: Node) -> Iterator[Node]:
             if not isinstance(argument, Scale | Quotient):
                 yield Call(function, Quotient(argument, TWO))
                 yield Call(function, Scale(TWO, argument))
-        case Power(base, exponent):
-            yield Power(base, exponent + 1)
-            yield base if exponent == 2 else Power(base, exponent - 1)
         case Cross(left, right) if left != right:
             yield Cross(right, left)
         case Contract(factors):
@@ -90,6 +93,15 @@ def _of_form(node: Node) -> Iterator[Node]:
             places = [*((k, j) for k in range(1, height + 1)), *((i, k) for k in range(1, width + 1)), (j, i)]
             inside = (place for place in dict.fromkeys(places) if place[0] <= height and place[1] <= width)
             yield from (entry(of, max(place) if 1 in (height, width) else place) for place in inside if place != (i, j))
+
+
+def _exponents(node: Node, parent: Node | None) -> Iterator[Node]:
+    """One power more or less."""
+    if isinstance(node, Power):
+        yield Power(node.base, node.exponent + 1)
+        yield node.base if node.exponent == 2 else Power(node.base, node.exponent - 1)
+    elif isinstance(node, Symbol | Call | Norm) and node.shape[0] == node.shape[1] and not isinstance(parent, Power):
+        yield Power(node, 2)
 
 
 def _rearranged(rows: tuple[tuple[Node, ...], ...]) -> Iterator[Node]:
@@ -178,11 +190,13 @@ def _opposite(term: Node) -> Node:
     return term.term if isinstance(term, Negative) else Negative(term)
 
 
-def _of_rates(node: Node) -> Iterator[Node]:
-    """A dot too many, or over the other factor of a product."""
+def _of_rates(node: Node, parent: Node | None) -> Iterator[Node]:
+    """A dot too many or too few, or over the other factor of a product."""
     match node:
         case Rate(of):
             yield of
+        case Symbol() if not node.constant and node.stands_for is None and not isinstance(parent, Rate):
+            yield Rate(node)
         case Scale() | Cross() | Dot() | Contract((_, _)):
             match children(node):
                 case (Rate(left), right) if not isinstance(right, Rate):
@@ -195,8 +209,8 @@ def _exchanged(items: tuple[_T, ...], k: int, n: int) -> tuple[_T, ...]:
     return (*items[:k], items[n], *items[k + 1 : n], items[k], *items[n + 1 :])
 
 
-def _signs(node: Node) -> Iterator[SingleEdit]:
-    """A wrong sign, where the whole does not depend on it linearly."""
+def turned_signs(node: Node) -> Iterator[SingleEdit]:
+    """A sum with the sign of one term turned."""
     if isinstance(node, Sum):
         for k, term in enumerate(node.terms):
             yield SingleEdit(Sum((*node.terms[:k], _opposite(term), *node.terms[k + 1 :])), "", SIGN)

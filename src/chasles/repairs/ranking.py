@@ -27,7 +27,7 @@ from chasles.rewriting.term_basis import TermBasis, fit, term_basis
 from chasles.statements import Claim, Statement
 from chasles.statements.goals import AcceptedSides
 from chasles.statements.statement import bare
-from chasles.vocabulary import Call, Inverse, Node, Number, Quotient, Rate, Symbol, children, symbols_of, walk
+from chasles.vocabulary import Call, Inverse, Node, Number, Quotient, Rate, Symbol, Zero, children, symbols_of, walk
 
 __all__ = ["Nearest", "given_sides"]
 
@@ -61,6 +61,10 @@ class Nearest:
             if found:
                 return
 
+    def is_tested(self, left: Node, right: Node) -> bool:
+        """Whether there are points at which changes can be tried."""
+        return any(True for _ in self._tests(left, right))
+
     def agree(self, left: Node, right: Node) -> bool:
         """Whether two sides agree at generic points."""
         try:
@@ -74,7 +78,9 @@ class Nearest:
         for turn, (test, basis) in enumerate(islice(self._tests(left, right), turns)):
             changes = [*self._edits(test, turn), *other_terms(test, basis)]
             if not isinstance(left, Inverse):
-                turned = self._edits(test.turned, turn)
+                turned = [*self._edits(test.turned, turn)]
+                if isinstance(right, Zero):
+                    turned += other_terms(test.turned, basis)
                 changes += [with_fields(change, left=change.right, right=change.left) for change in turned]
             found = [change for change in changes if self._holds(test, change)]
             yield from found

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Container, Iterable, Iterator
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
+from itertools import islice
 
 from chasles.algebra.work_limit import OutOfTime, within
 from chasles.deciding import decided
@@ -16,7 +17,8 @@ from chasles.display import Displayed
 from chasles.repairs.one_term import Change
 from chasles.repairs.ranking import Nearest, given_sides
 from chasles.repairs.well_formed import WellFormedRepair, fitting
-from chasles.rewriting.term_basis import term_basis
+from chasles.repairs.without_form import edits_of
+from chasles.rewriting.term_basis import fit, term_basis
 from chasles.statements import Claim, Definition, Statement, problem_of
 from chasles.statements.goals import AcceptedSides
 from chasles.statements.problem import default_sides
@@ -30,6 +32,8 @@ EFFORT = 2e7
 """The work that the search for a repair, its proofs included, may take, in products of terms."""
 MORE_EFFORT, MOST = 2, 8
 """Repairs of the same number of changes as the best are given if they take hardly more effort; so many are tried."""
+MOST_DECIDED = 60
+"""Edits of a side that are decided, where no points tell which may be right."""
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -98,7 +102,7 @@ def claims_of(statement: Statement, repair: Repair, context: Iterable[Statement]
 
 def _of_claim(near: Nearest) -> Iterator[Repair]:
     statement = near.statement
-    if not isinstance(statement, Claim) or statement.solves is not None or any(map(indices_of, statement.printed)):
+    if not isinstance(statement, Claim) or statement.solves is not None:
         return
     for changes in _candidates(near):
         found = list(_proved(near, changes))
@@ -118,10 +122,30 @@ def _candidates(near: Nearest) -> Iterator[Iterable[Change]]:
         words = _words_of_reading(near, left, right, [*once, *twice])
         yield (_marked(WellFormedRepair(left, right, words), change) for change in near.changes(left, right))
     elif not statement.fault:
-        yield near.changes(*statement.printed)
+        indexed = any(map(indices_of, statement.printed))
+        yield () if indexed else near.changes(*statement.printed)
+        if indexed or not near.is_tested(*statement.printed):
+            yield _decided_edits(near)
     else:
         yield (_marked(f, change) for f in once for change in near.single_changes(f.left, f.right))
         yield (_marked(f, change) for f in (*once, *twice) for change in near.changes(f.left, f.right))
+
+
+def _decided_edits(near: Nearest) -> Iterator[Change]:
+    """One edit on either side with which the prover finds the equation true, where there are no points to try it at."""
+    left, right = near.statement.printed
+    try:
+        if problem_of(near.statement, "printed", near.accepted).has_functions:
+            return
+    except (Misfit, TypeError):
+        return
+    indices = dict.fromkeys(index for side in (left, right) for index in indices_of(side))
+    for new, words, effort in islice(edits_of(right, near.letters, indices), MOST_DECIDED):
+        if fit(left, new) and _verdict(near, near.statement.saying(left, new)) is not None:
+            yield Change(left, new, (words,), effort)
+    for new, words, effort in islice(edits_of(left, near.letters, indices), MOST_DECIDED):
+        if fit(new, right) and _verdict(near, near.statement.saying(new, right)) is not None:
+            yield Change(new, right, (words,), effort)
 
 
 def _fitting(near: Nearest) -> tuple[list[WellFormedRepair], list[WellFormedRepair]]:

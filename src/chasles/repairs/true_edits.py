@@ -50,7 +50,7 @@ def true_edits(test: ModularTest, factors: Factors) -> Iterator[Change]:
         turned = not place.known and place.path not in linear
         edits = [*edits_at(place.node, place.parent, turned=turned), *_multiplied(place.node, place.parent, factors)]
         if place.path or not test.exchanged:
-            edits += () if place.known else _unknown(place.node, factors)
+            edits += () if place.known else _unknown(place.node, place.parent, factors)
         found = [edit for edit in edits if place.allows(edit.node)]
         if place.known and (place.path or not test.exchanged):
             found += _by_value(place, factors)
@@ -91,13 +91,14 @@ def _multiplied(node: Node, parent: Node | None, factors: Factors) -> Iterator[S
                 yield SingleEdit(printed(lambda: Contract(made)), f"the factor {plain(factor)} is added", FORM + 1)  # noqa: B023
 
 
-def _unknown(node: Node, factors: Factors) -> Iterator[SingleEdit]:
+def _unknown(node: Node, parent: Node | None, factors: Factors) -> Iterator[SingleEdit]:
     """Other letters, other numbers and more terms, where the values wanted of the place itself are not known."""
     if isinstance(node, Symbol):
         yield from (SingleEdit(other, "") for other in factors.letters if other != node and other.shape == node.shape)
     if isinstance(node, Number):
         others = (node.value + 1, node.value - 1, 2 * node.value, node.value / 2)
-        yield from (SingleEdit(Number(number), "") for number in others if number > 0)
+        least = 1 if isinstance(parent, Scale | Quotient) else 0
+        yield from (SingleEdit(Number(number), "") for number in others if number > 0 and number != least)
     elif node.is_scalar:
         for factor in factors.simple:
             if not isinstance(factor, Number) and fit(factor, node):

@@ -1,24 +1,26 @@
-"""Repairs of equations without polynomial form: one edit, tried at points in floating point, then decided."""
+"""One edit of a side: tried at points in floating point where the equation has no polynomial form."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
 from itertools import chain, islice
 from random import Random
 from typing import Any
 
-from chasles.repairs.local_edits import FORM, SingleEdit
+from chasles.repairs.local_edits import FORM, SingleEdit, turned_signs
 from chasles.repairs.one_term import FACTOR, SIGN, Change, instead
 from chasles.repairs.single_edits import exchanged_letters, in_letters, placed, single_edits
+from chasles.rewriting.coefficients import ONE
 from chasles.rewriting.places import everywhere
 from chasles.statements import Problem, Statement, problem_of
 from chasles.statements.goals import AcceptedSides
-from chasles.vocabulary import Misfit, Negative, Node, Number, Power, Scale, Sum, Symbol, printed
+from chasles.vocabulary import Misfit, Negative, Node, Number, Power, Quotient, Scale, Sum, Symbol, printed
+from chasles.vocabulary.families import Entry, Index, Member
 from chasles.vocabulary.functions import FunctionOf
 from chasles.vocabulary.shorthand import opened
 
-__all__ = ["changes_without_form"]
+__all__ = ["changes_without_form", "edits_of"]
 
 _AtPoint = Callable[[tuple[float, ...]], list[float] | None]
 POINTS, TRIES, NEAR, LARGEST = 4, 400, 1e-9, 1e9
@@ -40,20 +42,23 @@ def changes_without_form(
         return
     if test is None or not test.points:
         return
-    for new, words, effort in islice(_edits(right, letters), MOST):
+    for new, words, effort in islice(edits_of(right, letters), MOST):
         if test.agree(left, new):
             yield Change(left, new, (words,), effort)
-    for new, words, effort in islice(_edits(left, letters), MOST):
+    for new, words, effort in islice(edits_of(left, letters), MOST):
         if test.agree(new, right):
             yield Change(new, right, (words,), effort)
 
 
-def _edits(side: Node, letters: list[Symbol]) -> Iterator[SingleEdit]:
+def edits_of(side: Node, letters: list[Symbol], indices: Iterable[Index] = ()) -> Iterator[SingleEdit]:
+    """The side with one slip undone: of form, of a letter, a sign, a number, a function or an index."""
     yield from chain(single_edits(side), in_letters(side, letters), exchanged_letters(side))
-    for path, part in everywhere(side):
-        for new, effort in _of_functions(part):
+    parts = dict(everywhere(side))
+    for path, part in parts.items():
+        in_product = bool(path) and isinstance(parts[path[:-1]], Scale | Quotient)
+        for new, effort in (*_of_functions(part), *_of_indices(part, indices)):
             whole = placed(side, path, new)
-            if whole.fault is None:
+            if whole.fault is None and not (in_product and new == ONE):
                 yield SingleEdit(whole, instead(new, part), effort)
 
 
@@ -69,12 +74,22 @@ def _of_functions(part: Node) -> Iterator[tuple[Node, int]]:
                 yield FunctionOf(function, arguments[::-1]), FACTOR
             if function in ("sqrt", "abs"):
                 yield arguments[0], FACTOR
+        case Sum():
+            yield from ((edit.node, SIGN) for edit in turned_signs(part))
     if part.is_scalar and not isinstance(part, Number | Negative):
         yield Negative(part), SIGN
         yield Power(part, 2), FORM
         yield from ((Scale(Number(Fraction(factor)), part), FACTOR) for factor in (2, Fraction(1, 2)))
         if isinstance(part, Sum | Power):
             yield printed(lambda: FunctionOf("sqrt", (part,))), FORM
+
+
+def _of_indices(part: Node, indices: Iterable[Index]) -> Iterator[tuple[Node, int]]:
+    match part:
+        case Member(family, index):
+            yield from ((Member(family, other), FORM) for other in indices if other != index)
+        case Entry(of, i, j, letter):
+            yield Entry(of, j, i, letter), FORM
 
 
 class _FloatTest:
