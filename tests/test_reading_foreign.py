@@ -395,6 +395,14 @@ def test_what_stands_beside_equations_and_what_is_left_out_in_them(text: str, ex
         ([r"\vec F = m \vec a", r"\underline{\underline{C}} \, \vec a = \vec F"], ["'\\vec{F}' = { is = \"vector\" }"]),
         ([r"\mathbf{M} = \mathbf{r} \times \mathbf{F}"], ["'\\mathbf{F}' = { is = \"vector\" }"]),
         ([r"X^{\mathrm{T}} X = 1", "Y = X^T"], ["'X' = { is = \"matrix\" }"]),
+        (
+            [
+                r"\mathbf{v} = \begin{bmatrix} \mathbf{r} \times \mathbf{p} \\ \mathbf{r} \end{bmatrix}",
+                r"\mathbf{v} = X \mathbf{u}",
+            ],
+            ["'\\mathbf{v}' = { is = \"matrix\", shape = [6, 1] }"],
+        ),
+        ([r"R = S \operatorname{Exp}(\phi^\wedge)"], ["'R' = { is = \"matrix\" }"]),
         ([r"\dot R = R [\phi]_\times", r"\theta^2 = \phi^T \phi"], ["'\\phi' = { is = \"vector\" }"]),
     ],
 )

@@ -20,7 +20,9 @@ from chasles.vocabulary import (
 )
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.functions import PRINTED, FunctionOf
+from chasles.vocabulary.motion_vectors import MotionByVector
 from chasles.vocabulary.parts import component, part
+from chasles.vocabulary.rotation_vectors import RotationByVector
 from chasles.vocabulary.spelling import Precedence
 
 __all__ = ["EVALUATED", "applied", "made_of", "with_marks"]
@@ -140,12 +142,19 @@ def made_of(
                     continue
                 nodes = [fit.node for fit in fits if fit is not None and fit.node is not None]
                 node = made(_with_exponent, make, nodes, name, tolerant=ctx.tolerant)
-                if node is not None and node.fault and isinstance(node, FunctionOf) and node.function in OF_MATRICES:
+                if node is not None and node.fault and (called := _of_matrices(node)):
                     size = " x ".join(map(str, chosen[0].shape or ("what does not fit",)))
-                    ctx.note(f"no word for {node.function} of {size}", name and name.place)
+                    ctx.note(f"no word for {called} of {size}", name and name.place)
                 elif node is not None:
                     yield Fit(node, ctx.said(node), sum(fit.cost for fit in chosen) + more)
                     more = 1  # of an identity every size is told of, the usual one first
+
+
+def _of_matrices(node: Node) -> str:
+    """The name of a function that has a meaning for what it has no word for."""
+    if isinstance(node, FunctionOf):
+        return node.function if node.function in OF_MATRICES else ""
+    return "Exp" if isinstance(node, RotationByVector | MotionByVector) else ""
 
 
 def _with_exponent(make: Make, nodes: list[Node], name: Atom | None) -> Node:

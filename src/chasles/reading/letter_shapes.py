@@ -77,7 +77,7 @@ class _PieceShapes:
             parts = [*parts, []] if isinstance(piece, Token) else [*parts[:-1], [*parts[-1], piece]]
         shape, is_number = self.product(parts[0]), all(atom.kind == "NUMBER" for atom in parts[0])
         for sign, part in zip((piece.text for piece in pieces if isinstance(piece, Token)), parts[1:], strict=True):
-            shape = _combined(sign, shape, self.product(part) if part else None, is_number)
+            shape = _combined(sign, shape, self.product(part), is_number) if part else self.marked(shape, (sign,))
         return shape
 
     def product(self, atoms: Sequence[Atom]) -> Shape | None:
@@ -199,5 +199,7 @@ def _stacked(rows: Sequence[Sequence[Shape | None]]) -> Shape | None:
     widths = [{cell[1] for cell in column if cell} for column in zip(*rows, strict=True)]
     if any(len(each) > 1 for each in (*heights, *widths)):
         raise Misshapen
-    sizes = [sum(next(iter(each), 1) for each in side) for side in (heights, widths)]
-    return (sizes[0], sizes[1]) if any(map(any, rows)) or len(rows) > 1 else None
+    known = {cell for row in rows for cell in row if cell}
+    if not known or (known != {SCALAR} and not all((*heights, *widths))):
+        return None
+    return sum(next(iter(each), 1) for each in heights), sum(next(iter(each), 1) for each in widths)

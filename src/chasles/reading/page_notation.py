@@ -152,6 +152,7 @@ def usual_spellings(notation: PageNotation) -> None:
     for name in ("sin", "cos"):
         spellings.add(rf"\{name}(#)", lambda of, name=name: Call(name, of))
     spellings.add(r"\exp(#)", exponential)
+    spellings.add(r"\operatorname{Exp}(#)", exponential)
     spellings.add(r"\log(#)", lambda of: FunctionOf("log", (of,)))
     spellings.add(r"\operatorname{arctan2}(#, #)", lambda *of: FunctionOf("atan2", of))
     spellings.add(r"\tan(#)", tan)

@@ -72,6 +72,7 @@ class _KindSearch:
                 self.stems.setdefault(place, []).append(stem)
         self.kinds: dict[Glyph, list[Kind]] = {stem: _kinds(stem, use) for stem, use in uses.items()}
         self.known: dict[object, int] = {}
+        self.sizes: set[int] = set()
         self.parted = lru_cache(maxsize=None)(lambda letter: parted(letter, operators))
 
     def shape_of(self, letter: Glyph) -> tuple[Shape | None, tuple[str, ...]]:
@@ -82,10 +83,12 @@ class _KindSearch:
         return (use.shape[0], use.shape[1]) if use.shape else SHAPES[use.kind], marks
 
     def faults(self, place: int) -> int:
-        """How many relations of the equation do not fit together."""
+        """How many relations of the equation do not fit together; those with a matrix count more."""
         key = place, *((self.uses[stem].kind, self.uses[stem].shape) for stem in self.stems[place])
         if key not in self.known:
-            self.known[key] = sum(self._is_misshapen(chain) for chain in self.chains[place])
+            self.known[key] = sum(
+                self._is_misshapen(chain) * (3 if _has_grid(chain) else 1) for chain in self.chains[place]
+            )
         return self.known[key]
 
     def _is_misshapen(self, chain: Chain) -> bool:
@@ -97,7 +100,12 @@ class _KindSearch:
 
     def mend(self, place: int) -> None:
         """Let few letters of the equation be something else, if more equations fit together then."""
-        for stem, shape in self._wanted(place):
+        wanted = list(self._wanted(place))
+        self.sizes |= {rows for _, (rows, columns) in wanted if columns == 1 < rows != 3}
+        for size, stem in product(sorted(self.sizes), self.stems[place]):
+            wanted += [(stem, (size, size))] if ("matrix", ()) in self.kinds[stem] else []
+            wanted += [(stem, (size, 1))] if ("vector", ()) in self.kinds[stem] else []
+        for stem, shape in wanted:
             kind: Kind = next(((name, ()) for name, each in SHAPES.items() if each == shape), ("matrix", shape))
             self.kinds[stem] += [kind] if kind not in self.kinds[stem] else []
         best = 0.0
@@ -153,6 +161,11 @@ class _KindSearch:
             return shape_of_chain(Chain((side,), ()), self.shape_of, self.names)[0]
         except Misshapen:
             return None
+
+
+def _has_grid(chain: Chain) -> bool:
+    rows = (row for side in chain.sides if side is not None for row in side.rows)
+    return any(isinstance(piece, Atom) and piece.kind == "GRID" for row in rows for piece in row.pieces)
 
 
 def _kinds(stem: Glyph, use: LetterUse) -> list[Kind]:
