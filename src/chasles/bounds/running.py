@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from fractions import Fraction
+from operator import attrgetter, neg
 
 import numpy as np
 from numpy.typing import NDArray
@@ -128,10 +129,9 @@ class Running(RoundedOperations):
                     return Scaled(0, value, self.zero)
                 return self._graded(number, 0, value, self.zero, step.op)
             case Op.NEGATE:
-                self.near[number] = Scaled(of[0].power, -self.near[operands[0]].value, of[0].error)
                 if operands[0] in self._unrounded:
                     self._unrounded[number] = -self._unrounded[operands[0]]
-                return Scaled(of[0].power, -of[0].value, of[0].error)
+                return self._exactly(number, neg, of[0], operands[0])
             case Op.ADD | Op.SUBTRACT:
                 return self._sum(number, of[0], of[1], step.op)
             case Op.MULTIPLY:
@@ -145,12 +145,16 @@ class Running(RoundedOperations):
             case Op.ARCTANGENT2:
                 return self._direction(number, of[0], of[1], operands)
             case Op.FUNCTION if step.function == "fabs":
-                self.near[number] = Scaled(of[0].power, self.near[operands[0]].value.size, of[0].error)
-                return Scaled(of[0].power, of[0].value.size, of[0].error)
+                return self._exactly(number, attrgetter("size"), of[0], operands[0])
             case Op.FUNCTION if step.function in ENCLOSED:
                 return self._of_libm(number, step.function, of, operands)
             case op:
                 raise NoBound(f"no bound over a box is known of {step.function or f'the operation {op}'}")
+
+    def _exactly(self, number: int, operation: Callable[[Interval], Interval], x: Scaled, operand: int) -> Scaled:
+        """What an operation makes of a step that rounds nothing."""
+        self.near[number] = Scaled(x.power, operation(self.near[operand].value), x.error)
+        return Scaled(x.power, operation(x.value), x.error)
 
     def _chosen(self, number: int, operands: tuple[int, ...]) -> Scaled:
         """The value of a choice between cases."""

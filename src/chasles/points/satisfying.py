@@ -88,13 +88,7 @@ def bind(
             known = values.get((quantity, 0))
             values[quantity, 0] = [[abs(known[0][0])]] if known else [[Fraction(draw.randint(1, 5))]]
         case "definite" | "symmetric":
-            (matrix,) = subjects
-            if (matrix, 0) in values:
-                values[matrix, 0] = _symmetric_too(values[matrix, 0], hypothesis.kind, draw, rich)
-            else:
-                for k in range(orders.get(matrix, 0) + 1):
-                    m = (definite if hypothesis.kind == "definite" else free)(matrix.shape, draw, rich)
-                    values[matrix, k] = [[m[min(i, j)][max(i, j)] for j in range(len(m))] for i in range(len(m))]
+            _bind_symmetric(hypothesis.kind, subjects[0], orders, values, draw, rich)
         case "orthogonal" | "orthonormal columns" | "skew-symmetric" | "idempotent" | "commuting":
             _bind_matrices(hypothesis.kind, subjects, values, draw, rich)
         case "perpendicular":
@@ -102,6 +96,23 @@ def bind(
         case _:
             return set()
     return set(subjects)
+
+
+def _bind_symmetric(
+    kind: str,
+    matrix: Symbol,
+    orders: dict[Symbol, int],
+    values: dict[tuple[Symbol, int], Numbers],
+    draw: Random,
+    rich: bool,
+) -> None:
+    """A symmetric matrix and its rates, positive-definite where that is assumed."""
+    if (matrix, 0) in values:
+        values[matrix, 0] = _symmetric_too(values[matrix, 0], kind, draw, rich)
+        return
+    for k in range(orders.get(matrix, 0) + 1):
+        m = (definite if kind == "definite" else free)(matrix.shape, draw, rich)
+        values[matrix, k] = [[m[min(i, j)][max(i, j)] for j in range(len(m))] for i in range(len(m))]
 
 
 def _bind_matrices(
