@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-__all__ = ["eliminated"]
-
 
 def eliminated(rows: list[list[Fraction]]) -> list[Fraction] | None:
     """A solution of the system whose last column is the right side, by Gauss-Jordan elimination; None if none."""

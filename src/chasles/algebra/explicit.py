@@ -8,8 +8,6 @@ from fractions import Fraction
 from chasles.algebra.rings import Polynomial, Ring
 from chasles.algebra.work_limit import afford
 
-__all__ = ["Explicit", "explicit", "put_in"]
-
 Explicit = tuple[int, int, Polynomial]
 """The place of an equation, the place of a variable, and the variable less its value."""
 

@@ -18,8 +18,6 @@ from chasles.algebra.normal_form import leads_of, reduce_by
 from chasles.algebra.rings import Exponents, Polynomial, Ring
 from chasles.algebra.work_limit import OutOfTime, spend, within
 
-__all__ = ["Basis", "combined", "completed", "stated"]
-
 Combination = dict[int, Polynomial]
 
 

@@ -10,8 +10,6 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from math import isqrt
 
-__all__ = ["MODULUS", "Column", "Span", "combination", "minus", "multiple", "normalized", "plus", "rational"]
-
 MODULUS = (1 << 61) - 1
 LARGEST = 1 << 20
 """Numerators and denominators above this one are no coefficients that a book prints."""

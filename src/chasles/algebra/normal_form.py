@@ -14,8 +14,6 @@ from math import comb
 from chasles.algebra.rings import Exponents, Polynomial, Ring
 from chasles.algebra.work_limit import afford, check, spend
 
-__all__ = ["Reduction", "leads_of", "reduce_by"]
-
 
 @dataclass(frozen=True, slots=True)
 class Reduction:

@@ -8,8 +8,6 @@ from __future__ import annotations
 
 from chasles.algebra.rings import Polynomial, Ring
 
-__all__ = ["factors_text", "written"]
-
 
 def written(ring: Ring, polynomial: Polynomial) -> str:
     """The polynomial, as -1/2*e_1^2*cos(phi) + 3; zero is 0."""

@@ -14,8 +14,6 @@ from heapq import heapify, heappop, heappush
 from operator import add, sub
 from typing import Any, Protocol
 
-__all__ = ["Exponents", "Polynomial", "Ring", "backend", "make_ring"]
-
 Polynomial = Any
 Exponents = tuple[int, ...]
 

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from math import isqrt
 
-__all__ = ["primes_of", "squarefree"]
-
 LARGEST_DIVISOR = 10_000
 
 

@@ -11,8 +11,6 @@ from collections.abc import Collection, Mapping
 from fractions import Fraction
 from typing import TypeVar
 
-__all__ = ["Square", "by_lagrange", "sum_of_squares"]
-
 _K = TypeVar("_K")
 Exponents = tuple[int, ...]
 Square = tuple[Fraction, Exponents, dict[Exponents, Fraction]]

@@ -16,8 +16,6 @@ from math import gcd, isqrt
 
 from chasles.algebra.squarefree import primes_of, squarefree
 
-__all__ = ["SurdSum", "root_of", "square_root"]
-
 MOST_NESTED = 3
 Nested = frozenset["SurdSum"]
 Key = tuple[Fraction | int, int, Nested]

@@ -9,8 +9,6 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-__all__ = ["InPi", "Value", "divided", "is_zero", "shown", "times"]
-
 Value = dict[int, Fraction]
 """Coefficients by power of the transcendental number; a rational number has the power 0 only."""
 

@@ -15,8 +15,6 @@ from time import monotonic
 
 from chasles.algebra.rings import backend
 
-__all__ = ["STEP", "OutOfTime", "afford", "check", "remaining", "spend", "within"]
-
 MANY = 1_000
 """Products of terms that take no time worth a thought."""
 RATES = {"flint": 4e6, "sympy": 3e5}

@@ -12,8 +12,6 @@ from chasles.coq.checking import CoqVerdict
 from chasles.coq.names import THEORIES, theory
 from chasles.coq.theorems import Claimed
 
-__all__ = ["accepted_before", "keep_accepted"]
-
 KEPT = "coq.txt"
 MOST = 10**5
 """So many theorems are remembered, 7 MB."""

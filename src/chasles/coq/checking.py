@@ -17,8 +17,6 @@ from chasles.coq.names import THEORIES, theory
 from chasles.coq.theorems import Claimed
 from chasles.decisions.processes import processors
 
-__all__ = ["AXIOMS", "MISSING", "CoqVerdict", "coq_version", "verdicts_of_coq"]
-
 MISSING = "coqc was not found: install the Debian package coq, and Coq checks what is written"
 AXIOMS = frozenset({
     "ClassicalDedekindReals.sig_forall_dec", "ClassicalDedekindReals.sig_not_dec",

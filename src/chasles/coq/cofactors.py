@@ -24,8 +24,6 @@ from chasles.checker.sparse import (
 from chasles.coq.sources import ProofReading
 from chasles.vocabulary import Node
 
-__all__ = ["Combination", "Reckoning", "SolvedVariable"]
-
 MOST_REPLACED = 10**5
 """So many terms are replaced at most; Coq would not get through more in reasonable time."""
 

@@ -7,8 +7,6 @@ from collections.abc import Callable
 from chasles import vocabulary as w
 from chasles.coq.names import CoqNames, bare_of
 
-__all__ = ["Spelling", "Unsaid", "held"]
-
 ATOM, APPLIED, POWER, MINUS, TIMES, PLUS, LOOSE = 0, 10, 30, 35, 40, 50, 200
 """How tightly the parts of a spelling hold together, as Coq counts it."""
 Spelled = tuple[str, int]

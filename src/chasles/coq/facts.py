@@ -13,8 +13,6 @@ from chasles.coq.polynomials import Polynomials, literal
 from chasles.coq.sources import StatedEntry
 from chasles.coq.statement import CoqStatement
 
-__all__ = ["KnownFacts"]
-
 
 class KnownFacts:
     """Assertions, each with its proof, in the order in which they are needed."""

@@ -8,8 +8,6 @@ from dataclasses import dataclass
 from chasles.coq.names import THEORIES, theory
 from chasles.coq.theorems import Claimed
 
-__all__ = ["Chunk", "chunks", "files_of"]
-
 IN_ONE_FILE, TEXT_IN_ONE_FILE = 20, 200_000
 """So many statements, and characters of proofs, are in one file: more would save time, and take more memory."""
 HEAD = "(* SPDX-License-Identifier: BSD-3-Clause *)\n"

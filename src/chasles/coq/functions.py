@@ -18,8 +18,6 @@ from chasles.checker.sparse import Polynomial, Rejected, exponents, variable
 from chasles.checker.witness import Point
 from chasles.coq.expressions import Unsaid
 
-__all__ = ["Function", "MotionThrough"]
-
 Function = dict[tuple[int, int, int], Fraction]
 """By exponents: a polynomial in time, the one transcendental number of a point, and one over `MotionThrough.below`."""
 Vector = list[Function]

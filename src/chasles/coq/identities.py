@@ -23,8 +23,6 @@ from chasles.coq.proof import theorem
 from chasles.coq.theorems import Claimed
 from chasles.verdict import Holds, HoldsUnder, Verdict
 
-__all__ = ["as_theorem"]
-
 UNIT = re.compile(r"(?:cos|sin)\(([1-9]\d*)?(.+?)(?:/([1-9]\d*))?\)")
 GIVEN = re.compile(r"given (\d+) (\d+),(\d+)(?: d(\d+))?")
 OTHERWISE = {"cases", "proof", "substituted", "angles", "positive", "frames", "equal", "turned"}

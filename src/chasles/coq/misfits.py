@@ -7,8 +7,6 @@ from chasles.coq.expressions import Spelling
 from chasles.coq.names import CoqNames
 from chasles.coq.statement import opened
 
-__all__ = ["misfit"]
-
 
 def misfit(name: str, left: w.Node, right: w.Node) -> str:
     """A command that succeeds if the equation, at one instant, is no statement. Raises `Unsaid`."""

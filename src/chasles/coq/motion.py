@@ -14,8 +14,6 @@ from chasles.coq.sources import StatedEntry
 from chasles.coq.statement import CoqStatement, Premise, bare_rate
 from chasles.statements import Hypothesis, Problem
 
-__all__ = ["Instant"]
-
 PARTS = ("(proj1 {})", "(proj1 (proj2 {}))", "(proj2 (proj2 {}))")
 
 

@@ -8,8 +8,6 @@ from importlib.resources import files
 
 from chasles import vocabulary as w
 
-__all__ = ["THEORIES", "CoqNames", "identifier", "theory"]
-
 THEORIES = ("Words", "Hypotheses", "Reckon", "Steps", "Motion", "Bodies", "Points", "Forms", "Scalars")
 """The files that come with every folder, each requiring those before it."""
 BINDERS = ("T", "t", "B", "b", "integral")

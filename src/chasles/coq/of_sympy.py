@@ -17,8 +17,6 @@ from chasles.checker.expressions.asked import Asked
 from chasles.coq.expressions import APPLIED, ATOM, LOOSE, MINUS, PLUS, POWER, TIMES, Spelled, Unsaid, held
 from chasles.coq.names import identifier
 
-__all__ = ["ScalarPremise", "ScalarStatement"]
-
 FUNCTIONS = {sympy.sin: "sin", sympy.cos: "cos", sympy.tan: "tan", sympy.Abs: "Rabs", sympy.sign: "sign"}
 OF_TWO = {sympy.Max: "Rmax", sympy.Min: "Rmin"}
 BY_CASES = (sympy.sign, *OF_TWO)

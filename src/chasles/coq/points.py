@@ -20,8 +20,6 @@ from chasles.coq.values import Angle, PointValues, rational
 from chasles.statements import Hypothesis
 from chasles.verdict import Counterexample
 
-__all__ = ["existence", "refutation"]
-
 LOW = 100
 """An angle of which the cosine and sine are given is as large as one likes."""
 SQUARES = "rewrite ?norm_square, ?norm_fourth; "

@@ -11,8 +11,6 @@ from chasles.coq.expressions import Unsaid
 from chasles.coq.sources import ProofReading
 from chasles.coq.statement import CoqStatement
 
-__all__ = ["Polynomials", "literal", "multiple", "spelled", "taken_apart"]
-
 
 class Polynomials:
     """How polynomials are spelled in a proof, once every matrix is taken apart into its entries."""

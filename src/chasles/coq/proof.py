@@ -21,8 +21,6 @@ from chasles.coq.statement import CoqStatement
 from chasles.statements import Problem
 from chasles.statements.spins import with_spins
 
-__all__ = ["proof_of", "steps_of", "theorem"]
-
 
 def proof_of(name: str, said: CoqStatement, certificate: Mapping[str, Any]) -> str:
     """The theorem that a statement, written under its name, holds. Raises `Unsaid` where no proof is known."""

@@ -16,8 +16,6 @@ from chasles.statements import Problem, Theorem
 from chasles.statements.forms import Always, Exists, Form, Iff, Minimum
 from chasles.statements.varied import demands, varied_symbol, visible
 
-__all__ = ["cover_and_proof", "theorem_and_proof"]
-
 NOW = " t now'"
 """An instant, and that it is among those of which something is said."""
 

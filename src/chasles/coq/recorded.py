@@ -18,8 +18,6 @@ from chasles.decisions.decision import Sentence, key_of
 from chasles.statements.elsewhere import chapter_of
 from chasles.statements.fingerprint import Fingerprints
 
-__all__ = ["RECORD", "CoqCheck", "checked_by_coq", "text_of"]
-
 RECORD = "COQ.json"
 MEANING = ("Words", "Hypotheses")
 """The theories that say what statements mean."""

@@ -7,8 +7,6 @@ from itertools import groupby
 
 from chasles.coq.statement import CoqStatement, Premise
 
-__all__ = ["assumed", "equations", "failing", "for_all", "holding", "satisfiable"]
-
 
 def holding(name: str, said: CoqStatement) -> str:
     """The definition of the statement, under its name."""

@@ -15,8 +15,6 @@ from chasles.coq.expressions import Unsaid
 from chasles.statements import Hypothesis, Problem
 from chasles.statements.goals import Goal
 
-__all__ = ["ProofReading", "StatedEntry"]
-
 PLACED = re.compile(
     r"(?P<text>.*?)(?: \((?P<dots>d*)ot\))? \[(?:(?P<equation>\d+): )?(?P<i>\d+), (?P<j>\d+)\]", re.DOTALL
 )

@@ -17,8 +17,6 @@ from chasles.coq.expressions import ATOM, Spelling, Unsaid
 from chasles.coq.names import CoqNames, bare_of
 from chasles.statements import Hypothesis, Problem
 
-__all__ = ["CoqStatement", "Premise", "opened"]
-
 KINDS = {"unit": "unit_vector", "symmetric": "symmetric", "definite": "definite", "rotation": "rotation",
          "perpendicular": "perpendicular", "orthonormal": "orthonormal", "half_turn": "half_turn"}  # fmt: skip
 """Hypotheses with a word of their own; the others are said by their equations."""

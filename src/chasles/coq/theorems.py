@@ -20,8 +20,6 @@ from chasles.statements import Inverse, Problem, Statement, Theorem, problem_of
 from chasles.statements.inversion import COVER, problems_of_inverse
 from chasles.verdict import Contradictory, Fails, IllFormed, Verdict
 
-__all__ = ["Claimed", "claims_of"]
-
 ENDINGS = {"printed": "", "reading": "_as_read", "repair": "_repaired", "corrected": "_corrected"}
 
 

@@ -17,8 +17,6 @@ from chasles.coq.functions import Function, MotionThrough
 from chasles.coq.polynomials import literal, multiple, spelled
 from chasles.coq.statement import CoqStatement
 
-__all__ = ["Angle", "PointValues", "rational"]
-
 Angle = tuple[w.Symbol, Fraction, str]
 """An angle, of which multiple the cosine and sine are known, and the name of its value."""
 

@@ -25,8 +25,6 @@ from chasles.verdict import (
     Verdict,
 )
 
-__all__ = ["HOW", "Certificate", "Correction", "Decision", "Decisions", "DoesNotStand", "Sentence", "Used", "key_of"]
-
 Sentence = Statement | Theorem | Inverse
 HOW = {"printed": "as printed", "reading": "as read", "repair": "as repaired", "corrected": "as corrected"}
 """A form of a statement in words."""

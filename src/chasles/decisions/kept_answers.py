@@ -14,8 +14,6 @@ from chasles.statements.goals import AcceptedSides
 from chasles.verdict import Fails, Holds, HoldsUnder, Verdict
 from chasles.vocabulary import Misfit, Node
 
-__all__ = ["combination_fits", "repairs_stand", "verdict_stands"]
-
 MALFORMED = (Misfit, ArithmeticError, AttributeError, LookupError, RecursionError, TypeError, ValueError)
 """What data that no prover wrote may raise where they are used."""
 

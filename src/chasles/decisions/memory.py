@@ -18,8 +18,6 @@ from chasles.statements.statement import Equation
 from chasles.verdict import Fails, Holds, HoldsUnder, Verdict
 from chasles.vocabulary import Node
 
-__all__ = ["Answer", "Memory"]
-
 Answer = Verdict | tuple[Repair, ...] | Node
 """The verdict on a problem; the repairs of a statement; an expression as a combination of terms."""
 LASTING = (Holds, HoldsUnder, Fails, tuple, Node)

@@ -20,8 +20,6 @@ from chasles.vocabulary.functions import Cases, FunctionOf
 from chasles.vocabulary.measure import Measure
 from chasles.vocabulary.parts import Submatrix
 
-__all__ = ["from_data", "to_data"]
-
 VERDICTS = (Holds, HoldsUnder, Fails, IllFormed, Contradictory, Posed, Counterexample, Repair)
 NODES = tuple(
     each for each in vars(vocabulary).values() if isinstance(each, type) and issubclass(each, vocabulary.Node)

@@ -19,8 +19,6 @@ from chasles.statements.inversion import problems_of_inverse
 from chasles.verdict import Fails
 from chasles.vocabulary import Misfit
 
-__all__ = ["predict"]
-
 Question = tuple[Problem, tuple[Hypothesis, ...]]
 A_VERDICT, A_REPAIR, A_CHECK = 0.004, 0.06, 0.002
 """About how many seconds each takes."""

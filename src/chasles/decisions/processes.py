@@ -16,8 +16,6 @@ from typing import TYPE_CHECKING, Any, TypeVar
 if TYPE_CHECKING:
     from concurrent.futures import ProcessPoolExecutor
 
-__all__ = ["processors", "spread"]
-
 _T = TypeVar("_T")
 _R = TypeVar("_R")
 WORTH = 0.15

@@ -23,8 +23,6 @@ from chasles.statements import Chapter
 from chasles.statements.chapter import bases
 from chasles.statements.elsewhere import chapter_of
 
-__all__ = ["forget", "retained", "session_of"]
-
 ENGINE = (
     *("vocabulary", "evaluation", "statements", "rewriting", "algebra", "verdict", "checker", "problems", "points"),
     *("prover", "from_sympy", "prove", "deciding", "repairs", "decisions", "deriving"),

@@ -12,8 +12,6 @@ from typing import Any
 
 from chasles.statements.packages import generated_package
 
-__all__ = ["ANSWERS", "as_text", "shipped"]
-
 ANSWERS = "ANSWERS.json"
 
 

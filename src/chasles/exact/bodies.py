@@ -17,18 +17,6 @@ from chasles.exact.solids import Plane, prism
 from chasles.exact.square_roots import independent_atoms
 from chasles.exact.surds import SurdField
 
-__all__ = [
-    "Body",
-    "cotangent_of_degrees",
-    "cut_hexagonal_prism",
-    "cut_prism",
-    "joined",
-    "point_masses",
-    "regular_hexagon",
-    "tangent_of_double_angle",
-    "whole_prism",
-]
-
 MOST_ROOTS, MOST_ROOTS_BESIDE = 4, 3
 """Square roots, that of three among them, with which a cut prism takes seconds: alone, and beside others."""
 HIGHEST_POWER = 8

@@ -11,8 +11,6 @@ import sympy as sp
 from mpmath.ctx_iv import MPIntervalContext
 from mpmath.libmp import fzero, mpf_lt
 
-__all__ = ["INVERSES", "NoEnclosure", "enclosed", "intervals", "is_bounded", "sign_by_enclosure"]
-
 FEW_BITS = 64
 INVERSES = (sp.acos, sp.asin, sp.atan, sp.acot, sp.asec, sp.acsc)
 

@@ -16,8 +16,6 @@ from chasles.evaluation.matrices import Matrix, each
 from chasles.exact.numbers import is_zero, normal, root
 from chasles.vocabulary import PI, At, Call, Dot, Group, Inverse, Misfit, Node, Norm, Rate, Symbol, plain
 
-__all__ = ["DividesByZero", "NoValue", "Value", "column_of", "evaluate", "matrix_of"]
-
 Value = Any
 """A number or a matrix as SymPy, which has no types, holds it."""
 

@@ -39,8 +39,6 @@ from chasles.exact.moments import Number
 from chasles.exact.numbers import NotDecided
 from chasles.exact.separation import degree_of
 
-__all__ = ["NumberField", "sign_of"]
-
 MOST_TURNS = 24
 """Sines of larger denominators than pi / MOST_TURNS are independent elements: their degree as roots is too large."""
 MOST_DIGITS = 480

@@ -14,8 +14,6 @@ import sympy as sp
 
 from chasles.exact.enclosures import is_bounded
 
-__all__ = ["LONGEST", "MOST_EXPONENT", "NotANumber", "read_number"]
-
 LONGEST = 200
 MOST_EXPONENT = 64
 MOST_NESTED = 100

@@ -20,8 +20,6 @@ import sympy as sp
 from chasles.algebra.squarefree import squarefree
 from chasles.exact.enclosures import enclosed, intervals
 
-__all__ = ["NotDecided", "RationalFunctions", "RationalNumbers", "reduced"]
-
 FEWEST_BITS, MOST_BITS = 128, 2048
 PLACES = (7, 11, 13, 17, 19)
 """Where a rational function that is a square has a square for its value."""

@@ -17,8 +17,6 @@ from chasles.exact.circular import C, S, by_sine_and_cosine, coefficients, in_on
 from chasles.exact.enclosures import INVERSES, enclosed
 from chasles.exact.separation import is_algebraic, is_algebraic_zero
 
-__all__ = ["vanishes"]
-
 BITS = 400
 LARGEST_TIMES = 1000
 MOST_OPERATIONS = 400

@@ -11,8 +11,6 @@ import sympy as sp
 from chasles.exact.evaluate import column_of, matrix_of
 from chasles.exact.numbers import is_zero, normal
 
-__all__ = ["Solutions", "kernel_of", "rank_of", "solve_linear"]
-
 
 @dataclass(frozen=True, slots=True)
 class Solutions:

@@ -8,8 +8,6 @@ from chasles.exact.evaluate import matrix_of
 from chasles.exact.linear import Solutions
 from chasles.exact.numbers import is_zero, normal, root, sign
 
-__all__ = ["direction_of", "meets_plane", "normal_to", "unit_vectors_of"]
-
 
 def unit_vectors_of(found: Solutions) -> tuple[Any, ...] | None:
     """The solutions of length one, none, one or two of them; None where there are infinitely many candidates.

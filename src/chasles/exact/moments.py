@@ -8,8 +8,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
-__all__ = ["Moments", "Number", "Vector", "of_tetrahedron", "sum_of"]
-
 Number: TypeAlias = Any  # SymPy's domain elements, surds, fractions: whatever divides exactly
 Vector: TypeAlias = tuple[Number, ...]
 Square: TypeAlias = tuple[tuple[Number, ...], ...]

@@ -8,8 +8,6 @@ from typing import TypeAlias
 
 from chasles.exact.moments import Number, Vector
 
-__all__ = ["Sign", "counter_clockwise", "twice_the_area"]
-
 Sign: TypeAlias = Callable[[Number], int]
 
 

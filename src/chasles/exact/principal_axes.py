@@ -19,8 +19,6 @@ from chasles.exact.numbers import is_zero, normal, root, sign
 from chasles.exact.roots import Root, X, merged, place_of, same_number
 from chasles.exact.spectra import characteristic, eigenvalues_by_block
 
-__all__ = ["CHOICE_OF_AXES", "columns_of", "in_axes", "principal_axes", "product"]
-
 CHOICE_OF_AXES = (
     "Axes are rows, in the order of ascending moments. Each is the unit projection, onto the space of its moment, of "
     "the first coordinate axis that is not normal to that space and to the rows before it; the last row's sign makes "

@@ -11,8 +11,6 @@ from chasles.exact.evaluate import matrix_of
 from chasles.exact.linear import rank_of
 from chasles.exact.numbers import normal, sign
 
-__all__ = ["PARAMETER", "characteristic_polynomial", "kind_of", "signature_of", "transversal"]
-
 PARAMETER = sp.Symbol("t", real=True)
 """Where along a line a point is."""
 

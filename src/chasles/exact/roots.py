@@ -21,8 +21,6 @@ from chasles.exact.fields import NumberField, sign_of
 from chasles.exact.numbers import NotDecided, is_zero, normal, root
 from chasles.exact.square_roots import independent_atoms
 
-__all__ = ["Root", "merged", "place_of", "real_roots", "remainders", "same_number"]
-
 X = Symbol("x")
 DIGITS = 30
 

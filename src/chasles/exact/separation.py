@@ -16,8 +16,6 @@ import sympy as sp
 
 from chasles.exact.enclosures import INVERSES, NoEnclosure, enclosed
 
-__all__ = ["NotAlgebraic", "degree_of", "is_algebraic", "is_algebraic_zero"]
-
 MOST_BITS = 1 << 15
 """Of an enclosure; beyond, a long number takes seconds."""
 MOST_PRODUCTS = 1 << 8

@@ -16,8 +16,6 @@ from dataclasses import dataclass
 from chasles.exact.moments import Moments, Number, Vector, of_tetrahedron, sum_of
 from chasles.exact.polygons import Sign, counter_clockwise
 
-__all__ = ["Plane", "Solid", "prism"]
-
 Face = tuple[Vector, ...]
 
 

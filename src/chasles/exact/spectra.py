@@ -18,19 +18,6 @@ from chasles.exact.fields import NumberField
 from chasles.exact.numbers import is_zero, normal, sign
 from chasles.exact.roots import Root, merged, real_roots, remainders
 
-__all__ = [
-    "characteristic",
-    "diagonal",
-    "each_eigenvalue",
-    "eigenvalues",
-    "eigenvalues_by_block",
-    "is_positive_definite",
-    "leading_minors",
-    "residues_of",
-    "signature",
-    "smallest_belongs_to",
-]
-
 
 def characteristic(matrix: Any) -> list[Any]:
     """The coefficients of det(x 1 - matrix), highest power first."""

@@ -10,8 +10,6 @@ from sympy.printing.str import StrPrinter
 
 from chasles.exact.numbers import decimals, normal
 
-__all__ = ["SpelledValue", "as_data", "decimal_text", "latex_of", "plain_in_latex", "text_of", "words_in_latex"]
-
 SHOWN_DIGITS = 6
 
 

@@ -13,8 +13,6 @@ from sympy.functions.elementary.trigonometric import TrigonometricFunction
 from chasles.exact.grounds import reduced
 from chasles.exact.tower import QuadraticTower, Surd
 
-__all__ = ["NotInTower", "has_roots_of_atoms", "in_tower", "independent_atoms", "is_surd", "spelled"]
-
 MOST_PARTS, MOST_FACTORS, FEW_FACTORS = 600, 64, 16
 """Of a turn are taken, for sines, cosines and tangents, and for cotangents: Euler's function of these is a degree."""
 

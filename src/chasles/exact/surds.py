@@ -11,8 +11,6 @@ from chasles.exact.grounds import NotDecided, RationalFunctions
 from chasles.exact.square_roots import NotInTower, in_tower, independent_atoms, spelled
 from chasles.exact.tower import QuadraticTower, Surd
 
-__all__ = ["SurdField"]
-
 
 @dataclass(frozen=True, slots=True)
 class _Element:

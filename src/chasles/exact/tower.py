@@ -12,8 +12,6 @@ from typing import Any
 
 from chasles.exact.grounds import RationalFunctions, RationalNumbers
 
-__all__ = ["MOST_ROOTS", "NegativeRadicand", "QuadraticTower", "Surd", "TooManyRoots"]
-
 Surd = Any
 """An element of the ground field, or (level, a, b)."""
 ZERO = Fraction(0)

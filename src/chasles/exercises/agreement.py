@@ -15,8 +15,6 @@ from chasles.exact.numbers import NotDecided, is_zero
 from chasles.exact.roots import Root
 from chasles.exact.tower import TooManyRoots
 
-__all__ = ["Equality", "agree", "are_along_axes", "in_lists", "opposite"]
-
 BITS = 256
 
 

@@ -12,8 +12,6 @@ from chasles.exact.roots import Root, X
 from chasles.exercises.data import DataError, exact_number, near_it, read_as
 from chasles.statements.exercise import Answer, Array, Else, Exercise, ListOf, Record, Scalar, Shape, Truth, Tuple, Word
 
-__all__ = ["asked_for", "read_answers", "shape_in_words", "status_of", "template_of"]
-
 MOST_COEFFICIENTS = 13
 LONGEST_ANSWER = 2000
 """Characters; what is printed as an answer can be given back as one."""

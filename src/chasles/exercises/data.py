@@ -15,8 +15,6 @@ from chasles.exact.grammar import LONGEST, NotANumber, read_number
 from chasles.exact.numbers import normal, sign
 from chasles.statements.exercise import Array, Else, Exercise, ListOf, Record, Scalar, Shape, Truth, Tuple, Word
 
-__all__ = ["DataError", "exact_number", "near_it", "read_as", "read_data", "read_json"]
-
 MOST_CHARACTERS = 1_000_000
 MOST_DIGITS = 64
 Reader = Callable[[Any, str], Any]

@@ -20,8 +20,6 @@ from chasles.statements.packages import BOOK
 from chasles.verdict import Fails, Undecided
 from chasles.vocabulary import Node, plain, replace
 
-__all__ = ["Decided", "Refuted", "Sentence"]
-
 Sentence = Statement | Theorem | Inverse
 MOST_SHOWN = 300
 """Characters of an equation of a derivation that is shown on the sheet."""

@@ -11,8 +11,6 @@ import sympy as sp
 from chasles.exact.evaluate import matrix_of
 from chasles.exact.spelling import as_data
 
-__all__ = ["Draw"]
-
 _T = TypeVar("_T")
 
 

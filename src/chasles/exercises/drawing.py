@@ -11,8 +11,6 @@ from sympy import lambdify
 from chasles.exact.numbers import normal
 from chasles.exercises.picture import Arrow, Curve, DrawnBody, Graph, Line, Picture, Point
 
-__all__ = ["drawn"]
-
 # Okabe and Ito's palette.
 BLACK, ORANGE, BLUE, GREEN, RED, GREY = "#000000", "#E69F00", "#0072B2", "#009E73", "#D55E00", "#999999"
 COLOURS = (BLUE, RED, GREEN, ORANGE)

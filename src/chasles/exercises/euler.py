@@ -11,8 +11,6 @@ from chasles.statements import Definition
 from chasles.statements.derivation import Derivation, Substitute
 from chasles.vocabulary import Call, Negative, Node, Symbol, plain, symbols_of
 
-__all__ = ["conditioning", "definitions_of", "singular_set", "symbolic", "symbols_by_name"]
-
 
 def definitions_of(road: Derivation) -> tuple[Definition, tuple[Definition, ...]]:
     """The rotation by the angles, and the axes by their components."""

@@ -9,8 +9,6 @@ from chasles.exact.spelling import decimal_text, latex_of, text_of, words_in_lat
 from chasles.exercises.solution import Formula
 from chasles.vocabulary import Identity, Node, Number, Zero, latex, plain
 
-__all__ = ["Proofs", "chain", "compared", "confirmed", "equation", "note", "scalar_or_matrix", "solved", "stated"]
-
 
 def scalar_or_matrix(value: Any) -> Any:
     """The entry of a 1 x 1 matrix, or the matrix."""

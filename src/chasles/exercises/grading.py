@@ -26,8 +26,6 @@ from chasles.exercises.worksheet import Worksheet, equal
 from chasles.statements.exercise import Exercise
 from chasles.vocabulary import Call
 
-__all__ = ["Grade", "grade", "graded", "new_data"]
-
 MOST_REORDERED = 4
 MOST_STEPS = 3
 

@@ -8,8 +8,6 @@ from chasles.exact.numbers import is_zero
 from chasles.exact.spectra import signature
 from chasles.exercises.data import DataError
 
-__all__ = ["require_inertia", "require_symmetric"]
-
 
 def require_symmetric(key: str, matrix: Any) -> Any:
     """The matrix; DataError, with the entries that differ, if it is not symmetric."""

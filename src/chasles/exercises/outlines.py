@@ -12,8 +12,6 @@ import sympy as sp
 from chasles.exact.evaluate import matrix_of
 from chasles.exact.numbers import decimals, normal, sign
 
-__all__ = ["axes_to_draw", "prism_edges", "section_of"]
-
 Edge = tuple[Any, Any]
 
 

@@ -5,8 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-__all__ = ["Arrow", "Curve", "DrawnBody", "Graph", "Line", "Picture", "Point"]
-
 
 @dataclass(frozen=True, slots=True)
 class DrawnBody:

@@ -20,8 +20,6 @@ from chasles.statements.exercises import UnknownExercise
 from chasles.statements.exercises import exercise as find_exercise
 from chasles.statements.packages import BOOK, imported
 
-__all__ = ["Practice", "grade_lines", "practice"]
-
 WARM = 256
 """Tasks whose solutions are kept."""
 EXACT = (

@@ -7,8 +7,6 @@ from typing import Any
 
 import sympy as sp
 
-__all__ = ["FUNCTIONS", "PHI", "LeadingTerm", "leading_term"]
-
 PHI = sp.Symbol("phi", real=True)
 FUNCTIONS = {"sin(phi) - phi": sp.sin(PHI) - PHI, "1 - cos(phi)": 1 - sp.cos(PHI)}
 

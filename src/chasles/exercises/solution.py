@@ -13,8 +13,6 @@ from chasles.exact.spelling import as_data
 if TYPE_CHECKING:
     from chasles.exercises.picture import Picture
 
-__all__ = ["Citation", "Formula", "Solution", "SolutionStep", "SubstitutionCheck", "cited"]
-
 
 @dataclass(frozen=True, slots=True)
 class Formula:

@@ -18,8 +18,6 @@ from chasles.statements.exercise import Exercise
 from chasles.statements.exercises import exercise as find_exercise
 from chasles.statements.packages import BOOK, DeclarationError, imported
 
-__all__ = ["solve", "solve_with", "solved_on_sheet"]
-
 
 def solve(exercise: str, chapter: str | PathLike[str] = BOOK, /, **data: Any) -> Solution:
     """The worked solution of an exercise, exact: steps, answers, checks, picture.

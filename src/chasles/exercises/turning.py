@@ -8,8 +8,6 @@ import sympy as sp
 
 from chasles.exercises.picture import Graph
 
-__all__ = ["graph_of_difference", "graph_of_rate"]
-
 _degrees = sp.Symbol("degrees", real=True)
 _angle = sp.pi * _degrees / 180
 _spin = sp.Matrix([[0, -1, 0], [1, 0, 0], [0, 0, 0]])

@@ -15,8 +15,6 @@ from chasles.exact.spelling import decimal_text, latex_of
 from chasles.exercises.formulas import Proofs
 from chasles.exercises.solution import Formula, Solution, SolutionStep, SubstitutionCheck, cited
 
-__all__ = ["as_html", "as_page"]
-
 _STYLE = """
 :root { color-scheme: light dark; }
 body { font: 1rem/1.5 system-ui, sans-serif; max-width: 46rem; margin: 2rem auto; padding: 0 1rem; }

@@ -7,8 +7,6 @@ from collections.abc import Iterator
 from chasles.exact.spelling import latex_of, plain_in_latex, words_in_latex
 from chasles.exercises.solution import Solution, SolutionStep, SubstitutionCheck, cited
 
-__all__ = ["as_latex"]
-
 
 def as_latex(solution: Solution) -> str:
     """The steps, numbered, and the answers."""

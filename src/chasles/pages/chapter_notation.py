@@ -9,8 +9,6 @@ from chasles.reading.page_notation import PageNotation, declared_in
 from chasles.statements import Chapter, Statement
 from chasles.vocabulary import Symbol, symbols_of
 
-__all__ = ["notation_of_chapter"]
-
 
 def notation_of_chapter(chapter: Chapter) -> PageNotation:
     """The notation in which a chapter is declared; in a section a letter is first what it is in its statements."""

@@ -7,8 +7,6 @@ from collections.abc import Callable, Iterable, Iterator
 from chasles.statements import Hypothesis, definite, nonzero, positive, rotation, symmetric, unit
 from chasles.vocabulary import Group, Misfit, Negative, Node, Norm, Number, Power, Quotient, Scale, Symbol, walk
 
-__all__ = ["divisors", "facts_of", "kind_in_meaning"]
-
 HYPOTHESES: dict[str, Callable[[Node], Hypothesis]] = {
     "unit quaternion": unit,
     "unit vector": unit,

@@ -10,8 +10,6 @@ from typing import Any
 from chasles.pages.findings_told import told
 from chasles.pages.page import Page, PageEquation
 
-__all__ = ["QUESTIONS", "answers", "files_of"]
-
 QUESTIONS = "questions.toml"
 ASKED = """\
 # What only a person knows of the equations: fill in a role, "claim", "condition", "law" or "definition", or a reading

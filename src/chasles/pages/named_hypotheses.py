@@ -13,8 +13,6 @@ from chasles.statements import Claim, Hypothesis, perpendicular, symmetric, unit
 from chasles.statements.matrices import commuting, idempotent, orthogonal, skew_symmetric
 from chasles.vocabulary import Dot, Misfit, Negative, Node, Norm, Number, Sum, Symbol, symbols_of
 
-__all__ = ["as_hypothesis"]
-
 NAMED: tuple[tuple[int, Callable[..., Hypothesis]], ...] = (
     (1, unit), (1, symmetric), (1, orthogonal), (1, skew_symmetric), (1, idempotent), (2, perpendicular), (2, commuting)
 )  # fmt: skip

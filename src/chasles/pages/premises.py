@@ -13,9 +13,6 @@ from chasles.statements.statement import bare
 from chasles.vocabulary import Integral, Negative, Node, Rate, Sum, Symbol, undotted, walk
 from chasles.vocabulary.families import Member
 
-__all__ = ["PosedEquation", "Premises", "Quantity", "Rules", "balancing", "chosen_rules", "free_quantities",
-           "last_said", "quantities", "quantity"]  # fmt: skip
-
 Quantity = tuple[Symbol, int]
 """A symbol and how often it is dotted."""
 Rules = Mapping[Quantity, Statement]

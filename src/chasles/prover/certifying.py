@@ -16,8 +16,6 @@ from chasles.prover.conditions import Solved
 from chasles.statements import Goal, Hypothesis
 from chasles.verdict import Holds, HoldsUnder, Verdict
 
-__all__ = ["ProvedEntry", "certified"]
-
 
 @dataclass(slots=True)
 class ProvedEntry:

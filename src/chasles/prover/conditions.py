@@ -22,8 +22,6 @@ from chasles.points.evaluation import Point, evaluate
 from chasles.problems.context import Context, Generator, describe, difference, entries
 from chasles.problems.variables import Untreatable
 
-__all__ = ["Solved", "satisfying_point", "solve_conditions"]
-
 LARGEST_POWER = 16
 
 

@@ -27,8 +27,6 @@ from chasles.statements import Goal, Hypothesis, Problem
 from chasles.verdict import Contradictory
 from chasles.vocabulary import Negative, Sum, Symbol
 
-__all__ = ["contradiction", "holds_somewhere", "point_of_the_rest"]
-
 SAMPLES = 40
 """So many sample points are looked at for one at which all that is assumed holds."""
 WORK = 2e6

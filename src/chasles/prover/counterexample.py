@@ -22,8 +22,6 @@ from chasles.prover.consistency import point_of_the_rest
 from chasles.verdict import Counterexample
 from chasles.vocabulary import PI, Symbol, symbols_of
 
-__all__ = ["refute", "solved_ratios", "transcendental_name"]
-
 PLAIN, SAMPLES = 60, 40
 FRUITLESS = 15
 """So many points are tried in vain before the best counterexample so far is taken."""

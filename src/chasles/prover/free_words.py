@@ -15,8 +15,6 @@ from typing import Any
 from chasles.checker.any_size.free_algebra import FreeAlgebra
 from chasles.prover.rewriting_words import Derived, Occurrence, Rewriting, Rule, rank, without
 
-__all__ = ["Completion"]
-
 MOST_RULES, LONGEST = 150, 14
 """So many rules are made at most, of words that are at most so long."""
 

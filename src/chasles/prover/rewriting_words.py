@@ -14,8 +14,6 @@ from chasles.algebra.work_limit import STEP, spend
 from chasles.checker.any_size.free_algebra import Atom, FreeAlgebra, Letters, Monomial, Words, added
 from chasles.vocabulary.measure import Extent
 
-__all__ = ["Derived", "Multiple", "Occurrence", "Proof", "Rewriting", "Rule", "rank", "without"]
-
 
 class Multiple(NamedTuple):
     """A known equation in its place: multiplied from both sides, and, "scalar" or "trace", before a word."""

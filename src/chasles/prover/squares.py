@@ -19,8 +19,6 @@ from chasles.statements import Hypothesis, Problem
 from chasles.statements.inequalities import as_differences
 from chasles.verdict import Holds, HoldsUnder
 
-__all__ = ["decide_by_squares"]
-
 
 def decide_by_squares(problem: Problem, own: tuple[Hypothesis, ...]) -> Holds | HoldsUnder | None:
     """The verdict where all that is claimed is seen not to be negative, or to be positive; None where it is not."""

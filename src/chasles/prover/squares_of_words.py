@@ -11,8 +11,6 @@ from chasles.checker.any_size.free_algebra import Atom, Letters, Monomial, Words
 from chasles.prover.free_words import Completion
 from chasles.prover.rewriting_words import Derived
 
-__all__ = ["SquareOfWords", "squares_of_words"]
-
 Root = tuple[Letters, Monomial]
 """A letter that is positive, or none, and what stands on its right and, transposed, on its left."""
 SquareOfWords = tuple[Fraction, Letters, dict[Monomial, Fraction]]

@@ -25,8 +25,6 @@ from chasles.statements import Hypothesis, Problem
 from chasles.statements.inequalities import as_differences
 from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, Posed, Undecided, Verdict
 
-__all__ = ["decide_words", "pose_at_sizes"]
-
 POINTS = 60
 """So many points are looked at for one that refutes."""
 OPEN = "the algebra of matrices of any size neither proves nor refutes it: say it for numbers in place of the letters"

@@ -7,8 +7,6 @@ from collections.abc import Iterator
 from chasles.reading.grouping import RELATIONS, Tokens, closing, lines_of
 from chasles.reading.tokens import Token
 
-__all__ = ["written_out"]
-
 MOST_TERMS = 12
 MOST_TOKENS = 5_000
 KINDS = (r"\in", r"\subset")

@@ -12,8 +12,6 @@ from chasles.reading.grouping import closing
 from chasles.reading.lexemes import BadPage, Token, cut, lexemes, spelled
 from chasles.reading.tokens import without_layout
 
-__all__ = ["DisplayRow", "DisplayedEquation", "equations_of", "rows_of", "states_relation", "tokens_of_equation"]
-
 ROW_END = ("\\\\", r"\cr")
 WRAPPERS = re.compile(
     r"(?:aligned|split|gathered|multlined|align|gather|eqnarray|equation|multline|x?align(?:ed)?at|flalign)\*?"

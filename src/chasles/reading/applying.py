@@ -25,8 +25,6 @@ from chasles.vocabulary.parts import component, part
 from chasles.vocabulary.rotation_vectors import RotationByVector
 from chasles.vocabulary.spelling import Precedence
 
-__all__ = ["EVALUATED", "applied", "made_of", "with_marks"]
-
 OF_MATRICES = ("exp", "log", "sqrt")
 """What is of numbers alone here, but has a meaning for matrices, too."""
 BACKSLASH = "\\"

@@ -17,8 +17,6 @@ from chasles.reading.printed_atoms import (
     without_empty_cells,
 )
 
-__all__ = ["respelled"]
-
 DEEPEST = 60
 UNIT = re.compile(
     r"(?:(?:[kcmnMG]?(?:m|g|s|N|J|W|Pa|Hz|V|A|K|T)|rad|deg|h|min|ft|lbf?|rev)(?:\^?-?\d)?(?:[ /*](?=\w)|$))+", re.ASCII

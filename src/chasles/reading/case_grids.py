@@ -12,8 +12,6 @@ from chasles.reading.grouping import RELATIONS, Grid, Tokens, lines_of
 from chasles.reading.tokens import without_layout
 from chasles.vocabulary.functions import Cases
 
-__all__ = ["ENVIRONMENTS", "case_fits"]
-
 ENVIRONMENTS = ("cases", "dcases", "rcases")
 SIGNS = {"<": "<", ">": ">", r"\leq": "<=", r"\geq": ">="}
 OPPOSITE = {"<": r"\geq", ">": r"\leq", r"\leq": ">", r"\geq": "<"}

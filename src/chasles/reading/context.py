@@ -13,8 +13,6 @@ from chasles.vocabulary import Group, Node
 from chasles.vocabulary.spelling import Piece, Precedence, spell
 from chasles.vocabulary.typesetting import BRACKETS, Latex
 
-__all__ = ["FittingContext"]
-
 KINDS = {"()": "()", "[]": "[]", r"\{\}": "{}"}
 
 

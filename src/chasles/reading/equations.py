@@ -27,8 +27,6 @@ from chasles.vocabulary import Misfit, Node, Rate, Symbol, symbols_of, walk
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.measure import added
 
-__all__ = ["expressions", "read_equations", "segments"]
-
 CONDITIONS = re.compile(r"(?:(?:for|if|when|where|provided|with|as)\b|i\.e\.)", re.IGNORECASE)
 NO_CLAIM = (r"\in", r"\ni", r"\subset", r"\subseteq", r"\iff", r"\Leftrightarrow", r"\models", r"\mapsto")
 DOTS = (r"\dots", r"\ldots", r"\cdots", "..")

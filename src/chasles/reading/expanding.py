@@ -13,8 +13,6 @@ from chasles.reading.quotients import of_tokens
 from chasles.vocabulary import Node, Norm, Number, Power, Symbol, symbols_of
 from chasles.vocabulary.expansions import Limit, UpTo
 
-__all__ = ["limits", "order_of", "up_to_order"]
-
 Order = tuple[Symbol, int]
 
 

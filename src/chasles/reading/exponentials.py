@@ -6,8 +6,6 @@ from chasles.vocabulary import Group, Misfit, Negative, Node, Scale, Skew
 from chasles.vocabulary.functions import FunctionOf
 from chasles.vocabulary.rotation_vectors import RotationByVector
 
-__all__ = ["exponential"]
-
 
 def exponential(of: Node) -> Node:
     """The exponential of a scalar, or of a multiple of a cross-product matrix; raises `Misfit` for anything else."""

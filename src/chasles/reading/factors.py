@@ -28,8 +28,6 @@ from chasles.vocabulary import At, symbols_of
 from chasles.vocabulary.partial import PartialDerivative
 from chasles.vocabulary.spelling import Precedence
 
-__all__ = ["factors", "operators_of"]
-
 BACKSLASH = "\\"
 
 

@@ -9,8 +9,6 @@ from typing import Any
 from chasles.vocabulary import Misfit, Node, Symbol, printed, symbols_of
 from chasles.vocabulary.measure import Extent, Measure
 
-__all__ = ["MOST", "OF_ITS_OWN", "UNUSUAL", "Fit", "Said", "Shape", "kept", "letters_agree", "made", "own_quantity"]
-
 Shape = tuple[Extent, Extent]
 Said = tuple[str, ...]
 MOST = 12

@@ -12,19 +12,6 @@ from chasles.reading.grammar import Atom, Chain, FlatRow, Terms, formula
 from chasles.reading.grouping import TYPEFACES, Tokens, Unread
 from chasles.reading.tokens import Token, tokens
 
-__all__ = [
-    "Glyph",
-    "joined",
-    "letter_in",
-    "letter_of",
-    "only_atom",
-    "said_of",
-    "spelled",
-    "text_of",
-    "text_of_atom",
-    "with_arguments",
-]
-
 BOLD = {r"\boldsymbol": r"\mathbf"}
 _LETTERS = TYPEFACES | MARKS
 ARROWS = frozenset({r"\vec", r"\underline", r"\overrightarrow", r"\underrightarrow"})

@@ -19,8 +19,6 @@ from lark.lexer import Lexer
 from chasles.reading.grouping import CLOSING, OPENING, Grid, Tokens, Unread, grouped
 from chasles.reading.tokens import Token
 
-__all__ = ["Atom", "Chain", "FlatRow", "Terms", "formula", "terms_in"]
-
 GRAMMAR = r"""
 chain: terms? (RELATION terms)*
 terms: sign? row (sign row)*

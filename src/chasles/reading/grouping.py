@@ -12,8 +12,6 @@ from chasles.reading.commands import MARKS, OPERATORS, STYLES, TWO_ARGUMENTS
 from chasles.reading.lexemes import cut
 from chasles.reading.tokens import Token
 
-__all__ = ["RELATIONS", "TYPEFACES", "Grid", "Tokens", "Unread", "closing", "grouped", "lines_of"]
-
 Tokens = tuple[Token, ...]
 TYPEFACES = frozenset(STYLES)
 ARGUMENTS = dict.fromkeys((*TYPEFACES, *MARKS, r"\sqrt"), 1) | dict.fromkeys(TWO_ARGUMENTS, 2)

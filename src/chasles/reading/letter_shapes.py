@@ -13,8 +13,6 @@ from chasles.reading.quotients import order_of_rate, upright
 from chasles.reading.spellings import called
 from chasles.reading.tokens import Token
 
-__all__ = ["Misshapen", "Shape", "ShapeOf", "shape_of_chain"]
-
 Shape = tuple[int, int]
 ShapeOf = Callable[[Glyph], tuple[Shape | None, tuple[str, ...]]]
 """What shape a letter has, None if that is not known, and which accents and superscripts are no part of its name."""

@@ -10,8 +10,6 @@ from typing import Any
 from chasles.reading.glyphs import Glyph, letter_in, spelled
 from chasles.vocabulary import PI, Node, Symbol
 
-__all__ = ["BadNotation", "LetterTable", "Meaning"]
-
 MAY_LOSE_BOLD = re.compile(r"\\[A-Za-z]+$")
 Meaning = Callable[[Glyph], Node]
 

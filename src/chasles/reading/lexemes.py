@@ -6,8 +6,6 @@ import re
 from collections.abc import Iterable
 from typing import NamedTuple
 
-__all__ = ["LEXEME", "MOST_LEXEMES", "BadPage", "Token", "blank", "cut", "lexemes", "spelled"]
-
 SPACE_BEHIND = r"\*?(?:\s*\[\s*-?[\d.]*\s*(?:em|ex|pt|px|pc|bp|mm|cm|in|mu|sp|\\\w+)\s*\])?"
 LEXEME = re.compile(rf"%[^\n]*(?:\n[ \t]*|$)|\\\\{SPACE_BEHIND}|\\(?:[A-Za-z@]+|.|$)|\s+|.", re.DOTALL)
 GROUP_OPENING = re.compile(r"\{$|\\begin\b")

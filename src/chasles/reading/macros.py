@@ -10,8 +10,6 @@ from typing import NamedTuple
 
 from chasles.reading.lexemes import LEXEME, MOST_LEXEMES, BadPage, Token, blank, lexemes, spelled
 
-__all__ = ["DEFINING", "Macro", "MacroTable", "Source"]
-
 MOST_MACROS = 5_000
 MOST_WASTED = 200_000
 DEFINING = re.compile(

@@ -29,8 +29,6 @@ from chasles.vocabulary import (
 )
 from chasles.vocabulary.families import Entry, Kronecker
 
-__all__ = ["SIZE", "WITHOUT_WORD", "atom_fits", "letter_fits"]
-
 GROUPS = {"()": "()", "[]": "[]", r"\{\}": "{}"}
 SIZE = re.compile(r"(\d+)(?: \\times (\d+))?")
 WITHOUT_WORD = {

@@ -5,8 +5,6 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
-__all__ = ["PageBlock", "fenced", "indented"]
-
 FENCE = re.compile(r"[ \t>]*(([`~:])\2{2,})[ \t]*([^\s`]*)")
 DIRECTIVE = re.compile(r"([ \t]*)\.\. ([\w:-]+)::[ \t]*")
 LABEL = re.compile(r"^[ \t]*:?(?:label|name):[ \t]*(\S+)[ \t]*$", re.MULTILINE)

@@ -13,8 +13,6 @@ from chasles.vocabulary import Block, Determinant, Symbol, symbols_of
 from chasles.vocabulary.measure import Extent
 from chasles.vocabulary.spelling import Precedence
 
-__all__ = ["block_fits", "grid_fits", "row_of_blocks"]
-
 MOST_SIZES = 1000
 MATRICES = ("bmatrix", "pmatrix", "Bmatrix", "matrix", "array", "smallmatrix", "bsmallmatrix", "psmallmatrix")
 

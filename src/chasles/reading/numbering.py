@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import re
 
-__all__ = ["Numbering"]
-
 LEVELS = {"chapter": 0, "section": 1, "subsection": 2, "subsubsection": 3}
 HEADING = re.compile(r"(?:(?:Chapter|Section|Appendix)\s+)?((?:\d+|[A-Z])(?:\.\d+)*)(?:[.:]?(?:\s|$))|(.*)", re.DOTALL)
 

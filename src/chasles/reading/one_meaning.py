@@ -11,8 +11,6 @@ from chasles.reading.declared_letters import KINDS
 from chasles.vocabulary import Node, Symbol, replace
 from chasles.vocabulary.families import Family
 
-__all__ = ["one_meaning_each"]
-
 
 def one_meaning_each(values: Iterable[Any]) -> list[Any]:
     """The values, with one symbol for all that are printed alike and are of the same kind, shape and dimension.

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-__all__ = ["ALWAYS", "PACKAGES"]
-
 ALWAYS = r"""
 \newcommand\prescript[3]{{}^{#1}_{#2}{#3}}
 \newcommand\leftidx[3]{{}#1{#2}#3}

@@ -11,8 +11,6 @@ from chasles.reading.glyphs import Glyph, letter_of, with_arguments
 from chasles.reading.grammar import Atom, Chain, Terms, terms_in
 from chasles.reading.grouping import TYPEFACES
 
-__all__ = ["functions_in", "lists_letters"]
-
 
 def functions_in(chains: Iterable[Chain]) -> dict[Glyph, bool]:
     r"""The letters with arguments: True for those that have letters alone, \Gamma(\phi), False for those never without.

@@ -46,9 +46,6 @@ from chasles.vocabulary.notation import BOOK, Notation
 from chasles.vocabulary.quaternions import QuaternionConjugate
 from chasles.vocabulary.spelling import FUNCTIONS
 
-__all__ = ["CONVENTIONS", "PageNotation", "declared_in", "in_module", "known_words", "repeated_rate",
-           "usual_spellings"]  # fmt: skip
-
 CONVENTIONS = ("scalar_last", "linear_first")
 
 

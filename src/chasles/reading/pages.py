@@ -12,8 +12,6 @@ from chasles.reading.markup import PageBlock, fenced, indented
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.tex_page import Included, TexPage
 
-__all__ = ["Kind", "displayed", "kind_of"]
-
 Kind = Literal["tex", "md", "rst", "equation"]
 
 SUFFIXES: dict[str, Kind] = {

@@ -9,8 +9,6 @@ from typing import NamedTuple
 from chasles.reading import commands
 from chasles.reading.lexemes import Token, cut, spelled
 
-__all__ = ["PrintedAtom", "braced", "bracket", "flat", "styled", "with_scripts", "without_empty_cells"]
-
 BRACKETED = {"[": ("]", "bmatrix"), "(": (")", "pmatrix"), "|": ("|", "vmatrix")}
 UNBRACKETED = (r"\begin{array}", r"\begin{matrix}", r"\begin{smallmatrix}")
 

@@ -17,8 +17,6 @@ from chasles.reading.printed import PrintedEquation
 from chasles.reading.shape_search import shaped_letters
 from chasles.reading.tokens import BadPage
 
-__all__ = ["proposed"]
-
 KNOWN = LETTERS | MARKS | TYPEFACES
 PRIMED = re.compile(r"[])] ('(?: ')*)")
 

@@ -26,9 +26,6 @@ from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.partial import PartialDerivative
 from chasles.vocabulary.spelling import Precedence
 
-__all__ = ["derivative_by", "exponential_fits", "fraction_fits", "of_tokens", "order_of_rate", "partial_by",
-           "rate_in_frame", "seen_from", "sized_quotient", "upright"]  # fmt: skip
-
 
 def of_tokens(tokens: Tokens, ctx: FittingContext) -> list[Fit]:
     """The readings of what braces hold."""

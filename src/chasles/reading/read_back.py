@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import re
 
-__all__ = ["tokens_of"]
-
 LAYOUT = {r"\left", r"\right", r"\quad", r"\,", r"\ ", r"\\", r"\mathbf", r"\boldsymbol", r"\overrightarrow", r"\text",
           r"\mathsf", r"\mathrm", r"\operatorname", "&", ",", "{", "}"}  # fmt: skip
 MATRIX = re.compile(r"\\(begin|end)\{[bp]matrix\}")

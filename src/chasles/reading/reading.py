@@ -8,8 +8,6 @@ from typing import Literal
 from chasles.reading.printed import PrintedEquation
 from chasles.vocabulary import Node
 
-__all__ = ["Part", "ReadEquation", "Reading", "Status"]
-
 Status = Literal["read", "ambiguous", "unread"]
 
 

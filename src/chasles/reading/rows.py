@@ -19,8 +19,6 @@ from chasles.vocabulary import Block, Contract, Misfit, Node, Quotient, Scale, S
 from chasles.vocabulary.parts import part
 from chasles.vocabulary.spelling import Precedence
 
-__all__ = ["row_fits"]
-
 Pieces = tuple[Atom | Token, ...]
 
 

@@ -8,8 +8,6 @@ from dataclasses import replace
 from chasles.reading.reading import ReadEquation, Reading
 from chasles.vocabulary import Symbol, symbols_of
 
-__all__ = ["settled"]
-
 
 def settled(read: Sequence[ReadEquation]) -> tuple[ReadEquation, ...]:
     """The equations with the readings first whose letters mean what they mean nearby; none is left out."""

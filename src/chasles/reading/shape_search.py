@@ -23,8 +23,6 @@ from chasles.reading.notation_file import load_notation
 from chasles.reading.printed import PrintedEquation
 from chasles.vocabulary.measure import Extent
 
-__all__ = ["shaped_letters"]
-
 Kind = tuple[str, tuple[Extent, ...]]
 SHAPES = {
     "scalar": (1, 1),

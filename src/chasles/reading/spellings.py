@@ -11,8 +11,6 @@ from chasles.reading.grouping import TYPEFACES, Unread
 from chasles.reading.tokens import Token, tokens
 from chasles.vocabulary import Node
 
-__all__ = ["Make", "Spellings", "called", "signed"]
-
 Make = Callable[..., Node]
 HOLES = (r"\holeA", r"\holeB")
 

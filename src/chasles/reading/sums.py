@@ -15,8 +15,6 @@ from chasles.vocabulary.dimension import has_units
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.spelling import Precedence
 
-__all__ = ["sum_fits"]
-
 MOST_TERMS = 500
 OPEN = (r"\dots", r"\ldots", r"\cdots", "const", "constant")
 """Of what is left out nothing is known, and a constant is another one in each equation."""

@@ -12,8 +12,6 @@ from chasles.reading.numbering import LEVELS, Numbering
 from chasles.reading.packages import ALWAYS, PACKAGES
 from chasles.reading.printed import PrintedEquation
 
-__all__ = ["Included", "TexPage", "UnclosedDisplay"]
-
 Included = Callable[[str], tuple[str, str]]
 
 MOST_CHARACTERS = 5_000_000

@@ -14,8 +14,6 @@ from chasles.vocabulary import NO_DIMENSION, latex, uniform
 from chasles.vocabulary.dimension import has_units
 from chasles.vocabulary.fitting import measured
 
-__all__ = ["TOTALS", "end_of_total", "totals"]
-
 Pieces = tuple[Atom | Token, ...]
 TOTALS = (r"\sum", r"\lim", r"\int", r"\oint")
 OPEN = TOTALS[:2]

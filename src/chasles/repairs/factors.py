@@ -15,8 +15,6 @@ from chasles.rewriting.coefficients import product as product_of
 from chasles.vocabulary import Block, Call, Node, Number, Power, Rate, Skew, Sum, Symbol, Transpose, walk
 from chasles.vocabulary.shorthand import Shorthand
 
-__all__ = ["Factors"]
-
 MOST_FACTORS = 48
 """So many scalars are multiplied with each other to find a term that is missing."""
 SCOUTS = 3

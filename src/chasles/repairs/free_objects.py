@@ -24,8 +24,6 @@ from chasles.statements.goals import AcceptedSides
 from chasles.statements.problem import default_sides
 from chasles.vocabulary import Block, Contract, Dot, Misfit, Node, Rate, Symbol, Transpose, Zero, plain, replace
 
-__all__ = ["Freedom", "freedom_of", "other_objects"]
-
 MOST_RESCALED = 2
 """Terms of the printed side whose numbers may be wrong as well."""
 

@@ -15,8 +15,6 @@ from chasles.rewriting.places import everywhere
 from chasles.rewriting.term_basis import TermBasis, fit
 from chasles.vocabulary import Block, Identity, Negative, Node, Zero, children, plain, printed, rebuilt, replace
 
-__all__ = ["block_edits"]
-
 
 def block_edits(test: ModularTest, basis: TermBasis) -> Iterator[Change]:
     """The right sides, arrays opened, that are true with one other block, or with that and a block put in."""

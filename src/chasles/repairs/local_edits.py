@@ -41,8 +41,6 @@ from chasles.vocabulary import (
 from chasles.vocabulary.parts import Submatrix
 from chasles.vocabulary.parts import part as entry
 
-__all__ = ["FORM", "SingleEdit", "edits_at", "turned_signs"]
-
 _T = TypeVar("_T")
 FORM = 3
 """The effort of undoing a slip of form, or of a wrong letter."""

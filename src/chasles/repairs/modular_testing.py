@@ -43,8 +43,6 @@ from chasles.vocabulary import (
     plain,
 )
 
-__all__ = ["REFUSED", "ModularTest", "modular_test"]
-
 REFUSED = (Misfit, TypeError, Untreatable, UndeclaredDivisor, SingularResidue, Unsampled)
 """Why an equation cannot be tested: it does not fit, cannot be posed, is not treated, or divides by zero."""
 Direction = tuple[int, ...]

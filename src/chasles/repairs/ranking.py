@@ -29,8 +29,6 @@ from chasles.statements.goals import AcceptedSides
 from chasles.statements.statement import bare
 from chasles.vocabulary import Call, Inverse, Node, Number, Quotient, Rate, Symbol, Zero, children, symbols_of, walk
 
-__all__ = ["Nearest", "given_sides"]
-
 
 @dataclass
 class Nearest:

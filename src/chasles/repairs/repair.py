@@ -26,8 +26,6 @@ from chasles.verdict import Holds, HoldsUnder, Verdict
 from chasles.vocabulary import Misfit, Node, plain, walk
 from chasles.vocabulary.families import indices_of
 
-__all__ = ["EFFORT", "Repair", "claims_of", "repair"]
-
 EFFORT = 2e7
 """The work that the search for a repair, its proofs included, may take, in products of terms."""
 MORE_EFFORT, MOST = 2, 8

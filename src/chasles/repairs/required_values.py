@@ -17,8 +17,6 @@ from chasles.rewriting.coefficients import ONE
 from chasles.rewriting.places import Path, put
 from chasles.vocabulary import Block, Node, Number, Sum, children, printed
 
-__all__ = ["Required", "quotient", "required_values", "value"]
-
 TWO = Number(Fraction(2))
 _Values = Callable[[Node], Column | None]
 

@@ -24,8 +24,6 @@ from chasles.prover.conditions import Solved
 from chasles.statements.lengths import Lengths
 from chasles.vocabulary import Node, Norm, Scale, Symbol, replace, symbols_of
 
-__all__ = ["Residues", "Sampled", "SingularResidue", "Unsampled", "generic_points"]
-
 Point = Mapping[str, int]
 
 

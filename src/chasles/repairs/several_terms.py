@@ -32,8 +32,6 @@ from chasles.rewriting.places import Place, put, separate_sums
 from chasles.rewriting.term_basis import TermBasis
 from chasles.vocabulary import Node, plain
 
-__all__ = ["combined_changes"]
-
 MOST_CHANGES = 6
 MOST_SETS, MOST_IN_ALL = 3000, 60000
 """So many sets of new terms are looked at for one choice of terms to change, and so many in all."""

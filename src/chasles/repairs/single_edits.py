@@ -13,8 +13,6 @@ from chasles.repairs.one_term import instead
 from chasles.rewriting.places import Path, everywhere, linear_places, put
 from chasles.vocabulary import Node, Symbol, children, plain, printed, rebuilt
 
-__all__ = ["exchanged_letters", "in_letters", "placed", "single_edits"]
-
 
 def placed(node: Node, path: Path, new: Node) -> Node:
     """The expression with something else in one place, whether it fits there or not."""

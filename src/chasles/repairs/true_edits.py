@@ -38,8 +38,6 @@ from chasles.vocabulary import (
     printed,
 )
 
-__all__ = ["true_edits"]
-
 
 def true_edits(test: ModularTest, factors: Factors) -> Iterator[Change]:
     """The right sides that are true with one edit, or with one more scalar factor."""

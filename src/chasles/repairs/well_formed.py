@@ -28,8 +28,6 @@ from chasles.vocabulary import (
     symbols_of,
 )
 
-__all__ = ["WellFormedRepair", "fitting"]
-
 
 @dataclass(frozen=True, slots=True)
 class WellFormedRepair:

@@ -20,8 +20,6 @@ from chasles.vocabulary.families import Entry, Index, Member
 from chasles.vocabulary.functions import FunctionOf
 from chasles.vocabulary.shorthand import opened
 
-__all__ = ["changes_without_form", "edits_of"]
-
 _AtPoint = Callable[[tuple[float, ...]], list[float] | None]
 POINTS, TRIES, NEAR, LARGEST = 4, 400, 1e-9, 1e9
 """So many points are compared, of so many that are tried; sides so near to each other agree, none may be larger."""

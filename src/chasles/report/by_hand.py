@@ -18,8 +18,6 @@ from chasles.statements import Statement, problem_of
 from chasles.verdict import Counterexample
 from chasles.vocabulary import PI, Misfit, Node, Rate, Symbol
 
-__all__ = ["ByHand", "worked_out"]
-
 
 @dataclass(frozen=True, slots=True)
 class ByHand:

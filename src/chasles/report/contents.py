@@ -12,8 +12,6 @@ from rich.text import Text
 from chasles.report.screen import Screen
 from chasles.statements import Entry
 
-__all__ = ["contents"]
-
 SHOWN = 6
 """How many kernels of one number are named."""
 

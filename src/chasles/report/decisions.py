@@ -15,8 +15,6 @@ from chasles.report.screen import Screen
 from chasles.report.words import labelled
 from chasles.statements import Entry
 
-__all__ = ["Decided", "findings", "is_finding", "verdict_table"]
-
 Decided = tuple[Entry, Decision]
 
 

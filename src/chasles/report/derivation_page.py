@@ -18,8 +18,6 @@ from chasles.verdict import Fails
 from chasles.vocabulary import Node, plain
 from chasles.vocabulary import latex as in_latex
 
-__all__ = ["derivation_line", "derivation_page", "derivation_record", "equations_of", "objections_of"]
-
 
 def derivation_page(
     screen: Screen, name: str, road: CheckedDerivation, latex: bool = False

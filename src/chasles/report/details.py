@@ -18,18 +18,6 @@ from chasles.statements import Entry, Inverse, Statement
 from chasles.statements.elsewhere import chapter_of, cited
 from chasles.verdict import Counterexample, Fails, Verdict
 
-__all__ = [
-    "Lines",
-    "evidence",
-    "indented",
-    "number_in_words",
-    "objections",
-    "objections_to_print",
-    "printed",
-    "refuted",
-    "rests_on",
-]
-
 Lines = Iterator[tuple[str, str]]
 
 

@@ -10,8 +10,6 @@ from chasles.bounds import SINGLE, Bound
 from chasles.lowering.program import Op
 from chasles.report.details import Lines
 
-__all__ = ["emitted_kernels", "proved", "recorded"]
-
 ROUNDOFF = "u = 2^-53, in single precision 2^-24"
 
 

@@ -24,8 +24,6 @@ from chasles.vocabulary import (
     symbols_of,
 )
 
-__all__ = ["Part", "parts_of_entry"]
-
 Place = tuple[int, int]
 Part = tuple[Symbol, int, Place | None]
 """A symbol, which rate of it, and the entry that counts, row and column from zero; None where several count."""

@@ -9,16 +9,6 @@ from chasles.statements.kernel import Argument
 from chasles.statements.statement import Equation
 from chasles.vocabulary import Node, latex, plain
 
-__all__ = [
-    "Sentence",
-    "argument_in_words",
-    "hypotheses_in_latex",
-    "in_latex",
-    "in_words",
-    "signature_in_words",
-    "standing_in",
-]
-
 Sentence = Statement | Theorem | Inverse
 
 

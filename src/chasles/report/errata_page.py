@@ -25,8 +25,6 @@ from chasles.statements.elsewhere import chapter_of, cited
 from chasles.verdict import Counterexample, Fails, IllFormed
 from chasles.vocabulary import latex, plain
 
-__all__ = ["errata_page"]
-
 ABOUT = """\
 # Errata
 

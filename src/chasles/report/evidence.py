@@ -16,8 +16,6 @@ from chasles.numerics import Evidence
 from chasles.report.details import indented
 from chasles.report.screen import Screen
 
-__all__ = ["evidence_table", "is_wrong", "losses", "worst_of"]
-
 GENERIC = "generic"
 RARE = 0.1
 """The share of points at large at which a right kernel may lose digits: some happen to be near a singular set."""

@@ -11,20 +11,6 @@ from chasles.statements import Chapter, Entry, Statement
 from chasles.verdict import Verdict
 from chasles.vocabulary import Node, latex
 
-__all__ = [
-    "SLIPS",
-    "DecisionsByName",
-    "NumberCounts",
-    "Pairs",
-    "Replacement",
-    "likely_slip",
-    "numbers_of",
-    "ordered",
-    "replacements",
-    "slips",
-    "slips_in_words",
-]
-
 DecisionsByName = Mapping[str, Decision]
 """By the name of the statement."""
 Pairs = Sequence[tuple[Entry, Decision]]

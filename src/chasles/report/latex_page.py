@@ -28,8 +28,6 @@ from chasles.statements import Chapter, Entry
 from chasles.verdict import Verdict
 from chasles.vocabulary import latex
 
-__all__ = ["Item", "item_of", "latex_page"]
-
 
 @dataclass(frozen=True, slots=True)
 class Instead:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-__all__ = ["escaped"]
-
 SPECIAL = str.maketrans(
     {
         "\\": r"\textbackslash{}",

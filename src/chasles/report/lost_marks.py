@@ -6,8 +6,6 @@ import re
 from dataclasses import dataclass
 from difflib import SequenceMatcher
 
-__all__ = ["Lost", "lost_marks"]
-
 TOKEN = re.compile(r"\\[A-Za-z]+|\\.|[A-Za-z0-9]|\S")
 MARKS = {"&": "a separator between two blocks", r"\tilde": "a tilde", "^": "a superscript"}
 """What is small or blank on a page, and is lost when its picture is made into text."""

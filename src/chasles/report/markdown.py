@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-__all__ = ["code", "displayed", "escaped", "table"]
-
 SPECIAL = str.maketrans({mark: rf"\{mark}" for mark in r"\`*_[]<>|#"})
 
 

@@ -8,8 +8,6 @@ from chasles.report.verdict_page import verdict_page
 from chasles.report.waiting import progress
 from chasles.statements import Chapter
 
-__all__ = ["pages"]
-
 
 def pages(book: Chapter, session: Session) -> dict[str, str]:
     """The text of `VERDICTS.md` and `ERRATA.md`; what the session has decided already is not decided again."""

@@ -11,8 +11,6 @@ from latex2mathml.converter import convert
 from chasles.pages.findings_told import is_fine, line_of
 from chasles.pages.page import Page, PageEquation
 
-__all__ = ["read_page_as_html"]
-
 _STYLE = """
 :root { color-scheme: light dark; }
 body { font: 1rem/1.5 system-ui, sans-serif; max-width: 70rem; margin: 2rem auto; padding: 0 1rem; }

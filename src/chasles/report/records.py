@@ -14,8 +14,6 @@ from chasles.statements import Entry, Statement
 from chasles.statements.elsewhere import chapter_of, other_chapter
 from chasles.verdict import Counterexample
 
-__all__ = ["certificate_hash", "described", "record"]
-
 ROLES = {"inverse": "theorem"}
 """An inverse with cases is proved from the claims that it generates, as a theorem is, and is recorded as one."""
 

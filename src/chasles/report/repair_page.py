@@ -17,8 +17,6 @@ from chasles.report.screen import Screen
 from chasles.report.words import labelled, said
 from chasles.statements import Entry, Statement
 
-__all__ = ["repair_page", "repair_record"]
-
 
 def repair_page(screen: Screen, entry: Entry, decision: Decision, latex: bool = False) -> Iterator[RenderableType]:
     """The printed equation, why it is wrong, and the repairs."""

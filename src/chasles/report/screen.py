@@ -10,8 +10,6 @@ from typing import TextIO
 from rich.console import Console, RenderableType
 from rich.measure import Measurement
 
-__all__ = ["NARROW", "Screen", "console_on"]
-
 NARROW = 64
 """Columns below which a table gives way to a list."""
 _UNBROKEN = 10_000

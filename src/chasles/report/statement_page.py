@@ -16,8 +16,6 @@ from chasles.report.screen import Screen
 from chasles.report.words import labelled
 from chasles.statements import Entry
 
-__all__ = ["statement_page"]
-
 
 def statement_page(
     screen: Screen,

@@ -17,8 +17,6 @@ from chasles.report.findings import SLIPS, slips
 from chasles.report.screen import Screen
 from chasles.report.words import VERDICTS, number_of, seconds
 
-__all__ = ["Tally", "summary_table", "tallies", "wrong_as_printed"]
-
 HEADERS = {
     "holds": "holds",
     "holds-under": "holds\nunder",

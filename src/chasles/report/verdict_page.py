@@ -20,8 +20,6 @@ from chasles.report.words import VERDICTS, counted, number_of
 from chasles.statements import Chapter, Entry, Section
 from chasles.vocabulary import plain
 
-__all__ = ["verdict_page"]
-
 WORST_FIRST = (
     "undecided",
     "fails",

@@ -9,8 +9,6 @@ from contextlib import contextmanager
 from threading import Event, Thread
 from typing import TypeVar
 
-__all__ = ["PATIENCE", "progress", "silent"]
-
 PATIENCE = 0.8
 """Seconds before the bar appears."""
 _T = TypeVar("_T")

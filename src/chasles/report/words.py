@@ -11,8 +11,6 @@ from chasles.algebra.values import InPi
 from chasles.verdict import Verdict
 from chasles.vocabulary import PI
 
-__all__ = ["VERDICTS", "counted", "labelled", "number_of", "point_in_words", "reason", "said", "seconds"]
-
 VERDICTS: dict[str, tuple[str, str, str, str]] = {
     "holds": ("✓", "+", "holds", "green"),
     "holds-under": ("✓", "+", "holds under", "green"),

@@ -9,8 +9,6 @@ from chasles.report.html.exercises import AnswerView, WorkedStep, WorkedView
 from chasles.report.html.shown import Equation
 from chasles.report.latex_text import escaped
 
-__all__ = ["ExercisePage", "Sentence", "exercises_in_latex"]
-
 
 @dataclass(frozen=True, slots=True)
 class Sentence:

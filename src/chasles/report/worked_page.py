@@ -12,8 +12,6 @@ from rich.text import Text
 from chasles.exact.spelling import decimal_text, text_of
 from chasles.exercises.solution import Formula, Solution, SolutionStep, SubstitutionCheck, cited
 
-__all__ = ["hints_page", "worked_page"]
-
 WIDE = 100
 
 

@@ -6,8 +6,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from xml.etree.ElementTree import Element, SubElement
 
-__all__ = ["in_lines", "width_of"]
-
 MOST = 68
 """About how many letters and signs fit on a line."""
 BESIDE = 8

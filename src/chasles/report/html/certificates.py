@@ -10,8 +10,6 @@ from markupsafe import Markup, escape
 
 from chasles.report.html.citing import Book
 
-__all__ = ["proof_in_words"]
-
 SHOWN = 6
 """So many terms are named for which a hypothesis is used."""
 LONG = 24

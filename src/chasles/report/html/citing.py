@@ -16,8 +16,6 @@ from chasles.statements import Chapter, Entry, Statement
 from chasles.statements.chapter import bases
 from chasles.statements.elsewhere import chapter_of, other_chapter
 
-__all__ = ["Book", "Link", "place_of_number", "slug"]
-
 
 @dataclass(frozen=True, slots=True)
 class Link:

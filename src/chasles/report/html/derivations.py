@@ -15,8 +15,6 @@ from chasles.report.html.statements import equation
 from chasles.statements.derivation import Consider, Derivation
 from chasles.vocabulary import Node, plain
 
-__all__ = ["derivation_view", "walked"]
-
 A_DERIVATION = 0.3
 """About how many seconds one takes."""
 

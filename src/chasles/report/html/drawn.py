@@ -14,8 +14,6 @@ from markupsafe import Markup
 from chasles import cache
 from chasles.exercises.picture import Picture
 
-__all__ = ["are_kept", "drawn"]
-
 MOST = 16 * 2**20
 """Bytes of pictures that are kept: some hundred reports."""
 DRAWING = ("exact", "exercises", "report")

@@ -12,8 +12,6 @@ from markupsafe import Markup
 from chasles.report.html.measured import ErrorAtAngle, ErrorCurve
 from chasles.report.html.pictures import inline
 
-__all__ = ["ErrorPlot", "Plotted", "plotted"]
-
 MOST, LEAST = 53 * log10(2), -1.0
 """With 2^53 roundoffs no digit is right: errors that are larger are drawn there; those below a tenth, at a tenth."""
 SMALLEST = 1e-20

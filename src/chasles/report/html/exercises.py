@@ -25,8 +25,6 @@ from chasles.statements import Chapter, load
 from chasles.statements.exercise import Exercise
 from chasles.statements.exercises import exercise, exercise_numbers
 
-__all__ = ["WorkedView", "worked_exercises", "worked_view"]
-
 AN_EXERCISE = 0.5
 """About how many seconds one takes."""
 

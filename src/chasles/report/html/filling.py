@@ -7,8 +7,6 @@ from functools import cache
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
-__all__ = ["filled"]
-
 
 def filled(template: str, **values: object) -> Markup:
     """The template with these values."""

@@ -18,8 +18,6 @@ from chasles.vocabulary.notation import notation_of
 from chasles.vocabulary.spelling import Piece, Precedence, spell
 from chasles.vocabulary.typesetting import Latex
 
-__all__ = ["displayed", "equation_tree", "latex_for_mathml", "markup", "math", "tree_of"]
-
 FUNCTIONS = (r"\sin", r"\cos", r"\det", r"\text{")
 CLOSING = (r"\right)", r"\right]", r"\right\}")
 THIN = r"\,"

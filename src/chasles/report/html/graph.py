@@ -9,8 +9,6 @@ from chasles.report.details import number_in_words
 from chasles.report.html.citing import Book
 from chasles.report.html.shown import NumberShown
 
-__all__ = ["Band", "Box", "GraphDrawing", "GraphEdge", "graph_of"]
-
 ACROSS = 18
 """Boxes in a row."""
 WIDTH, HEIGHT = 44, 18

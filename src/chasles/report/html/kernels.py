@@ -11,8 +11,6 @@ from chasles.report.details import number_in_words
 from chasles.report.html.citing import Book, Link, place_of_number, slug
 from chasles.report.html.shown import KernelRow
 
-__all__ = ["kernel_rows"]
-
 FORMS = {"stated": "as stated", "offered": "in a form proved equal"}
 
 

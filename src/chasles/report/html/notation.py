@@ -11,8 +11,6 @@ from chasles.report.html.formulas import math
 from chasles.statements import Chapter, Inverse, Theorem
 from chasles.vocabulary import Node, Symbol, latex, walk
 
-__all__ = ["Letter", "notation_of"]
-
 
 @dataclass(frozen=True, slots=True)
 class Letter:

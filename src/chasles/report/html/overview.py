@@ -11,8 +11,6 @@ from chasles.report.html.trusted import Trusted
 from chasles.report.summary import Tally, tallies
 from chasles.report.words import VERDICTS, counted
 
-__all__ = ["Overview", "SectionRow", "VerdictShare", "overview"]
-
 
 @dataclass(frozen=True, slots=True)
 class VerdictShare:

@@ -28,8 +28,6 @@ from chasles.report.verdict_page import WORST_FIRST
 from chasles.report.words import VERDICTS
 from chasles.statements import Chapter, Entry, Section
 
-__all__ = ["Chosen", "PageContents", "SectionView", "contents", "page"]
-
 Pair = tuple[Entry, Decision]
 
 

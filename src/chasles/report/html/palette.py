@@ -5,8 +5,6 @@ The four colours of curves are near those of Okabe and Ito, which colour-blind r
 
 from __future__ import annotations
 
-__all__ = ["DARK", "LIGHT", "TEXT_ON", "contrast"]
-
 LIGHT = {
     "ground": "#ffffff",
     "raised": "#f5f6f8",

@@ -12,8 +12,6 @@ from markupsafe import Markup
 
 from chasles.exercises.picture import Arrow, Curve, DrawnBody, Graph, Line, Picture, Point
 
-__all__ = ["inline", "said_of"]
-
 COLOURS = {
     "#ffffff": "ground",
     "#f2f2f2": "raised",

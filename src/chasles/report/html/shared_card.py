@@ -9,8 +9,6 @@ from textwrap import wrap
 from chasles.report.html.palette import LIGHT
 from chasles.report.html.shown import NumberShown
 
-__all__ = ["drawn_card"]
-
 WIDTH, HEIGHT, DOTS = 12.0, 6.3, 100
 COLUMNS, LINES = 62, 5
 

@@ -12,20 +12,6 @@ from markupsafe import Markup
 from chasles.report.html.citing import Link
 from chasles.report.words import VERDICTS
 
-__all__ = [
-    "Badge",
-    "DerivationView",
-    "Equation",
-    "Fact",
-    "KernelRow",
-    "NumberShown",
-    "Part",
-    "Related",
-    "Repaired",
-    "StepShown",
-    "badge_of",
-]
-
 
 @dataclass(frozen=True, slots=True)
 class Badge:

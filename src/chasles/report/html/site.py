@@ -13,8 +13,6 @@ from chasles.report.html.shared_card import drawn_card
 from chasles.report.html.shown import NumberShown
 from chasles.statements import Chapter
 
-__all__ = ["site"]
-
 _WITHIN = re.compile(r'href="#([^"]*)"')
 Files = Iterator[tuple[str, str | bytes]]
 

@@ -25,8 +25,6 @@ from chasles.statements.elsewhere import chapter_of, cited, other_chapter
 from chasles.verdict import Counterexample, Fails, IllFormed
 from chasles.vocabulary import Node, Rate, plain, symbols_of
 
-__all__ = ["as_printed", "equation", "part_of", "place_of_part"]
-
 Sides = tuple[Node, Node]
 CODE = Markup("<code>{}</code>")
 

@@ -6,8 +6,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib.resources import files
 
-__all__ = ["Trusted", "checked_again", "source_lines"]
-
 
 @dataclass(frozen=True, slots=True)
 class Trusted:

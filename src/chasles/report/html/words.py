@@ -10,8 +10,6 @@ from markupsafe import Markup, escape
 from chasles.report.html.formulas import latex_for_mathml, math
 from chasles.vocabulary import Node, plain, walk
 
-__all__ = ["with_formulas"]
-
 ARTICLES = ("a", "A", "I")
 """Letters that are words as well."""
 

@@ -13,8 +13,6 @@ from chasles.statements import Chapter, Entry, Section, Statement
 from chasles.statements.chapter import bases
 from chasles.verdict import Verdict
 
-__all__ = ["Alone", "cited", "entry_of", "needs_of", "rests_on", "sections_of"]
-
 NOWHERE = Section("", "")
 
 

@@ -31,8 +31,6 @@ from chasles.statements.derivation import Derivation
 from chasles.verdict import Counterexample, Verdict
 from chasles.vocabulary import Node, plain
 
-__all__ = ["card_of"]
-
 SENTENCE = (Statement, Theorem, Inverse)
 
 

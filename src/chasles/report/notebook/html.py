@@ -10,8 +10,6 @@ from chasles.report.html.filling import filled
 from chasles.report.html.palette import LIGHT
 from chasles.report.notebook.cards import card_of
 
-__all__ = ["html"]
-
 _LINK = re.compile(r'<a href="#[^"]*">(.*?)</a>')
 """A reference within the report's page, which leads nowhere here."""
 

@@ -23,8 +23,6 @@ from chasles.verdict import Counterexample, Verdict
 from chasles.vocabulary import Node
 from chasles.vocabulary import latex as spelled
 
-__all__ = ["latex"]
-
 
 def latex(value: object) -> str:
     """The value in LaTeX, formulas between dollars and in displays."""

@@ -8,8 +8,6 @@ from markupsafe import Markup
 
 from chasles.report.html.shown import Badge, Equation, Fact, Repaired, StepShown
 
-__all__ = ["Card"]
-
 
 @dataclass(frozen=True, slots=True)
 class Card:

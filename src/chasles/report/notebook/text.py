@@ -31,8 +31,6 @@ from chasles.statements.derivation import Derivation
 from chasles.verdict import Counterexample, Verdict
 from chasles.vocabulary import Node, plain
 
-__all__ = ["text"]
-
 
 def text(value: object) -> str:
     """The value as a terminal shows it, without colours. Raises TypeError for what is not displayed."""
