@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 import subprocess
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from functools import cache
 from itertools import islice
@@ -15,6 +15,7 @@ from pathlib import Path
 
 import pytest
 
+from chasles import vocabulary as w
 from chasles.coq.checking import MISSING, coq_version
 from chasles.coq.expressions import Unsaid
 from chasles.coq.names import THEORIES, theory
@@ -24,6 +25,7 @@ from chasles.coq.statement import CoqStatement
 from chasles.decisions.session import Session
 from chasles.statements import Inverse, Problem, Theorem, load, problem_of
 from chasles.statements.goals import Goal
+from chasles.verdict import Fails
 from chasles.vocabulary import Negative, paren
 
 from .decided import chapter_session
@@ -33,8 +35,6 @@ pytestmark = [pytest.mark.skipif(coq_version() is None, reason=MISSING), pytest.
 MANY = 300 if WHOLE else 12
 """So many mutants of each kind, of what has the shortest proofs."""
 COFACTOR = re.compile(r"(?<= _ _ \()(\([^;]*?\)) \* \(")
-CHANGES = {"cos ": "sin ", "sin ": "cos ", " + ": " - ", " - ": " + ", "CPM ": "2 *: CPM ", "2 *": "3 *"}
-CHANGES |= {f"{word} ": f"- {word} " for word in ("det", "trace", "cross", "vect", "norm")}
 
 
 @cache
@@ -59,20 +59,39 @@ def proved() -> tuple[tuple[str, Problem, str, str], ...]:
 
 def changed_statements() -> Iterator[tuple[str, str, str]]:
     """The opposite of a side of the last equation, or twice a side, in place of the side."""
-    for name, problem, _, proof in proved():
-        *others, goal = problem.goals
-        for count, side in enumerate((Negative(paren(goal.left)), goal.left + goal.left)):
-            mutant = replace(problem, goals=(*others, Goal(goal.label, side, goal.right)))
-            yield renamed(name, f"{name}_s{count}", holding(name, CoqStatement(mutant)), proof)
+    yield from mutants("s", lambda left: (Negative(paren(left)), left + left))
 
 
 def changed_words() -> Iterator[tuple[str, str, str]]:
-    """One word in place of another, in what is claimed."""
-    for name, _, said, proof in proved():
-        claim = said.rfind("->\n") + 1
-        for count, (word, other) in enumerate(CHANGES.items()):
-            if word in said[claim:]:
-                yield renamed(name, f"{name}_w{count}", said[:claim] + said[claim:].replace(word, other, 1), proof)
+    """One word in place of another, on a side of the last equation."""
+    yield from mutants("w", lambda left: (w.replace(left, {node: other}) for node, other in other_words(left)))
+
+
+def other_words(side: w.Node) -> Iterator[tuple[w.Node, w.Node]]:
+    """Parts of an expression, and what stands in their place."""
+    for node in dict.fromkeys(w.walk(side)):
+        match node:
+            case w.Call("cos" | "sin" as function, argument):
+                yield node, w.Call("sin" if function == "cos" else "cos", argument)
+            case w.Sum((first, w.Negative(second), *others)):
+                yield node, w.Sum((first, second, *others))
+            case w.Sum((first, second, *others)):
+                yield node, w.Sum((first, w.Negative(second), *others))
+            case w.Skew() | w.Determinant() | w.Trace() | w.Cross() | w.Vect() | w.Norm() | w.Dot():
+                yield node, paren(w.Negative(node))
+            case w.Transpose(of) if of.shape == node.shape:
+                yield node, of
+
+
+def mutants(kind: str, changed: Callable[[w.Node], Iterable[w.Node]]) -> Iterator[tuple[str, str, str]]:
+    """Statements with another left side of the last equation that fail at a point, with the proofs of true ones."""
+    session = chapter_session()
+    for name, problem, _, proof in proved():
+        *others, goal = problem.goals
+        for count, left in enumerate(islice(changed(goal.left), 4)):
+            mutant = replace(problem, goals=(*others, Goal(goal.label, left, goal.right)))
+            if isinstance(session.verdict_on(mutant), Fails):
+                yield renamed(name, f"{name}_{kind}{count}", holding(name, CoqStatement(mutant)), proof)
 
 
 def changed_cofactors() -> Iterator[tuple[str, str, str]]:
