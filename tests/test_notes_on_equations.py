@@ -33,9 +33,15 @@ def verdicts(notes: str, page: str = PAGE) -> dict[str, str]:
     return {each.number: each.verdict for each in found.equations}
 
 
-def told(notes: str, number: str) -> tuple[str, ...]:
+def kinds(notes: str, page: str) -> list[str]:
+    return [each.verdict for each in chasles.read(page, LETTERS + "\n[equations]\n" + notes).equations]
+
+
+def told(notes: str, number: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """What a relation needs, and what is given of it."""
     found = chasles.read(PAGE, LETTERS + "\n[equations]\n" + notes)
-    return next(getattr(each.finding.verdict, "needs", ()) for each in found.equations if each.number == number)
+    finding = next(each.finding for each in found.equations if each.number == number)
+    return getattr(finding.verdict, "needs", ()), finding.given
 
 
 def test_what_is_given_counts_and_nothing_else() -> None:
@@ -46,14 +52,15 @@ def test_what_is_given_counts_and_nothing_else() -> None:
     assert verdicts("'4' = { given = ['1', '2', '3'] }")["4"] == "holds"
 
 
-def test_what_is_given_and_not_proved_is_told() -> None:
-    assert verdicts("'5' = { given = ['1', '2', '3'] }")["5"] == "holds-under"
-    assert told("'5' = { given = ['1', '2', '3'] }", "5") == ("(3)",)
-    assert told(r"'5' = { given = ['2', 'p = a \times b'] }", "5") == ("p = a x b",)
+def test_what_is_given_is_told_and_needed_no_more() -> None:
+    assert verdicts("'5' = { given = ['1', '2', '3'] }")["5"] == "holds"
+    assert told("'5' = { given = ['1', '2', '3'] }", "5") == ((), ("(1)", "(2)", "(3)"))
+    assert told(r"'5' = { given = ['2', 'p = a \times b'] }", "5") == ((), ("(2)", "p = a x b"))
+    assert told(r"'4' = { given = ['c = (e \cdot e - 1) a + a \times b'] }", "4")[0] == ("|e| = 1",)
 
 
 def test_what_is_given_may_come_later_or_be_a_part() -> None:
-    assert verdicts("'2' = { given = ['1', '3', '5'] }")["2"] == "holds-under"
+    assert verdicts("'2' = { given = ['1', '3', '5'] }")["2"] == "holds"
     page = r"""$$p = e = a \quad (1)$$ $$p \cdot p = 1 \quad (2)$$"""
     assert verdicts("'2' = { given = ['1/1'] }", page)["2"] == "holds-under"
     assert verdicts("'2' = { given = ['1/2'] }", page)["2"] == "fails"
@@ -61,7 +68,30 @@ def test_what_is_given_may_come_later_or_be_a_part() -> None:
 
 def test_what_is_given_twice_of_a_letter_restricts_the_others() -> None:
     page = r"""$$p = a \quad (1)$$ $$p = b \quad (2)$$ $$a = b \quad (3)$$"""
-    assert verdicts("'3' = { given = ['1', '2'] }", page)["3"] == "holds-under"
+    assert verdicts("'3' = { given = ['1', '2'] }", page)["3"] == "holds"
+
+
+def test_what_is_proved_of_what_no_page_says_is_assumed_in_what_follows() -> None:
+    page = r"""$$a \cdot p = x \quad (1)$$ $$2 a \cdot p = 2 b \cdot p \quad (2)$$ $$b \cdot p = x \quad (3)$$"""
+    assert verdicts("'2' = { given = [] }", page)["3"] == "open"
+    found = chasles.read(page, LETTERS + "\n[equations]\n'2' = { given = ['a = b'] }")
+    assert [each.verdict for each in found.equations] == ["defined", "holds", "holds-under"]
+    assert found.equations[2].finding.verdict.needs == ("(2)",)
+
+
+def test_one_relation_of_several_has_a_note_of_its_own() -> None:
+    page = r"""$$a \cdot c = b \cdot c \equiv x \quad (1)$$"""
+    assert kinds("", page) == ["open", "defined"]
+    assert kinds("'1' = { role = 'condition' }", page) == ["posed", "defined"]
+    assert kinds("'1' = { given = ['a = b'] }", page) == ["holds", "defined"]
+    assert kinds("'1/1' = { role = 'law' }", page) == ["assumed", "defined"]
+    assert kinds("'1/2' = { role = 'law' }", page) == ["open", "assumed"]
+    assert kinds("'1' = { role = 'condition' }\n'1/2' = { role = 'claim' }", page) == ["posed", "fails"]
+
+
+def test_a_definition_of_no_letter_is_assumed() -> None:
+    page = r"""$$a \cdot b = b \cdot p \quad (1)$$ $$2 a \cdot b = 2 b \cdot p \quad (2)$$"""
+    assert kinds("'1' = { role = 'definition' }", page) == ["defined", "holds-under"]
 
 
 def test_what_nothing_satisfies_proves_nothing() -> None:

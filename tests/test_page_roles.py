@@ -119,7 +119,7 @@ def test_equations_in_a_row_get_roles_and_premises(name: str) -> None:
 
 def test_a_person_may_say_what_an_equation_is() -> None:
     page = [eq(norm(a), number(1)), eq(dot(a, a), number(1)), eq(norm(b), number(1))]
-    assert said(page, ["law"]) == ["posed", "holds-under", "open"]
+    assert said(page, ["law"]) == ["assumed", "holds-under", "open"]
     assert said(page, ["claim", "claim", "claim"])[2] == "fails"
 
 

@@ -42,6 +42,7 @@ class Consequences:
         self.motion = RandomMotion(facts)
         self._found: dict[tuple[frozenset[int], frozenset[int], int], RandomMotion | None] = {}
         self._kept: list[object] = []
+        self._last: ValuesInMotion | None = None
 
     def may_follow(self, left: Node, right: Node, rules: Rules, posed: Sequence[PosedEquation] = ()) -> bool | None:
         """Whether two sides are equal with the rules applied where all that is posed holds; None where it is not known.
@@ -56,13 +57,20 @@ class Consequences:
                     motion = self._satisfying(pairs, rules, running, terms, posed) if pairs else self.motion
                     if motion is None:
                         return False
-                    values = ValuesInMotion(motion, rules, running, terms)
+                    values = self._values(motion, rules, running, terms)
                     return _equal(values(left), values(right))
             except TooFewTerms:
                 continue
             except (NotInMotion, KeyError, TypeError, ValueError, RecursionError, np.linalg.LinAlgError):
                 return None
         return None
+
+    def _values(self, motion: RandomMotion, rules: Rules, running: Running, terms: int) -> ValuesInMotion:
+        """The values under the same rules as before, if they are, so that what is in many sides is evaluated once."""
+        last = self._last
+        if last is None or (last.motion, last.rules_of, last.running, last.terms) != (motion, rules, running, terms):
+            self._last = last = ValuesInMotion(motion, rules, running, terms)
+        return last
 
     def least(
         self, left: Node, right: Node, rules: Rules, posed: tuple[PosedEquation, ...]

@@ -41,7 +41,7 @@ from chasles.pages.premises import (
 from chasles.pages.refutation import expanded, refuted
 from chasles.reading.reading import Part, Reading
 from chasles.statements import Claim, Definition, Statement
-from chasles.verdict import Contradictory, Defined, Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
+from chasles.verdict import Assumed, Contradictory, Defined, Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
 from chasles.vocabulary import Node, plain, walk
 from chasles.vocabulary.families import indices_of
 
@@ -128,17 +128,21 @@ class Deduction:
         if any(part.expands for side in claim.printed for part in walk(side)):
             return expanded(claim, self.premises, self.session)
         if role in ("condition", "law"):
-            return self._posed(claim, False, self._satisfied(claim))
+            verdict = self._satisfied(claim)
+            is_law = role == "law" and not isinstance(verdict, Contradictory)
+            return self._posed(claim, False, Assumed() if is_law else verdict)
         if note.given is not None and role != "definition":
             return self._under(claim, note.given)
         meant = self._meant(claim, note.of) if role != "claim" else None
         if meant and (role == "definition" or self._is_new(claim, meant[0])):
             return self._defined(claim, *meant)
+        if role == "definition":
+            return with_fields(self._posed(claim, False, Defined()), role=role)
         finding = self._proof(claim)
         if finding is None and self._foretell(claim, ahead):
             finding = self._proof(claim)
         if finding is None:
-            finding = refuted(claim, self.premises, self.session, told=role == "claim")
+            finding = refuted(claim, self.premises, self.session, self.consequences, told=role == "claim")
         if not finding.open:
             return finding
         return self._defined(claim, *meant) if meant else self._posed(claim, True, finding.verdict)
@@ -230,27 +234,32 @@ class Deduction:
         return None
 
     def _under(self, claim: Claim, given: Iterable[tuple[str, Claim]]) -> PageFinding:
-        """The finding on a claim under the premises that a person gives, and no others of the page."""
+        """The finding on a claim under the premises that a person gives, and no others of the page.
+
+        What is proved of what the page does not say is assumed in what follows.
+        """
         rules: dict[Quantity, Statement] = {}
         posed: list[PosedEquation] = []
         told: list[str] = []
-        known = {named(each) for each in self.premises.said if each not in self.premises.opened.values()}
         for name, each in given:
             key = self._said_to_be(each)
             if key is not None and key[0] not in rules:
                 rules[key[0]] = _definition(each, key[1])
-                told += [name] if name not in known else []
             else:
                 said = as_hypothesis(name, each.left, each.right, self.session)
                 posed.append(PosedEquation(said, each.left, each.right, False))
+            told.append(name)
         attempt = with_premises(claim, self.premises, rules, tuple(posed))
-        verdict = proof_of(attempt, self.session)
+        likely = self.consequences.may_follow(*claim.printed, rules, posed)
+        verdict = proof_of(attempt, self.session, bool(likely)) if likely is not False else None
         if verdict is not None:
-            return self._proved(attempt, _resting_on(tuple(told), verdict))
+            if not {named(each) for each in self.premises.said}.issuperset(told):
+                self._posed(claim, False, verdict)
+            return with_fields(self._proved(attempt, _given_freely(tuple(told), verdict)), given=tuple(told))
         verdict = verdict_on(attempt, self.session)
         against = (*(rule.number for rule in rules.values()), *(h.text for h in attempt.assuming))
         is_open = not isinstance(verdict, Fails | Contradictory)
-        return PageFinding("claim", verdict, attempt, open=is_open, against=against)
+        return PageFinding("claim", verdict, attempt, open=is_open, against=against, given=tuple(told))
 
     def _proved(self, claim: Claim, verdict: Verdict) -> PageFinding:
         unused = getattr(verdict, "unused", ())
@@ -273,3 +282,15 @@ def _resting_on(opened: tuple[str, ...], verdict: Verdict) -> Verdict:
     if not opened or not isinstance(verdict, Holds | HoldsUnder):
         return verdict
     return HoldsUnder((*verdict.needs, *opened), verdict.certificate, verdict.witness, verdict.unused)
+
+
+def _given_freely(given: tuple[str, ...], verdict: Verdict) -> Verdict:
+    """The verdict without what a person has given among what it needs."""
+    if not isinstance(verdict, HoldsUnder):
+        return verdict
+    needs = tuple(need for need in verdict.needs if need not in given)
+    return (
+        HoldsUnder(needs, verdict.certificate, verdict.witness, verdict.unused)
+        if needs
+        else Holds(verdict.certificate, verdict.witness, verdict.unused)
+    )

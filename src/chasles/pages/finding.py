@@ -15,8 +15,8 @@ __all__ = ["PageFinding"]
 class PageFinding:
     """What was made of one relation: its role, its verdict, and the statement, with the premises that it needs.
 
-    `against` are the premises of a refutation; `instead` is what is true in place of what fails. The verdict of an
-    `open` one says why it was not proved.
+    `against` are the premises of a refutation; `instead` is what is true in place of what fails; `given` are premises
+    that a person says, and needs no more. The verdict of an `open` one says why it was not proved.
     """
 
     role: str
@@ -25,3 +25,4 @@ class PageFinding:
     open: bool = False
     instead: Repair | None = None
     against: tuple[str, ...] = ()
+    given: tuple[str, ...] = ()

@@ -59,11 +59,15 @@ def told(each: PageEquation) -> str:
             under = f"; under {', '.join(finding.against)}" if finding.against else ""
             return f"fails: {_point(counterexample)}{under}{_instead(each)}"
         case HoldsUnder(needs):
-            return f"holds under {', '.join(needs)}"
+            return f"holds under {', '.join(needs)}{_given(each)}"
         case _ if isinstance(finding.statement, Definition):
             return f"defines {plain(finding.statement.left)}"
         case verdict:
-            return verdict.name + (f": {verdict.reason}" if isinstance(verdict, Undecided) else "")
+            return verdict.name + (f": {verdict.reason}" if isinstance(verdict, Undecided) else _given(each))
+
+
+def _given(each: PageEquation) -> str:
+    return f", given {', '.join(each.finding.given)}" if each.finding and each.finding.given else ""
 
 
 def _open(each: PageEquation) -> str:
@@ -124,7 +128,7 @@ def record_of(each: PageEquation) -> dict[str, Any]:
         "declaration": f"{plain(statement.left)} {statement.sign} {plain(statement.right)}" if statement else None,
         "verdict": each.verdict,
         "needs": list(getattr(finding.verdict, "needs", ())) if finding else [],
-        "given": [given.number for given in statement.given] if statement else [],
+        "given": list(finding.given) or [given.number for given in statement.given] if finding and statement else [],
         "counterexample": _counterexample(counterexample),
         "instead": {"latex": f"{latex(instead.left)} = {latex(instead.right)}", "changes": list(instead.changes)}
         if instead

@@ -18,7 +18,7 @@ from chasles.reading.tokens import BadPage
 from chasles.statements import Claim
 from chasles.vocabulary import At, plain
 
-__all__ = ["DEFINING", "NOTHING", "EquationNote", "is_defining", "note_of", "parts_of"]
+__all__ = ["DEFINING", "NOTHING", "EquationNote", "is_defining", "notes_of", "parts_of"]
 
 DEFINING = (r"\equiv", ":=", r"\triangleq", r"\coloneqq", r"\doteq", "≡")
 """The signs by which something is defined."""
@@ -40,19 +40,39 @@ NOTHING = EquationNote()
 """Nothing is said of an equation."""
 
 
-def note_of(
-    name: str, said: Mapping[str, Any], notation: PageNotation, relations: Mapping[str, Sequence[Claim]]
-) -> EquationNote:
-    """What is said of the equation of a name; `relations` are those of the page, by the names of its equations.
+def notes_of(notation: PageNotation, relations: Mapping[str, Sequence[Claim]]) -> dict[tuple[str, int], EquationNote]:
+    """What is said of each relation of the page, by the name of its equation and its part, or for all of its equation.
 
-    Raises `BadNotation` for what is given and neither stands on the page nor can be read.
+    `relations` are those of the page, by the names of its equations. Raises `BadNotation` for what is given and neither
+    stands on the page nor can be read.
     """
+    found = {}
+    for name, claims in relations.items():
+        whole, printed_as_definitions = notation.notes.get(name, {}), [claim for claim in claims if is_defining(claim)]
+        for claim in claims:
+            own = notation.notes.get(f"{name}/{claim.part}", {})
+            if "reading" in own:
+                raise BadNotation(f"[equations] '{name}/{claim.part}': say the reading of all of '{name}'")
+            of_others = claim in printed_as_definitions != claims and whole.get("role") != "definition"
+            said = own if "role" in own or of_others else {**whole, **own}
+            if said:
+                found[name, claim.part] = _note_of(name, said, notation, relations, [claim] if own else claims)
+    return found
+
+
+def _note_of(
+    name: str,
+    said: Mapping[str, Any],
+    notation: PageNotation,
+    relations: Mapping[str, Sequence[Claim]],
+    among: Sequence[Claim],
+) -> EquationNote:
     given = said.get("given")
     if "of" in said and said.get("role") != "definition":
         raise BadNotation(f"[equations] '{name}' of: only a definition is of something: say role = 'definition'")
     return EquationNote(
         said.get("role", ""),
-        _defined(name, said["of"], notation, relations[name]) if "of" in said else None,
+        _defined(name, said["of"], notation, among) if "of" in said else None,
         None if given is None else tuple(each for text in given for each in _given(name, text, notation, relations)),
     )
 

@@ -15,7 +15,7 @@ from chasles.pages.chapter_notation import notation_of_chapter
 from chasles.pages.deduction import Deduction
 from chasles.pages.facts import facts_of, kind_in_meaning
 from chasles.pages.finding import PageFinding
-from chasles.pages.notes import DEFINING, NOTHING, EquationNote, note_of, parts_of
+from chasles.pages.notes import DEFINING, NOTHING, EquationNote, notes_of, parts_of
 from chasles.pages.premises import Premises
 from chasles.reading.equations import read_equations
 from chasles.reading.notation_file import load_notation
@@ -33,6 +33,8 @@ MOST_READINGS = 4
 AHEAD = 2
 """So many equations that follow may say what new symbols are."""
 PROVED = ("holds", "holds-under")
+Notes = Mapping[tuple[str, int], EquationNote]
+"""What a person says of a relation, by the name of its equation and its part."""
 DISPLAYS = ("$$", "\\[", "\\begin{", "```", ".. math::")
 
 
@@ -163,14 +165,13 @@ def read_page(printed: tuple[PrintedEquation, ...], notation: PageNotation, file
     named: dict[str, list[Claim]] = {}
     for name, claims in zip(names, relations, strict=True):
         named.setdefault(name, []).extend(claims)
-    notes = {name: note_of(name, said, notation, named) for name, said in notation.notes.items() if name in named}
+    notes = notes_of(notation, named)
     found: list[PageEquation] = []
     for place, (equation, name) in enumerate(zip(equations, names, strict=True)):
         following = (claim for claims in relations[place + 1 : place + 1 + AHEAD] for claim in claims)
         ahead = tuple(claim for claim in following if claim.sign in ("=", *DEFINING))
-        note = notes.get(name, NOTHING)
         first = relations[place][0].part if relations[place] else 1
-        found += _decided(equation, name, first, note, deduction, ahead)
+        found += _decided(equation, name, first, notes, deduction, ahead)
     return Page(tuple(found), file)
 
 
@@ -182,7 +183,7 @@ def _relations(reading: Reading, number: str, first: int) -> tuple[Claim, ...]:
 
 
 def _decided(
-    equation: ReadEquation, number: str, first: int, note: EquationNote, deduction: Deduction, ahead: tuple[Claim, ...]
+    equation: ReadEquation, number: str, first: int, notes: Notes, deduction: Deduction, ahead: tuple[Claim, ...]
 ) -> Iterator[PageEquation]:
     """The relations of an equation in its usual reading, and what differs in its other readings.
 
@@ -194,11 +195,11 @@ def _decided(
     news = [deduction.strange(reading) for reading in equation.readings]
     taken, *others = [each for each, new in zip(equation.readings, news, strict=True) if new == min(news)]
     forks = [(other, deduction.fork()) for other in others[: MOST_READINGS - 1]]
-    findings = list(_said(taken, number, first, note, deduction, ahead))
+    findings = list(_said(taken, number, first, notes, deduction, ahead))
     usual = [_verdict(finding) for _, finding in findings]
     told = []
     for other, fork in () if _is_meant(usual) else forks:
-        verdicts = [_verdict(finding) for _, finding in _said(other, number, first, note, fork, ahead)]
+        verdicts = [_verdict(finding) for _, finding in _said(other, number, first, notes, fork, ahead)]
         if verdicts != usual:
             told.append((", ".join(verdicts), _in_latex(other)))
     for place, (part, finding) in enumerate(findings, first):
@@ -211,12 +212,13 @@ def _is_meant(verdicts: list[str]) -> bool:
 
 
 def _said(
-    reading: Reading, number: str, first: int, note: EquationNote, deduction: Deduction, ahead: tuple[Claim, ...]
+    reading: Reading, number: str, first: int, notes: Notes, deduction: Deduction, ahead: tuple[Claim, ...]
 ) -> Iterator[tuple[Part, PageFinding]]:
     claims = _relations(reading, number, first)
     with deduction.where(number, reading.given):
         for place, (part, claim) in enumerate(zip(reading.parts, claims, strict=True), 1):
             following = (*(each for each in claims[place:] if each.sign in ("=", *DEFINING)), *ahead)
+            note = notes.get((number, claim.part), NOTHING)
             yield part, deduction.say(number, claim.part, part.left, part.sign, part.right, note, following)
 
 

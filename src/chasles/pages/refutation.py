@@ -7,6 +7,7 @@ from dataclasses import replace as with_fields
 from chasles.decisions.session import Session
 from chasles.pages.attempts import MOST_POSED, sides_of, with_everything, with_premises
 from chasles.pages.bounded_proofs import verdict_on
+from chasles.pages.consequences import Consequences
 from chasles.pages.finding import PageFinding
 from chasles.pages.notes import is_defining
 from chasles.pages.premises import Premises, chosen_rules, free_quantities
@@ -37,13 +38,13 @@ def expanded(claim: Claim, premises: Premises, session: Session) -> PageFinding:
     return PageFinding("claim", verdict, attempt, open=not (verdict.true or (isinstance(verdict, Fails) and is_alone)))
 
 
-def refuted(claim: Claim, premises: Premises, session: Session, told: bool) -> PageFinding:
+def refuted(claim: Claim, premises: Premises, session: Session, consequences: Consequences, told: bool) -> PageFinding:
     """The finding on a claim that is not proved: it fails, or is open."""
     rules = chosen_rules(claim.printed, premises.defined())
     verdict = verdict_on(with_premises(claim, premises, rules, ()), session)
     of_its_own = any(symbol.meaning == OF_ITS_OWN for symbol, _ in free_quantities(claim.printed, rules))
     is_asked = isinstance(verdict, Fails) and not is_defining(claim) and not of_its_own
-    instead = _instead(claim, premises, session) if is_asked else None
+    instead = _instead(claim, premises, session, consequences) if is_asked else None
     if not isinstance(verdict, Fails) or (instead is None and not told) or of_its_own:
         return PageFinding("claim", verdict, claim, open=True)
     everywhere: list[tuple[Claim, Verdict]] = []
@@ -58,13 +59,11 @@ def refuted(claim: Claim, premises: Premises, session: Session, told: bool) -> P
     return PageFinding("claim", first, refuted_claim, instead=instead, against=against)
 
 
-def _instead(claim: Claim, premises: Premises, session: Session) -> Repair | None:
+def _instead(claim: Claim, premises: Premises, session: Session, consequences: Consequences) -> Repair | None:
     """A true equation but for one slip, under what the page says of the claim's symbols and does not leave open."""
     rules = premises.defined()
     deep = chosen_rules(claim.printed, rules)
-    shallow = chosen_rules(claim.printed, {**rules, **premises.proved}, deep=False)
     known = premises.restricting(free_quantities(claim.printed, deep), deep)
     posed = tuple(each for each in known if not each.open)[-MOST_POSED:]
-    sets = [(shallow, ()), (deep, ()), (chosen_rules(sides_of(claim, posed), rules), posed)]
-    attempts = [with_premises(claim, premises, *each) for each in sets[shallow == deep : 3 if posed else 2]]
-    return next(true_but_for_a_slip(claim, attempts, premises, session), None)
+    rules = chosen_rules(sides_of(claim, posed), rules)
+    return true_but_for_a_slip(claim, (rules, posed), premises, session, consequences)

@@ -6,82 +6,63 @@ Only that shows it to be a slip. Where no such equation is near, it may as well 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable
 from dataclasses import replace as with_fields
 from fractions import Fraction
 from itertools import islice
 
-from chasles.algebra.work_limit import OutOfTime, within
 from chasles.decisions.session import Session
+from chasles.pages.attempts import with_premises
 from chasles.pages.bounded_proofs import proof_of
+from chasles.pages.consequences import Consequences
 from chasles.pages.edited_marks import one_mark_away
-from chasles.pages.premises import Premises, quantities, quantity
-from chasles.repairs.modular_testing import REFUSED, modular_test
-from chasles.repairs.repair import Repair, repair
+from chasles.pages.premises import PosedEquation, Premises, Rules, free_quantities, quantities, quantity
+from chasles.repairs.repair import Repair
 from chasles.statements import Claim
 from chasles.verdict import Holds, HoldsUnder
 from chasles.vocabulary import Group, Negative, Node, Number, Sum, Symbol, Zero, walk
 
 __all__ = ["true_but_for_a_slip"]
 
-EFFORT = 3e5
-"""The work that the search for what was meant may take, in products of terms."""
-MOST_EDITS = 60
-"""So many changes of one mark are proved or refuted; what does not vanish at random points is no proof's matter."""
+MOST_EDITS = 12
+"""So many changes of one mark are proved or refuted; what does not agree at a random motion is no proof's matter."""
 MOST_TESTS = 600
-"""So many are tried at random points."""
+"""So many are tried at a random motion."""
 
 
 def true_but_for_a_slip(
-    claim: Claim, attempts: Sequence[Claim], premises: Premises, session: Session
-) -> Iterator[Repair]:
-    """The true equations one slip away from a claim; `attempts` are the claim with premises, the most with the last."""
+    claim: Claim,
+    known: tuple[Rules, tuple[PosedEquation, ...]],
+    premises: Premises,
+    session: Session,
+    consequences: Consequences,
+) -> Repair | None:
+    """The first true equation one slip away from a claim, under the rules and posed equations that are known."""
     if _is_one_term_said_to_vanish(claim):
-        return
-    known = {symbol for symbol, _ in premises.definitions}
-    edits = one_mark_away(*claim.printed, lambda symbol: symbol in known or bool(premises.facts(symbol)))
-    candidates = _likely(attempts[-1], islice(edits, MOST_TESTS), session)
-    for left, right, said in islice(candidates, MOST_EDITS):
-        meant = with_fields(attempts[-1], left=left, right=right, sic=True)
-        verdict = None if meant.fault else proof_of(meant, session)
-        if isinstance(verdict, Holds | HoldsUnder) and not _cancels(claim, (left, right)):
-            yield Repair(left, right, (said,), 1, verdict)
-    for attempt in attempts:
-        for found in repair(attempt, session.accepted, EFFORT):
-            sides = found.left, found.right
-            if found.edits == 1 and sides[0] != sides[1] and _is_slip(claim, found, premises):
-                yield from () if _cancels(claim, sides) else (found,)
+        return None
+    said_of = {symbol for symbol, _ in premises.definitions}
+    spoken_of = (symbol for symbol, _ in free_quantities(claim.printed, known[0]))
+    edits = one_mark_away(*claim.printed, spoken_of, lambda symbol: symbol in said_of or bool(premises.facts(symbol)))
+    slips = (edit for edit in islice(edits, MOST_TESTS) if _is_slip(claim, edit[:2], premises))
+    agreeing = (edit for edit in slips if consequences.may_follow(*edit[:2], *known) is not False)
+    for left, right, said in islice(agreeing, MOST_EDITS):
+        meant = with_fields(claim, left=left, right=right, sic=True)
+        if meant.fault or _cancels(claim, (left, right)):
+            continue
+        for chosen in (consequences.least(left, right, *known), known):
+            verdict = proof_of(with_premises(meant, premises, *chosen), session)
+            if isinstance(verdict, Holds | HoldsUnder):
+                return Repair(left, right, (said,), 1, verdict)
+    return None
 
 
-def _likely(
-    claim: Claim, edits: Iterable[tuple[Node, Node, str]], session: Session
-) -> Iterator[tuple[Node, Node, str]]:
-    """The edits that agree at random points where the premises hold; all of them where there are no such points.
-
-    None where it takes too long to write the premises out.
-    """
-    try:
-        with within(EFFORT):
-            test = modular_test(claim, *claim.printed, session.accepted)
-    except REFUSED:
-        test = None
-    except OutOfTime:
-        return
-    for left, right, said in edits:
-        try:
-            if test is None or not any(test.residual_of(test.varied, left, right)):
-                yield left, right, said
-        except REFUSED:
-            yield left, right, said
-
-
-def _is_slip(claim: Claim, found: Repair, premises: Premises) -> bool:
+def _is_slip(claim: Claim, sides: tuple[Node, Node], premises: Premises) -> bool:
     """Whether what is changed is a mark; or one letter, in what is said of a quantity that is known.
 
     Another letter, or another term, may make any condition true; of a side that is one product of two letters it leaves
     too little to say that this was meant.
     """
-    before, after = _symbols(claim.printed), _symbols((found.left, found.right))
+    before, after = _symbols(claim.printed), _symbols(sides)
     if before == after:
         return True
     known = {**premises.defined(), **premises.proved}

@@ -6,8 +6,10 @@ import re
 import sys
 import tomllib
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from hashlib import sha256
+from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 from typing import Any, cast
@@ -31,7 +33,7 @@ from chasles.vocabulary.notation import Notation
 __all__ = ["BadNotation", "load_notation", "noted"]
 
 TABLES = ("operators", "symbols", "page", "equations", "section")
-PAGE = ("units", "assuming", *CONVENTIONS)
+PAGE = ("units", "assuming", "notation", *CONVENTIONS)
 NOTES = ("role", "of", "given", "reading")
 ROLES = ("claim", "condition", "law", "definition")
 SHORT = {"exp": "rotation_by_vector", "vee": "vect", "abs": "norm", "adjoint": "adjoint_of_motion"}
@@ -68,7 +70,19 @@ def load_notation(source: str | Path | ModuleType | Mapping[str, Any]) -> PageNo
     except tomllib.TOMLDecodeError as error:
         raise BadNotation(f"the notation is no TOML: {error}") from None
     _known(tables, TABLES, "the notation")
-    return _Loading(tables).notation
+    return _of_module(tables) if "notation" in tables.get("page", {}) else _Loading(tables).notation
+
+
+def _of_module(tables: Mapping[str, Any]) -> PageNotation:
+    """The notation of a Python module, with what the tables say of the page and its equations."""
+    page = tables["page"]
+    _known(dict.fromkeys((*tables, *page)), ("page", "equations", "notation", "assuming"), "a file on a module")
+    try:
+        found = load_notation(import_module(page["notation"]))
+    except (ImportError, AttributeError, TypeError, ValueError):
+        raise BadNotation(f"[page] notation: there is no module {page['notation']!r}") from None
+    notes = noted(tables.get("equations", {}), "[equations] ")
+    return replace(found, assuming=tuple(page.get("assuming", ())), notes=notes)
 
 
 def _line_of(message: str, text: str) -> str:

@@ -170,8 +170,8 @@ def _read(
 
 
 def _with_what_it_lacks(page: Page, notation: PageNotation) -> tuple[Page, tuple[str, ...], tuple[str, ...]]:
-    numbers = {each.number for each in page.equations}
-    return page, notation.unmatched, tuple(name for name in notation.notes if name not in numbers)
+    names = {name for each in page.equations for name in (each.number, f"{each.number}/{each.place}")}
+    return page, notation.unmatched, tuple(name for name in notation.notes if name not in names)
 
 
 def _notation(name: str) -> PageNotation:
@@ -181,10 +181,10 @@ def _notation(name: str) -> PageNotation:
     from chasles.statements import DeclarationError, load
     from chasles.statements.packages import imported
 
-    if name.endswith(".toml"):
-        return load_notation(Path(name))
     if str(Path.cwd()) not in sys.path:
         sys.path.append(str(Path.cwd()))
+    if name.endswith(".toml"):
+        return load_notation(Path(name))
     try:
         module = imported(name)
         return notation_of_chapter(load(name)) if hasattr(module, "SECTIONS") else load_notation(module)
