@@ -12,7 +12,7 @@ import numpy as np
 
 from chasles.evaluation.matrices import Matrix
 from chasles.pages.premises import PosedEquation, Rules, chosen_rules
-from chasles.pages.random_motion import TERMS, NotInMotion, RandomMotion, TooFewTerms, ValuesInMotion, dotted
+from chasles.pages.random_motion import TERMS, Key, NotInMotion, RandomMotion, TooFewTerms, ValuesInMotion, dotted
 from chasles.pages.time_series import Array
 from chasles.statements import Hypothesis
 from chasles.vocabulary import Integral, Node, Symbol, walk
@@ -25,8 +25,12 @@ TOLERANCE = 1e-6
 """Relative to the size of what is compared: what is left of rounding is smaller, and mostly what differs is larger."""
 STEPS = 24
 """So many steps Newton's method takes."""
-SLOW = 3
-"""Steps after which what is left of the equations has to be half of what it was."""
+SHORTER = np.array([1, 1 / 2, 1 / 4, 1 / 8, 1 / 32])
+"""The parts of a step of which the best is taken."""
+RESTRICTED = 0.05
+"""How much rather the numbers of a symbol are changed of which no facts are known: on these less depends."""
+ENOUGH = 0.9
+"""A step has to leave less than this of the equations."""
 MOST_NUMBERS = 600
 """With more free numbers no motion is looked for that satisfies equations."""
 SMALL_CHANGE = 1e-7
@@ -125,25 +129,37 @@ def satisfying(
     places = [(key, place) for key in keys for place in np.ndindex(*key[0].shape, 1 if key[0].constant else terms)]
     if len(places) > MOST_NUMBERS:
         raise NotInMotion
-    left = [np.inf] * SLOW
+    ease = np.array([RESTRICTED if motion.restricts(key[0]) else 1.0 for key, _ in places])
     for _ in range(STEPS):
-        lanes = {key: np.repeat(numbers[key], 1 + len(places), axis=3) for key in keys}
-        for lane, (key, place) in enumerate(places, 1):
-            lanes[key][*place, lane] += SMALL_CHANGE
-        values = ValuesInMotion(motion.with_numbers({**numbers, **lanes}), rules, running, terms)
-        residual, size = _residual(equations, values)
+        steps = SMALL_CHANGE * np.eye(len(places), 1 + len(places), 1)
+        residual, size = _residual(equations, _at(motion, numbers, places, steps, rules, running, terms))
+        left = np.max(np.abs(residual[:, 0]))
         if not np.all(np.isfinite(residual)):
             raise NotInMotion
-        if np.max(np.abs(residual[:, 0])) < 1e-9 * size:
+        if left < 1e-9 * size:
             return motion.with_numbers(numbers)
-        left.append(float(np.max(np.abs(residual[:, 0]))))
-        if left[-1] > left[-1 - SLOW] / 2:
+        slopes = (residual[:, 1:] - residual[:, :1]) / SMALL_CHANGE * ease
+        steps = np.outer(ease * np.linalg.lstsq(slopes, -residual[:, 0], rcond=1e-9)[0], SHORTER)
+        tried = np.max(
+            np.abs(_residual(equations, _at(motion, numbers, places, steps, rules, running, terms))[0]), axis=0
+        )
+        best = int(np.nanargmin(tried))
+        if not tried[best] < ENOUGH * left:
             return None
-        slopes = (residual[:, 1:] - residual[:, :1]) / SMALL_CHANGE
-        step = np.linalg.lstsq(slopes, -residual[:, 0], rcond=1e-9)[0]
-        for (key, place), change in zip(places, step, strict=True):
+        for (key, place), change in zip(places, steps[:, best], strict=True):
             numbers[key][*place, 0] += change
     raise NotInMotion
+
+
+def _at(
+    motion: RandomMotion, numbers: Mapping[Key, Array], places: Sequence[tuple[Key, tuple[int, ...]]], steps: Array,
+    rules: Rules, running: Running, terms: int,
+) -> ValuesInMotion:  # fmt: skip
+    """The values where numbers at places are changed by each of the columns of steps, one beside the other."""
+    lanes = {key: np.repeat(numbers[key], steps.shape[1], axis=3) for key, _ in places}
+    for (key, place), changes in zip(places, steps, strict=True):
+        lanes[key][*place] += changes[:, None]
+    return ValuesInMotion(motion.with_numbers({**numbers, **lanes}), rules, running, terms)
 
 
 def _residual(equations: Sequence[Pair], values: ValuesInMotion) -> tuple[Array, float]:

@@ -252,11 +252,11 @@ class Deduction:
         attempt = with_premises(claim, self.premises, rules, tuple(posed))
         likely = self.consequences.may_follow(*claim.printed, rules, posed)
         verdict = proof_of(attempt, self.session, bool(likely)) if likely is not False else None
-        if verdict is not None:
+        verdict = verdict or verdict_on(attempt, self.session)
+        if verdict.true:
             if not {named(each) for each in self.premises.said}.issuperset(told):
                 self._posed(claim, False, verdict)
             return with_fields(self._proved(attempt, _given_freely(tuple(told), verdict)), given=tuple(told))
-        verdict = verdict_on(attempt, self.session)
         against = (*(rule.number for rule in rules.values()), *(h.text for h in attempt.assuming))
         is_open = not isinstance(verdict, Fails | Contradictory)
         return PageFinding("claim", verdict, attempt, open=is_open, against=against, given=tuple(told))

@@ -19,7 +19,7 @@ from chasles.vocabulary import PI, At, Call, Integral, Inverse, Node, Norm, Rate
 from chasles.vocabulary.functions import FunctionOf
 from chasles.vocabulary.partial import PartialDerivative, with_derivatives
 
-__all__ = ["TERMS", "NotInMotion", "RandomMotion", "TooFewTerms", "ValuesInMotion", "dotted"]
+__all__ = ["TERMS", "Key", "NotInMotion", "RandomMotion", "TooFewTerms", "ValuesInMotion", "dotted"]
 
 MOTIONS, ELEMENTS = 2, 7
 """So many motions are looked at, of bodies of so many elements."""
@@ -53,6 +53,10 @@ class RandomMotion:
         self._facts = facts
         self.numbers = dict(numbers)
         self._made: dict[Key, Matrix] = {}
+
+    def restricts(self, symbol: Symbol) -> bool:
+        """Whether facts are known of the symbol."""
+        return bool(self._facts(symbol))
 
     def with_numbers(self, numbers: Mapping[Key, Array]) -> RandomMotion:
         """The motion with other free numbers of some symbols."""
