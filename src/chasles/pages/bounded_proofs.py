@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
+from typing import cast
 
 from chasles.algebra.work_limit import OutOfTime, within
 from chasles.checker.any_size.at_sizes import sizes_in
@@ -82,6 +83,12 @@ class _Likely(DeclaredPoints):
         return None
 
 
+class _FewRates(_Likely):
+    """The same, where few rates of hypotheses may do."""
+
+    closed = False
+
+
 class _NoCounterexamples(_FewTerms):
     """Points at which a problem is looked at before a proof is tried, and one that satisfies what a proof rests on."""
 
@@ -99,7 +106,7 @@ class _NoCounterexamples(_FewTerms):
         return None
 
 
-FEW_TERMS, NO_COUNTEREXAMPLES, LIKELY = _FewTerms(), _NoCounterexamples(), _Likely()
+FEW_TERMS, NO_COUNTEREXAMPLES, LIKELY, FEW_RATES = _FewTerms(), _NoCounterexamples(), _Likely(), _FewRates()
 
 
 def proof_of(claim: Claim, session: Session, likely: bool = False) -> Verdict | None:
@@ -107,8 +114,9 @@ def proof_of(claim: Claim, session: Session, likely: bool = False) -> Verdict | 
 
     More work is taken where it is likely to follow than where that is not known.
     """
-    found = _answer(claim, session, *((LIKELY, 1.0) if likely else (NO_COUNTEREXAMPLES, LESS_WORK)))
-    return found if found.true else None
+    tries = ((FEW_RATES, 1.0), (LIKELY, 1.0)) if likely else ((NO_COUNTEREXAMPLES, LESS_WORK),)
+    found = (_answer(claim, session, source, work) for source, work in tries)
+    return next((verdict for verdict in found if verdict.true), None)
 
 
 def verdict_on(claim: Claim, session: Session) -> Verdict:
@@ -126,17 +134,32 @@ def posed_on(claim: Claim, session: Session) -> Verdict:
 
 
 def _answer(claim: Claim, session: Session, source: DeclaredPoints, work: float = LESS_WORK) -> Verdict:
+    """The verdict; what is undecided is so with this source of points alone."""
     try:
         problem = problem_of(claim, "printed", session.accepted)
-        key = session.memory.key_of_verdict(problem, claim.assuming)
-        find = partial(_found, problem, claim.assuming, work * session.budget, source)
+    except (Misfit, TypeError) as error:
+        return Undecided(str(error))
+    key = session.memory.key_of_verdict(problem, claim.assuming)
+    tried = f"{key} {type(source).__name__} {work}"
+    if session.memory.knows(tried):
+        return cast(Verdict, session.memory.recalled(tried))
+    find = partial(_found, problem, claim.assuming, work * session.budget, source)
+    try:
         found: Verdict = session.memory.answer(key, partial(verdict_stands, problem), find)
     except (_Unproved, Misfit, TypeError) as error:
-        return Undecided(str(error))
+        found = Undecided(str(error))
+        session.memory.remember(tried, found)
     return found
 
 
 def _found(problem: Problem, own: tuple[Hypothesis, ...], budget: float, source: DeclaredPoints) -> Verdict:
+    verdict = _decided(problem, own, budget, source)
+    if isinstance(verdict, Undecided):
+        raise _Unproved(verdict.reason)
+    return verdict
+
+
+def _decided(problem: Problem, own: tuple[Hypothesis, ...], budget: float, source: DeclaredPoints) -> Verdict:
     """The verdict; one on rotations that move is proved for all spins."""
     if sizes_in(problem) or problem.has_functions:
         return decided(problem, own, budget)

@@ -1,7 +1,8 @@
 """Points moved so that they satisfy equations that are linear in free symbols, such as rules for rates.
 
 First what is linear in all that may move is made to vanish; then the rest, by moving only what occurs nowhere but
-linearly; at last the rates of hypotheses, one order after the other, by moving what no lower order speaks of.
+linearly; then the rates of hypotheses, one order after the other, by moving what no lower order speaks of; at last all,
+by moving some of it in which all is linear together.
 """
 
 from __future__ import annotations
@@ -23,11 +24,12 @@ Slopes = dict[int, Polynomial]
 class _Moves:
     """What may move, which of it occurs not only linearly, and the generators with their derivatives by it.
 
-    Those are `flat` that are linear in all that may move.
+    Those are `flat` that are linear in all that may move; in what is `straight` all of them are together.
     """
 
     places: frozenset[int]
     curved: frozenset[int]
+    straight: frozenset[int]
     flat: tuple[tuple[Polynomial, Slopes], ...]
     all: tuple[tuple[Polynomial, Slopes], ...]
 
@@ -50,6 +52,9 @@ def adjusted(context: Context, point: Point) -> bool:
         stated = [each for each, g in zip(moves.all, context.generators, strict=True) if g.order == order]
         _solve(context, point, tuple(stated), still if order else frozenset())
         still = still.difference(*(slopes for _, slopes in stated))
+    if not satisfies(context, point):
+        moves = _moves(context, free)
+        _solve(context, point, moves.all, moves.straight)
     return satisfies(context, point)
 
 
@@ -58,14 +63,19 @@ def _moves(context: Context, places: tuple[int, ...]) -> _Moves:
     if places not in context.moves:
         ring = context.field.ring
         flat, slopes = [], []
-        curved: set[int] = set()
+        curved: set[tuple[int, int]] = set()
         for generator in context.generators:
             mine = {k: slope for k in places if (slope := ring.derivative(generator.polynomial, k)) != 0}
-            bent = {k for k, slope in mine.items() if any(ring.derivative(slope, j) != 0 for j in places)}
+            bent = {(k, j) for k, slope in mine.items() for j in places if ring.derivative(slope, j) != 0}
             slopes.append((generator.polynomial, mine))
             flat += [] if bent else slopes[-1:]
             curved |= bent
-        context.moves[places] = _Moves(frozenset(places), frozenset(curved), tuple(flat), tuple(slopes))
+        straight: set[int] = set()
+        for k in places:
+            if not any((k, j) in curved for j in (k, *straight)):
+                straight.add(k)
+        bent_places = frozenset(k for k, _ in curved)
+        context.moves[places] = _Moves(frozenset(places), bent_places, frozenset(straight), tuple(flat), tuple(slopes))
     found = context.moves[places]
     assert isinstance(found, _Moves)
     return found

@@ -27,9 +27,14 @@ def complete_subjects(problem: Problem, found: Variables) -> None:
                     scan(found, node, 0, rules)
 
 
-def relevant_hypotheses(problem: Problem, found: Variables) -> tuple[Hypothesis, ...]:
-    """The hypotheses on symbols that occur freely, and on what these share a hypothesis with, rates included."""
+def relevant_hypotheses(problem: Problem, found: Variables, closed: bool = True) -> tuple[Hypothesis, ...]:
+    """The hypotheses on symbols that occur freely, and on what these share a hypothesis with, rates included.
+
+    Unless they are to be `closed`, rates that come in only with those of hypotheses are not followed further: what is
+    proved from fewer is proved.
+    """
     rules = dict(problem.rules)
+    asked = dict(found.reached)
     symbols = {
         hypothesis: {s for node in hypothesis.subjects for s in free_symbols(node, rules)}
         for hypothesis in problem.hypotheses
@@ -46,6 +51,8 @@ def relevant_hypotheses(problem: Problem, found: Variables) -> tuple[Hypothesis,
         occurring = set(found.orders) | set(found.angles)
         bear = {h: own for h, own in symbols.items() if not own or _bears_on(own, rates) & occurring}
         now = {h: _order(found, h, own, rates, rules) for h, own in bear.items()}
+        if not closed:
+            now = {h: min(order, _raised(asked, h, rules)) for h, order in now.items()}
         changed = now != active
         active = now
         for hypothesis, order in active.items():
@@ -68,6 +75,12 @@ def _order(
     if not hypothesis.equations or hypothesis.kind == "given" or is_turned(hypothesis, rules):
         return 0
     return min(MOST, max((_reached(found, symbol, rates, frozenset()) for symbol in symbols), default=0))
+
+
+def _raised(asked: Mapping[Symbol, int], hypothesis: Hypothesis, rules: Mapping[Node, Node]) -> int:
+    """By how much the rates that are asked for exceed those of which a hypothesis speaks."""
+    own = [each for node in hypothesis.subjects for each in _spoken_of(node, rules).items()]
+    return max((asked.get(symbol, 0) - order for symbol, order in own), default=0)
 
 
 def _reached(found: Variables, symbol: Symbol, rates: Rates, through: frozenset[Symbol]) -> int:

@@ -50,7 +50,7 @@ def decide_problem(
 
 def _decide(problem: Problem, own: tuple[Hypothesis, ...], source: PointSource) -> Verdict:
     try:
-        context = build(problem)
+        context = build(problem, source.closed)
         conditions, solved = solve_conditions(context)
         unproved = _entries(context)
         turned = _by_spins(context, solved, unproved, own) if source is DECLARED else None
