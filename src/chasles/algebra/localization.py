@@ -85,6 +85,11 @@ class Ratio:
             total = tuple(1 if exponent < 0 else exponent for exponent in total)
         return Ratio(self.field, numerator, total)
 
+    def multiplied(self, exponents: tuple[int, ...]) -> Ratio:
+        """The same fraction, above and below multiplied by powers of nonzero factors."""
+        numerator = _times(self.numerator, self.field.power_product(exponents))
+        return Ratio(self.field, numerator, _product(self.denominator, exponents))
+
     @property
     def is_zero(self) -> bool:
         """Whether the numerator is the zero polynomial."""

@@ -12,11 +12,22 @@ from itertools import islice
 
 from chasles.pages.consequences import Consequences
 from chasles.pages.facts import divisors
-from chasles.pages.premises import PosedEquation, Premises, Rules, balancing, chosen_rules, free_quantities, last_said
-from chasles.statements import Claim, Statement
+from chasles.pages.premises import (
+    PosedEquation,
+    Premises,
+    Quantity,
+    Rules,
+    balancing,
+    chosen_rules,
+    free_quantities,
+    last_said,
+    quantities,
+    quantity,
+)
+from chasles.statements import Claim, Condition, Statement
 from chasles.vocabulary import Node
 
-__all__ = ["MOST_POSED", "Attempt", "attempts", "named", "sides_of", "with_everything", "with_premises"]
+__all__ = ["MOST_POSED", "Attempt", "attempts", "named", "sides_of", "solving", "with_everything", "with_premises"]
 
 MOST_POSED = 4
 """So many posed equations, the last ones, are tried together for a proof."""
@@ -28,11 +39,15 @@ MOST_BALANCED = 8
 
 @dataclass(frozen=True, slots=True)
 class Attempt:
-    """The claim with some premises, from which it is `likely` to follow, and the names of open ones that are rules."""
+    """The claim with some premises, from which it is `likely` to follow, and the names of open ones that are rules.
+
+    `solving` is the same with posed equations, by their names, as conditions that determine what the claim is about.
+    """
 
     claim: Claim
     likely: bool
-    opened: tuple[str, ...]
+    opened: tuple[str, ...] = ()
+    solving: tuple[Claim, tuple[str, ...]] | None = None
 
 
 def attempts(claim: Claim, premises: Premises, consequences: Consequences) -> Iterator[Attempt]:
@@ -46,7 +61,7 @@ def attempts(claim: Claim, premises: Premises, consequences: Consequences) -> It
         if likely is not False and _is_new(*chosen, seen):
             attempt = with_premises(claim, premises, *chosen)
             names = tuple(opened[id(each)] for each in attempt.given if id(each) in opened)
-            yield Attempt(attempt, bool(likely), names)
+            yield Attempt(attempt, bool(likely), names, solving(attempt, premises, chosen[1]) if likely else None)
 
 
 def _is_new(rules: Rules, posed: tuple[PosedEquation, ...], seen: set[tuple[frozenset[int], frozenset[int]]]) -> bool:
@@ -94,6 +109,32 @@ def with_premises(
     facts = premises.assumed(found, rules, everything)
     assuming = dict.fromkeys((*facts, *divisors(said), *(each.hypothesis for each in posed)))
     return with_fields(claim, given=tuple(rules.values()), assuming=tuple(assuming), sic=False)
+
+
+def solving(claim: Claim, premises: Premises, posed: tuple[PosedEquation, ...]) -> tuple[Claim, tuple[str, ...]] | None:
+    """The claim on a letter with the posed equations on it as conditions, and their names; None where there are none.
+
+    They determine what stands nowhere else, too.
+    """
+    for side, other in (claim.printed, claim.printed[::-1]):
+        key = quantity(side)
+        conditions = [each for each in posed if key in _spoken_of(each)]
+        if key is None or key[1] or key in quantities(other) or not conditions:
+            continue
+        rest = [side for each in posed if each not in conditions for side in (each.left, each.right)]
+        rest += [side for rule in claim.given if isinstance(rule, Statement) for side in rule.printed]
+        elsewhere = {symbol for side in (other, *rest) for symbol, _ in quantities(side)}
+        spoken = dict.fromkeys(symbol for each in conditions for symbol, _ in _spoken_of(each))
+        on = tuple(s for s in spoken if s == key[0] or (s not in elsewhere and not premises.facts(s)))
+        names = tuple(each.hypothesis.text for each in conditions)
+        given = (Condition(name, c.left, c.right, on=on) for name, c in zip(names, conditions, strict=True))
+        others = tuple(h for h in claim.assuming if h not in [each.hypothesis for each in conditions])
+        return with_fields(claim, given=(*claim.given, *given), assuming=others), names
+    return None
+
+
+def _spoken_of(posed: PosedEquation) -> tuple[Quantity, ...]:
+    return (*quantities(posed.left), *quantities(posed.right))
 
 
 def with_everything(claim: Claim, premises: Premises, generation: int) -> Claim:

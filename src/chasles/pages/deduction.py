@@ -22,7 +22,7 @@ from dataclasses import replace as with_fields
 from functools import cached_property
 
 from chasles.decisions.session import Session
-from chasles.pages.attempts import attempts, named, with_everything, with_premises
+from chasles.pages.attempts import Attempt, attempts, named, solving, with_everything, with_premises
 from chasles.pages.bounded_proofs import posed_on, proof_of, verdict_on
 from chasles.pages.consequences import Consequences
 from chasles.pages.facts import divisors
@@ -228,10 +228,20 @@ class Deduction:
     def _proof(self, claim: Claim) -> PageFinding | None:
         """The finding on a claim that follows from what the page has said; None for any other."""
         for attempt in attempts(claim, self.premises, self.consequences):
-            verdict = proof_of(attempt.claim, self.session, attempt.likely)
-            if verdict is not None:
-                return self._proved(attempt.claim, _resting_on(attempt.opened, verdict))
+            found = self._proof_by(attempt)
+            if found is not None:
+                return self._proved(*found)
         return None
+
+    def _proof_by(self, attempt: Attempt) -> tuple[Claim, Verdict] | None:
+        """What is proved, and its verdict: if it may be, by solving for what the claim is about."""
+        if attempt.solving is not None:
+            solved, names = attempt.solving
+            verdict = proof_of(solved, self.session, likely=True)
+            if verdict is not None:
+                return solved, _resting_on((*attempt.opened, *names), verdict)
+        verdict = proof_of(attempt.claim, self.session, attempt.likely)
+        return None if verdict is None else (attempt.claim, _resting_on(attempt.opened, verdict))
 
     def _under(self, claim: Claim, given: Iterable[tuple[str, Claim]]) -> PageFinding:
         """The finding on a claim under the premises that a person gives, and no others of the page.
@@ -251,12 +261,15 @@ class Deduction:
             told.append(name)
         attempt = with_premises(claim, self.premises, rules, tuple(posed))
         likely = self.consequences.may_follow(*claim.printed, rules, posed)
-        verdict = proof_of(attempt, self.session, bool(likely)) if likely is not False else None
-        verdict = verdict or verdict_on(attempt, self.session)
+        tried = Attempt(attempt, bool(likely), (), solving(attempt, self.premises, tuple(posed)) if likely else None)
+        proved, verdict = (self._proof_by(tried) if likely is not False else None) or (
+            attempt,
+            verdict_on(attempt, self.session),
+        )
         if verdict.true:
             if not {named(each) for each in self.premises.said}.issuperset(told):
                 self._posed(claim, False, verdict)
-            return with_fields(self._proved(attempt, _given_freely(tuple(told), verdict)), given=tuple(told))
+            return with_fields(self._proved(proved, _given_freely(tuple(told), verdict)), given=tuple(told))
         against = (*(rule.number for rule in rules.values()), *(h.text for h in attempt.assuming))
         is_open = not isinstance(verdict, Fails | Contradictory)
         return PageFinding("claim", verdict, attempt, open=is_open, against=against, given=tuple(told))

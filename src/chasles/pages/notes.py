@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from chasles.pages.attempts import named
-from chasles.pages.premises import Quantity, quantity
+from chasles.pages.premises import Quantity, quantities, quantity
 from chasles.reading.equations import expressions, read_equations
 from chasles.reading.grouping import Unread
 from chasles.reading.notation_file import BadNotation
 from chasles.reading.page_notation import PageNotation
 from chasles.reading.printed import PrintedEquation
-from chasles.reading.reading import Part
+from chasles.reading.reading import Part, Reading
 from chasles.reading.tokens import BadPage
 from chasles.statements import Claim
-from chasles.vocabulary import At, plain
+from chasles.vocabulary import At, Symbol, plain
 
 __all__ = ["DEFINING", "NOTHING", "EquationNote", "is_defining", "notes_of", "parts_of"]
 
@@ -73,11 +73,15 @@ def _note_of(
     return EquationNote(
         said.get("role", ""),
         _defined(name, said["of"], notation, among) if "of" in said else None,
-        None if given is None else tuple(each for text in given for each in _given(name, text, notation, relations)),
+        None
+        if given is None
+        else tuple(each for text in given for each in _given(name, text, notation, relations, among)),
     )
 
 
-def _given(name: str, text: str, notation: PageNotation, relations: Mapping[str, Sequence[Claim]]) -> Iterator[Given]:
+def _given(
+    name: str, text: str, notation: PageNotation, relations: Mapping[str, Sequence[Claim]], among: Sequence[Claim]
+) -> Iterator[Given]:
     number, _, part = text.partition("/")
     if text in relations:
         yield from ((named(claim), claim) for claim in relations[text])
@@ -85,15 +89,24 @@ def _given(name: str, text: str, notation: PageNotation, relations: Mapping[str,
         yield from ((named(claim), claim) for claim in relations[number] if str(claim.part) == part)
     else:
         where = f"[equations] '{name}' given '{text}'"
-        for said in parts_of(text, notation, where):
+        spoken = {symbol for claim in among for side in claim.printed for symbol, _ in quantities(side)}
+        for said in parts_of(text, notation, where, spoken):
             told = f"{plain(said.left)} = {plain(said.right)}"
             yield told, Claim(told, said.left, said.right, sic=True)
 
 
-def parts_of(text: str, notation: PageNotation, where: str) -> tuple[Part, ...]:
-    """The equations that a notation says in LaTeX; raises `BadNotation` for what is none that can be read."""
+def parts_of(text: str, notation: PageNotation, where: str, spoken: Collection[Symbol] = ()) -> tuple[Part, ...]:
+    """The equations that a notation says in LaTeX; raises `BadNotation` for what is none that can be read.
+
+    Of several readings that is meant in which the most symbols are `spoken` of.
+    """
+
+    def others(reading: Reading) -> int:
+        sides = (side for part in reading.parts for side in (part.left, part.right))
+        return len({symbol for side in sides for symbol, _ in quantities(side)}.difference(spoken))
+
     (found,) = read_equations((PrintedEquation(text),), notation)
-    parts = found.readings[0].parts if found.readings else ()
+    parts = min(found.readings, key=others).parts if found.readings else ()
     relations = [f"{part.sign} is no sign of an equation" for part in parts if part.sign not in EQUAL]
     why = [found.why] if not parts else [*relations, *(part.fault for part in parts if part.fault)]
     if why:

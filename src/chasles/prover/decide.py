@@ -81,7 +81,10 @@ def _refuted(
 ) -> Counterexample | None:
     """A counterexample to one of the entries; None too if the completed hypotheses prove them all."""
     found = source.refute_soon(context, solved, _suspects(unproved))
-    if found is not None or _combine(context, unproved) or _prove(context, completed(context.basis), unproved):
+    if found is not None or _combine(context, unproved):
+        return found
+    basis = completed(context.basis)
+    if _prove(context, basis, unproved) or _prove_multiplied(context, basis, unproved):
         return found
     return source.refute(context, solved, _suspects(unproved))
 
@@ -154,3 +157,16 @@ def _prove(context: Context, basis: Basis, todo: list[ProvedEntry]) -> bool:
             if remainder == 0:
                 entry.cofactors, entry.by_division = cofactors, basis is context.basis and not basis.explicit
     return all(entry.cofactors is not None for entry in todo)
+
+
+def _prove_multiplied(context: Context, basis: Basis, todo: list[ProvedEntry]) -> bool:
+    """Try to reduce the entries multiplied by what does not vanish: with it, all that vanishes may be a multiple."""
+    field = context.field
+    once = (1,) * len(field.nonzero)
+    for entry in _suspects(todo) if once else ():
+        multiplied = entry.ratio.multiplied(once)
+        cofactors, remainder = basis.reduce(multiplied.numerator)
+        if remainder != 0:
+            return False
+        entry.ratio, entry.cofactors = multiplied, cofactors
+    return not _suspects(todo)
