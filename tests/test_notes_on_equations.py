@@ -128,3 +128,18 @@ def test_a_person_says_what_is_defined() -> None:
 def test_what_cannot_be_said_of_an_equation(note: str, said: str) -> None:
     with pytest.raises(BadNotation, match=re.escape(said)):
         verdicts(note)
+
+
+def test_a_file_on_the_letters_of_a_module() -> None:
+    page = r"$$\mathbf{c} = \mathbf{a} \quad (1)$$ $$\mathbf{a} \cdot \mathbf{c} = 0 \quad (2)$$"
+    notes = "[page]\nnotation = 'chasles.derivations.notation'\n[equations]\n'2' = { role = 'condition' }"
+    assert [each.verdict for each in chasles.read(page, notes).equations] == ["defined", "posed"]
+    with pytest.raises(BadNotation, match="there is no module 'chasles.nowhere'"):
+        chasles.read(page, "[page]\nnotation = 'chasles.nowhere'")
+    with pytest.raises(BadNotation, match="a file on a module has no 'symbols'"):
+        chasles.read(page, notes + "\n[symbols]\n'x' = 'scalar'")
+
+
+def test_a_reading_is_of_a_whole_equation() -> None:
+    with pytest.raises(BadNotation, match=re.escape("[equations] '1/1': say the reading of all of '1'")):
+        verdicts("'1/1' = { reading = 'c = a' }")

@@ -41,13 +41,13 @@ MOST_BALANCED = 8
 class Attempt:
     """The claim with some premises, from which it is `likely` to follow, and the names of open ones that are rules.
 
-    `solving` is the same with posed equations, by their names, as conditions that determine what the claim is about.
+    Each `solving` is the same with posed equations, by their names, as conditions that determine what it is about.
     """
 
     claim: Claim
     likely: bool
     opened: tuple[str, ...] = ()
-    solving: tuple[Claim, tuple[str, ...]] | None = None
+    solving: tuple[tuple[Claim, tuple[str, ...]], ...] = ()
 
 
 def attempts(claim: Claim, premises: Premises, consequences: Consequences) -> Iterator[Attempt]:
@@ -61,7 +61,8 @@ def attempts(claim: Claim, premises: Premises, consequences: Consequences) -> It
         if likely is not False and _is_new(*chosen, seen):
             attempt = with_premises(claim, premises, *chosen)
             names = tuple(opened[id(each)] for each in attempt.given if id(each) in opened)
-            yield Attempt(attempt, bool(likely), names, solving(attempt, premises, chosen[1]) if likely else None)
+            solved = tuple(solving(attempt, premises, chosen[1])) if likely else ()
+            yield Attempt(attempt, bool(likely), names, solved)
 
 
 def _is_new(rules: Rules, posed: tuple[PosedEquation, ...], seen: set[tuple[frozenset[int], frozenset[int]]]) -> bool:
@@ -111,10 +112,12 @@ def with_premises(
     return with_fields(claim, given=tuple(rules.values()), assuming=tuple(assuming), sic=False)
 
 
-def solving(claim: Claim, premises: Premises, posed: tuple[PosedEquation, ...]) -> tuple[Claim, tuple[str, ...]] | None:
-    """The claim on a letter with the posed equations on it as conditions, and their names; None where there are none.
+def solving(
+    claim: Claim, premises: Premises, posed: tuple[PosedEquation, ...]
+) -> Iterator[tuple[Claim, tuple[str, ...]]]:
+    """The claim on a letter with the posed equations on it as conditions, and their names.
 
-    They determine what stands nowhere else, too.
+    They determine it alone, or with what stands nowhere else.
     """
     for side, other in (claim.printed, claim.printed[::-1]):
         key = quantity(side)
@@ -125,12 +128,12 @@ def solving(claim: Claim, premises: Premises, posed: tuple[PosedEquation, ...]) 
         rest += [side for rule in claim.given if isinstance(rule, Statement) for side in rule.printed]
         elsewhere = {symbol for side in (other, *rest) for symbol, _ in quantities(side)}
         spoken = dict.fromkeys(symbol for each in conditions for symbol, _ in _spoken_of(each))
-        on = tuple(s for s in spoken if s == key[0] or (s not in elsewhere and not premises.facts(s)))
+        more = tuple(s for s in spoken if s != key[0] and s not in elsewhere and not premises.facts(s))
         names = tuple(each.hypothesis.text for each in conditions)
-        given = (Condition(name, c.left, c.right, on=on) for name, c in zip(names, conditions, strict=True))
         others = tuple(h for h in claim.assuming if h not in [each.hypothesis for each in conditions])
-        return with_fields(claim, given=(*claim.given, *given), assuming=others), names
-    return None
+        for on in dict.fromkeys(((key[0],), (key[0], *more))):
+            given = (Condition(name, c.left, c.right, on=on) for name, c in zip(names, conditions, strict=True))
+            yield with_fields(claim, given=(*claim.given, *given), assuming=others), names
 
 
 def _spoken_of(posed: PosedEquation) -> tuple[Quantity, ...]:

@@ -235,8 +235,7 @@ class Deduction:
 
     def _proof_by(self, attempt: Attempt) -> tuple[Claim, Verdict] | None:
         """What is proved, and its verdict: if it may be, by solving for what the claim is about."""
-        if attempt.solving is not None:
-            solved, names = attempt.solving
+        for solved, names in attempt.solving:
             verdict = proof_of(solved, self.session, likely=True)
             if verdict is not None:
                 return solved, _resting_on((*attempt.opened, *names), verdict)
@@ -261,7 +260,9 @@ class Deduction:
             told.append(name)
         attempt = with_premises(claim, self.premises, rules, tuple(posed))
         likely = self.consequences.may_follow(*claim.printed, rules, posed)
-        tried = Attempt(attempt, bool(likely), (), solving(attempt, self.premises, tuple(posed)) if likely else None)
+        tried = Attempt(
+            attempt, bool(likely), (), tuple(solving(attempt, self.premises, tuple(posed))) if likely else ()
+        )
         proved, verdict = (self._proof_by(tried) if likely is not False else None) or (
             attempt,
             verdict_on(attempt, self.session),
