@@ -134,7 +134,7 @@ def test_a_file_on_the_letters_of_a_module() -> None:
     page = r"$$\mathbf{c} = \mathbf{a} \quad (1)$$ $$\mathbf{a} \cdot \mathbf{c} = 0 \quad (2)$$"
     notes = "[page]\nnotation = 'chasles.derivations.notation'\n[equations]\n'2' = { role = 'condition' }"
     assert [each.verdict for each in chasles.read(page, notes).equations] == ["defined", "posed"]
-    with pytest.raises(BadNotation, match="there is no module 'chasles.nowhere'"):
+    with pytest.raises(BadNotation, match="there is no module 'chasles\\.nowhere'"):
         chasles.read(page, "[page]\nnotation = 'chasles.nowhere'")
     with pytest.raises(BadNotation, match="a file on a module has no 'symbols'"):
         chasles.read(page, notes + "\n[symbols]\n'x' = 'scalar'")
