@@ -10,8 +10,24 @@ import pytest
 
 from chasles.decisions.session import Session
 from chasles.repairs.repair import repair
-from chasles.statements import Claim, Definition, load
-from chasles.vocabulary import Node, array, column, cos, cross, matrix, plain, rate, scalar, sin, square, tr, vector
+from chasles.statements import Claim, Definition, Hypothesis, load, nonzero
+from chasles.vocabulary import (
+    Node,
+    Zero,
+    array,
+    column,
+    cos,
+    cross,
+    matrix,
+    plain,
+    rate,
+    scalar,
+    sin,
+    square,
+    tr,
+    vector,
+)
+from chasles.vocabulary.quaternions import quaternion_product, rotation_of_quaternion
 
 from .planted import outcome_of, planted, table
 from .sampling import WHOLE
@@ -82,6 +98,32 @@ def test_a_slip_on_the_left_is_undone_there(wrong: Node) -> None:
     assert any(each.right == turn.T and plain(each.left) == "[cos(x), sin(x); -sin(x), cos(x)]" for each in found), (
         found
     )
+
+
+def test_a_slip_on_the_left_of_what_says_another_claim_again() -> None:
+    said = Claim("1", cross(a, b), A @ b)
+    found = repair(Claim("2", cross(b, a) - A @ b, Zero(3, 1), restates=said))
+    assert any(plain(each.left) == "-b x a - A b" for each in found), found
+
+
+def meant_by(name: str, right: Node, wrong: Node, *assuming: Hypothesis) -> list[str]:
+    """The right sides that are found for a wrong one of what is defined by the right one."""
+    meant = array(name, name, "what is meant", right)
+    found = repair(Claim("2", meant, wrong, given=(Definition("1", meant, right),), assuming=assuming))
+    return [plain(each.right) for each in found]
+
+
+@pytest.mark.parametrize("wrong", [b / g, b / g**3], ids=["too low", "too high"])
+def test_a_power_in_a_divisor(wrong: Node) -> None:
+    assert meant_by("v", cross(a, b / g**2), cross(a, wrong), nonzero(g))[0] == "a x (b / g^2)"
+
+
+def test_a_letter_left_out_inside_a_word_and_a_transpose_of_one() -> None:
+    one, other = column(a, g), column(b, g)
+    product, lost = quaternion_product(one, other), quaternion_product(column(Zero(3, 1), g), other)
+    assert plain(product) in meant_by("q", product, lost)
+    turned = rotation_of_quaternion(one)
+    assert plain(turned.T) in meant_by("Q", turned.T, turned)
 
 
 def test_no_rate_is_taken_of_a_constant() -> None:

@@ -13,7 +13,7 @@ from fractions import Fraction
 from functools import cached_property
 from itertools import combinations_with_replacement
 
-from chasles.algebra.modular import Column, Span, minus, multiple, normalized
+from chasles.algebra.modular import Column, Span, minus, multiple, normalized, plus
 from chasles.problems.context import build
 from chasles.problems.divisors import UndeclaredDivisor
 from chasles.problems.variables import Untreatable
@@ -80,7 +80,8 @@ class ModularTest:
             return at.flat(Sum((Identity(left.shape[0]), Negative(Contract((left.of, right))))))
         residual = minus(at.flat(left), at.flat(right))
         if isinstance(self.statement, Claim) and self.statement.restates is not None:
-            return minus(residual, at.flat(self.problem.goals[0].right))
+            allowed = at.flat(self.problem.goals[0].right)
+            return plus(residual, allowed) if self.exchanged else minus(residual, allowed)
         return residual
 
     def residual(self, at: Sampled) -> Column:

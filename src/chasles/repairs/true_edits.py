@@ -91,7 +91,7 @@ def _multiplied(node: Node, parent: Node | None, factors: Factors) -> Iterator[S
 
 def _unknown(node: Node, parent: Node | None, factors: Factors) -> Iterator[SingleEdit]:
     """Other letters, other numbers and more terms, where the values wanted of the place itself are not known."""
-    if isinstance(node, Symbol):
+    if isinstance(node, Symbol | Zero):
         yield from (SingleEdit(other, "") for other in factors.letters if other != node and other.shape == node.shape)
     if isinstance(node, Number):
         others = (node.value + 1, node.value - 1, 2 * node.value, node.value / 2)
