@@ -12,8 +12,6 @@ from fractions import Fraction
 from chasles.algebra.rings import Polynomial, Ring
 from chasles.algebra.work_limit import afford, spend
 
-__all__ = ["Localization", "Ratio", "quotient"]
-
 
 @dataclass(slots=True)
 class Localization:

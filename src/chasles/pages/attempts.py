@@ -27,8 +27,6 @@ from chasles.pages.premises import (
 from chasles.statements import Claim, Condition, Statement
 from chasles.vocabulary import Node
 
-__all__ = ["MOST_POSED", "Attempt", "attempts", "named", "sides_of", "solving", "with_everything", "with_premises"]
-
 MOST_POSED = 4
 """So many posed equations, the last ones, are tried together for a proof."""
 

@@ -26,8 +26,6 @@ from chasles.statements.spins import with_spins
 from chasles.verdict import Contradictory, Counterexample, Fails, Holds, HoldsUnder, Undecided, Verdict
 from chasles.vocabulary import Misfit
 
-__all__ = ["posed_on", "proof_of", "verdict_on"]
-
 MOST_TERMS = 500
 """Points are not drawn where hypotheses and sides have more terms than this: each point takes too long."""
 

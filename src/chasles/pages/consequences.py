@@ -17,8 +17,6 @@ from chasles.pages.time_series import Array
 from chasles.statements import Hypothesis
 from chasles.vocabulary import Integral, Node, Symbol, walk
 
-__all__ = ["Consequences"]
-
 FIRST_TERMS = 3
 """Terms of each series that are tried first."""
 TOLERANCE = 1e-6

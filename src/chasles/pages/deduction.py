@@ -45,8 +45,6 @@ from chasles.verdict import Assumed, Contradictory, Defined, Fails, Holds, Holds
 from chasles.vocabulary import Node, plain, walk
 from chasles.vocabulary.families import indices_of
 
-__all__ = ["Deduction"]
-
 WORK = 1e6
 """The work that one attempt at a proof may take, in products of terms."""
 

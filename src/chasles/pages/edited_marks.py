@@ -14,8 +14,6 @@ from chasles.repairs.single_edits import in_letters, placed, single_edits
 from chasles.rewriting.places import everywhere
 from chasles.vocabulary import Negative, Node, Number, Quotient, Scale, Sum, Symbol, Transpose, symbols_of, walk
 
-__all__ = ["one_mark_away"]
-
 IsKnown = Callable[[Symbol], bool]
 TWO = Number(Fraction(2))
 

@@ -8,8 +8,6 @@ from chasles.repairs.repair import Repair
 from chasles.statements import Statement
 from chasles.verdict import Verdict
 
-__all__ = ["PageFinding"]
-
 
 @dataclass(frozen=True, slots=True)
 class PageFinding:

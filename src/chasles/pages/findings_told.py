@@ -11,8 +11,6 @@ from chasles.statements import Definition
 from chasles.verdict import Counterexample, Fails, HoldsUnder, IllFormed, Undecided
 from chasles.vocabulary import latex, plain
 
-__all__ = ["annotation_of", "is_fine", "line_of", "record_of", "records_of"]
-
 FINE = ("holds", "holds-under", "defined", "posed", "assumed")
 ASKED = "if it is a law or a condition, say so"
 

@@ -26,8 +26,6 @@ from chasles.reading.reading import Part, ReadEquation, Reading
 from chasles.statements import Chapter, Claim, Entry, Section
 from chasles.vocabulary import latex
 
-__all__ = ["Page", "PageEquation", "read", "read_page"]
-
 MOST_READINGS = 4
 """So many readings of one equation are decided."""
 AHEAD = 2

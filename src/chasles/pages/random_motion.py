@@ -19,8 +19,6 @@ from chasles.vocabulary import PI, At, Call, Integral, Inverse, Node, Norm, Rate
 from chasles.vocabulary.functions import FunctionOf
 from chasles.vocabulary.partial import PartialDerivative, with_derivatives
 
-__all__ = ["TERMS", "Key", "NotInMotion", "RandomMotion", "TooFewTerms", "ValuesInMotion", "dotted"]
-
 MOTIONS, ELEMENTS = 2, 7
 """So many motions are looked at, of bodies of so many elements."""
 TERMS = 7

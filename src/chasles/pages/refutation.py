@@ -19,8 +19,6 @@ from chasles.verdict import Fails, Verdict
 from chasles.vocabulary import walk
 from chasles.vocabulary.expansions import Limit, UpTo
 
-__all__ = ["expanded", "refuted"]
-
 
 def expanded(claim: Claim, premises: Premises, session: Session) -> PageFinding:
     """The finding on an expansion or a limit, which rests on definitions alone and is no premise of anything.

@@ -22,8 +22,6 @@ from chasles.statements import Claim
 from chasles.verdict import Holds, HoldsUnder
 from chasles.vocabulary import Group, Negative, Node, Number, Sum, Symbol, Zero, walk
 
-__all__ = ["true_but_for_a_slip"]
-
 MOST_EDITS = 12
 """So many changes of one mark are proved or refuted; what does not agree at a random motion is no proof's matter."""
 MOST_TESTS = 600

@@ -23,8 +23,6 @@ from chasles.statements.spins import with_spins
 from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, IllFormed, Posed, Undecided, Verdict
 from chasles.vocabulary import Symbol
 
-__all__ = ["BUDGET", "decide_problem", "determining", "pose"]
-
 BUDGET = 2e7
 """The work that a single decision may take before it gives up as undecided, in products of terms."""
 DECLARED = DeclaredPoints()

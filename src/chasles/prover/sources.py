@@ -16,8 +16,6 @@ from chasles.prover.counterexample import UnprovedPart, refute, solved_ratios
 from chasles.statements import Problem
 from chasles.verdict import Contradictory, Counterexample
 
-__all__ = ["DeclaredPoints", "PointSource"]
-
 SAMPLES = 40
 """So many sample points are looked at for one that satisfies all hypotheses."""
 Suspects = Sequence[UnprovedPart]
