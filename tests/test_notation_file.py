@@ -9,7 +9,8 @@ import pytest
 
 import chasles
 from chasles.reading.equations import read_equations
-from chasles.reading.notation_file import BadNotation, load_notation
+from chasles.reading.letter_table import BadNotation
+from chasles.reading.notation_file import load_notation
 from chasles.reading.pages import displayed
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.proposal import proposed

@@ -7,7 +7,7 @@ import re
 import pytest
 
 import chasles
-from chasles.reading.notation_file import BadNotation
+from chasles.reading.letter_table import BadNotation
 
 LETTERS = r"""
 [operators]

@@ -11,9 +11,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from chasles.reading.equations import read_equations
+from chasles.reading.lexemes import BadPage
 from chasles.reading.notation_file import load_notation
 from chasles.reading.pages import Kind, displayed, kind_of
-from chasles.reading.printed import BadPage, PrintedEquation
+from chasles.reading.printed import PrintedEquation
 
 from .counted import at_most
 

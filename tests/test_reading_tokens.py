@@ -11,7 +11,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from chasles.reading.tokens import BadPage, tokens
+from chasles.reading.lexemes import BadPage
+from chasles.reading.tokens import tokens
 
 PRINTED: dict[str, str] = tomllib.loads((Path(__file__).parent / "printed.toml").read_text(encoding="utf-8"))
 

@@ -10,11 +10,11 @@ from chasles.pages.attempts import named
 from chasles.pages.premises import Quantity, quantities, quantity
 from chasles.reading.equations import expressions, read_equations
 from chasles.reading.grouping import Unread
-from chasles.reading.notation_file import BadNotation
+from chasles.reading.letter_table import BadNotation
+from chasles.reading.lexemes import BadPage
 from chasles.reading.page_notation import PageNotation
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.reading import Part, Reading
-from chasles.reading.tokens import BadPage
 from chasles.statements import Claim
 from chasles.vocabulary import At, Symbol, plain
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from chasles.reading.grouping import RELATIONS, Tokens, closing, lines_of
-from chasles.reading.tokens import Token
+from chasles.reading.lexemes import Token
 
 MOST_TERMS = 12
 MOST_TOKENS = 5_000

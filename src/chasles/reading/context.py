@@ -98,6 +98,6 @@ class FittingContext:
 
     def note(self, why: str, place: object) -> None:
         """Keep why something cannot be read, for the case that nothing else explains the equation."""
-        from chasles.reading.tokens import Token
+        from chasles.reading.lexemes import Token
 
         self.problems.append(Unread(why, place if isinstance(place, Token) else None))

@@ -11,14 +11,12 @@ from chasles.nearest import nearest
 from chasles.reading.glyphs import Glyph, letter_in, spelled
 from chasles.reading.grouping import Unread
 from chasles.reading.letter_table import BadNotation, LetterTable
+from chasles.reading.lexemes import BadPage
 from chasles.reading.page_notation import PageNotation
-from chasles.reading.tokens import BadPage
 from chasles.vocabulary import NO_DIMENSION, Dimension, Inverse, Misfit, Node, Symbol, Transpose, uniform
 from chasles.vocabulary.dimension import has_units
 from chasles.vocabulary.families import Index
 from chasles.vocabulary.parts import component
-
-__all__ = ["KINDS", "KNOWN_KEYS", "BadNotation", "declare_letter"]
 
 KINDS: dict[str, tuple[int, int]] = {
     "scalar": (1, 1), "angle": (1, 1), "integer": (1, 1), "vector": (3, 1), "unit vector": (3, 1), "point": (3, 1),

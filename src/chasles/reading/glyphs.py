@@ -10,7 +10,8 @@ from functools import lru_cache
 from chasles.reading.commands import MARKS
 from chasles.reading.grammar import Atom, Chain, FlatRow, Terms, formula
 from chasles.reading.grouping import TYPEFACES, Tokens, Unread
-from chasles.reading.tokens import Token, tokens
+from chasles.reading.lexemes import Token
+from chasles.reading.tokens import tokens
 
 BOLD = {r"\boldsymbol": r"\mathbf"}
 _LETTERS = TYPEFACES | MARKS

@@ -17,7 +17,7 @@ from lark.exceptions import UnexpectedInput, VisitError
 from lark.lexer import Lexer
 
 from chasles.reading.grouping import CLOSING, OPENING, Grid, Tokens, Unread, grouped
-from chasles.reading.tokens import Token
+from chasles.reading.lexemes import Token
 
 GRAMMAR = r"""
 chain: terms? (RELATION terms)*

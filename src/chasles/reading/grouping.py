@@ -9,8 +9,7 @@ from lark import Token as Terminal
 
 from chasles.reading import commands
 from chasles.reading.commands import MARKS, OPERATORS, STYLES, TWO_ARGUMENTS
-from chasles.reading.lexemes import cut
-from chasles.reading.tokens import Token
+from chasles.reading.lexemes import Token, cut
 
 Tokens = tuple[Token, ...]
 TYPEFACES = frozenset(STYLES)

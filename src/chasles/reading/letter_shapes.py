@@ -8,10 +8,10 @@ from functools import reduce
 from chasles.reading.glyphs import Glyph, letter_of, with_arguments
 from chasles.reading.grammar import Atom, Chain, FlatRow, Terms, formula
 from chasles.reading.grouping import Grid, Tokens, Unread
+from chasles.reading.lexemes import Token
 from chasles.reading.page_functions import lists_letters
 from chasles.reading.quotients import order_of_rate, upright
 from chasles.reading.spellings import called
-from chasles.reading.tokens import Token
 
 Shape = tuple[int, int]
 ShapeOf = Callable[[Glyph], tuple[Shape | None, tuple[str, ...]]]

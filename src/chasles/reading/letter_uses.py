@@ -8,21 +8,18 @@ from dataclasses import dataclass, field
 
 from chasles.reading.applying import EVALUATED
 from chasles.reading.commands import MARKS
-from chasles.reading.equations import segments
 from chasles.reading.glyphs import ARROWS, Glyph, joined, letter_of, said_of, spelled, text_of
 from chasles.reading.grammar import Atom, Chain, Terms, formula, terms_in
 from chasles.reading.grouping import TYPEFACES, Unread
+from chasles.reading.lexemes import BadPage, Token
 from chasles.reading.marks import SIZE, WITHOUT_WORD
 from chasles.reading.notation_file import load_notation
 from chasles.reading.page_notation import PageNotation
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.quotients import upright
+from chasles.reading.segments import segments
 from chasles.reading.spellings import called
-from chasles.reading.tokens import BadPage, Token
 from chasles.vocabulary.measure import Extent
-
-__all__ = ["BARE", "IDENTITIES", "OPERATORS", "RATES", "SKEW", "TRANSPOSES", "LetterUse", "chains_of", "inertias",
-           "is_declared", "letter_uses", "looks", "parted", "stem_of"]  # fmt: skip
 
 TRANSPOSES, INVERSES = ("T", r"\top", r"\intercal"), ("- 1", "- T", r"- \top")
 RATES = (r"\dot", r"\ddot", r"\dddot")

@@ -15,22 +15,20 @@ from types import ModuleType
 from typing import Any, cast
 
 from chasles.nearest import nearest
-from chasles.reading.declared_letters import BadNotation, declare_letter
+from chasles.reading.declared_letters import declare_letter
 from chasles.reading.fits import own_quantity
 from chasles.reading.glyphs import letter_in
 from chasles.reading.grouping import Unread
-from chasles.reading.letter_table import LetterTable
+from chasles.reading.letter_table import BadNotation, LetterTable
+from chasles.reading.lexemes import BadPage
 from chasles.reading.one_meaning import one_meaning_each
 from chasles.reading.page_notation import CONVENTIONS, PageNotation, declared_in, known_words, usual_spellings
 from chasles.reading.spellings import Make
-from chasles.reading.tokens import BadPage
 from chasles.vocabulary import Identity, Node, Rate, Zero, latex, symbols_of
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.functions import PRINTED, FunctionOf
 from chasles.vocabulary.nodes import node_fields
 from chasles.vocabulary.notation import Notation
-
-__all__ = ["BadNotation", "load_notation", "noted"]
 
 TABLES = ("operators", "symbols", "page", "equations", "section")
 PAGE = ("units", "assuming", "notation", *CONVENTIONS)

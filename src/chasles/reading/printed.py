@@ -6,9 +6,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from chasles.reading.alignment import tokens_of_equation
-from chasles.reading.tokens import BadPage, Token
-
-__all__ = ["BadPage", "PrintedEquation"]
+from chasles.reading.lexemes import BadPage, Token
 
 
 @dataclass(frozen=True)

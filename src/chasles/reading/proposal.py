@@ -13,9 +13,9 @@ from chasles.reading.commands import LETTERS, MARKS
 from chasles.reading.glyphs import Glyph, in_latex, letter_in, spelled
 from chasles.reading.grouping import TYPEFACES, Unread
 from chasles.reading.letter_uses import BARE, IDENTITIES, OPERATORS, RATES, TRANSPOSES, LetterUse, inertias
+from chasles.reading.lexemes import BadPage
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.shape_search import shaped_letters
-from chasles.reading.tokens import BadPage
 
 KNOWN = LETTERS | MARKS | TYPEFACES
 PRIMED = re.compile(r"[])] ('(?: ')*)")

@@ -11,9 +11,9 @@ from chasles.reading.factors import factors, operators_of
 from chasles.reading.fits import UNUSUAL, Fit, kept, made
 from chasles.reading.glyphs import Glyph, joined, letter_of
 from chasles.reading.grammar import Atom, FlatRow
+from chasles.reading.lexemes import Token
 from chasles.reading.quotients import sized_quotient
 from chasles.reading.spellings import Make
-from chasles.reading.tokens import Token
 from chasles.reading.totals import TOTALS, end_of_total, totals
 from chasles.vocabulary import Block, Contract, Misfit, Node, Quotient, Scale, Skew, Sum
 from chasles.vocabulary.parts import part

@@ -8,7 +8,8 @@ from dataclasses import dataclass, field
 from chasles.reading.glyphs import letter_of, only_atom, said_of, text_of
 from chasles.reading.grammar import Atom, FlatRow, Terms, formula
 from chasles.reading.grouping import TYPEFACES, Unread
-from chasles.reading.tokens import Token, tokens
+from chasles.reading.lexemes import Token
+from chasles.reading.tokens import tokens
 from chasles.vocabulary import Node
 
 Make = Callable[..., Node]

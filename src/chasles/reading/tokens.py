@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from chasles.reading import commands
 from chasles.reading.atoms import respelled
-from chasles.reading.lexemes import BadPage, Token, lexemes
-
-__all__ = ["BadPage", "Token", "tokens", "without_layout"]
+from chasles.reading.lexemes import Token, lexemes
 
 _INFIX = commands.RELATIONS | commands.OPERATORS | {"&", r"\\", r"\quad"}
 _OPEN = _INFIX | {"(", "[", r"\{", "{"}

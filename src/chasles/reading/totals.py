@@ -9,7 +9,7 @@ from chasles.reading.expanding import limits
 from chasles.reading.fits import Fit, own_quantity
 from chasles.reading.glyphs import in_latex, letter_of, said_of, text_of_atom
 from chasles.reading.grammar import Atom
-from chasles.reading.tokens import Token
+from chasles.reading.lexemes import Token
 from chasles.vocabulary import NO_DIMENSION, latex, uniform
 from chasles.vocabulary.dimension import has_units
 from chasles.vocabulary.fitting import measured

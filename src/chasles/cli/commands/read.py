@@ -121,8 +121,8 @@ def _propose(printed: Sequence[tuple[PrintedEquation, ...]]) -> None:
 
 def _printed(page: Path, macros: Path | None, inline: bool, follow: bool) -> tuple[PrintedEquation, ...]:
     """The equations of a page; what is wrong with it in one line."""
+    from chasles.reading.lexemes import BadPage
     from chasles.reading.pages import displayed, kind_of
-    from chasles.reading.tokens import BadPage
 
     def included(name: str) -> tuple[str, str]:
         path = page.parent / name
@@ -147,7 +147,8 @@ def _read(
     """
     from chasles.pages.folder import QUESTIONS, answers, files_of
     from chasles.pages.page import read_page
-    from chasles.reading.notation_file import BadNotation, noted
+    from chasles.reading.letter_table import BadNotation
+    from chasles.reading.notation_file import noted
 
     try:
         notation = _notation(name)

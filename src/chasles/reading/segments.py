@@ -1,0 +1,103 @@
+"""What stands side by side or line by line in an equation: chains of relations, conditions, and what is left out."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from chasles.reading.abbreviations import written_out
+from chasles.reading.commands import IMPLICATIONS
+from chasles.reading.grouping import RELATIONS, Tokens, Unread, lines_of
+from chasles.reading.lexemes import Token, cut
+
+CONDITIONS = re.compile(r"(?:(?:for|if|when|where|provided|with|as)\b|i\.e\.)", re.IGNORECASE)
+DOTS = (r"\dots", r"\ldots", r"\cdots", "..")
+
+
+def segments(marks: Tokens) -> list[tuple[Tokens, bool]]:
+    """What stands side by side or line by line, and whether it is a condition, without what says of what kind it is."""
+    found: list[tuple[Tokens, bool]] = []
+    for line in filter(None, lines_of(marks, (r"\\",))):
+        condition = False
+        for part, word in _side_by_side(line):
+            condition = condition or bool(CONDITIONS.match(word) and (found or word.lower() not in ("where", "with")))
+            if word == "forall":
+                break
+            is_prose = condition and CONDITIONS.match(word) and not _relations(part)
+            if (part and part[-1].text == ":") or is_prose:  # a heading, or as in "for small angles"
+                continue
+            if found and _relations(part[1:-1]) and closing_bracket(part) == len(part) - 1:
+                part, condition = part[1:-1], True  # noqa: PLW2901
+            *before, last = cut(part, tuple(IMPLICATIONS))
+            found += [(tuple(each), True) for each in before if each]
+            found += [(tuple(last), condition)] if last else []
+    found = _joined_lists(found)
+    found = [each for each in found if not _lists_values(each[0])] if len(found) > 1 else found
+    if not all(_is_membership(part) for part, _ in found):
+        found = [each for each in found if not _is_membership(each[0])]
+    return [(full, condition) for part, condition in found for full in written_out(part)]
+
+
+def _relations(part: Sequence[Token]) -> list[str]:
+    return [token.text for token in part if token.text in RELATIONS]
+
+
+def closing_bracket(part: Sequence[Token]) -> int:
+    """Where the round bracket that the part begins with closes; -1 where it does not begin with one."""
+    depth = 0
+    for place, token in enumerate(part):
+        depth += (token.text == "(") - (token.text == ")")
+        if depth == 0:
+            return place if place else -1
+    return -1
+
+
+def _is_membership(part: Tokens) -> bool:
+    """Whether it says of what kind something is, and nothing else."""
+    return _relations(part) == [r"\in"]
+
+
+def _lists_values(part: Tokens) -> bool:
+    """Whether it says which values letters run through, as i = 1, 2, 3 and j = 1, ..., n do."""
+    sides = lines_of(part, ("=", r"\in"))
+    return len(sides) == 2 and any(token.text == "," or token.text in DOTS for token in sides[1])
+
+
+def _side_by_side(line: list[Token]) -> list[tuple[list[Token], str]]:
+    """The parts between commas, wide spaces and words, each with the words before it."""
+    parts: list[tuple[list[Token], str]] = [([], "")]
+    words = tuple({mark.text for mark in line if mark.text.startswith(r"\text{")})
+    marks = (",", ";", r"\quad", r"\forall", *words)
+    place = 0
+    for part in lines_of(line, marks):
+        mark = line[place - 1].text if place else ""
+        parts.append((part, mark[6:-1] if mark.startswith(r"\text{") else mark.strip("\\")))
+        place += len(part) + 1
+    return parts
+
+
+def _are_values(marks: Tokens) -> bool:
+    return all(mark.text.isdigit() or mark.text in DOTS for mark in marks)
+
+
+def _joined_lists(parts: list[tuple[Tokens, bool]]) -> list[tuple[Tokens, bool]]:
+    """Parts without a relation, such as the i and the 2 of i, j = 1, 2, belong to the part behind or before."""
+    found: list[tuple[Tokens, bool]] = []
+    waiting: Tokens = ()
+    for marks, condition in parts:
+        comma = marks[0]._replace(text=",")
+        if _relations(marks) or any(mark.text == ":" for mark in marks):
+            is_closed = closing_bracket((comma._replace(text="("), *marks)) < 0
+            found.append(((*(waiting if is_closed else waiting[:-1]), *marks), condition))
+            waiting = ()
+        elif found and marks[0].text in "+-":
+            found[-1] = (*found[-1][0], *marks), found[-1][1]
+        elif found and (found[-1][0][-1].text in DOTS or _are_values(marks)):
+            found[-1] = (*found[-1][0], comma, *marks), found[-1][1]
+        else:
+            waiting = (*waiting, *marks, comma)
+    if waiting and not found:
+        found.append((waiting[:-1], False))
+    elif waiting:
+        raise Unread("what stands here is no equation", waiting[0])
+    return found
