@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Sequence
 
 from chasles.reading import commands
@@ -16,11 +15,9 @@ from chasles.reading.printed_atoms import (
     with_scripts,
     without_empty_cells,
 )
+from chasles.reading.texts import text_atoms
 
 DEEPEST = 60
-UNIT = re.compile(
-    r"(?:(?:[kcmnMG]?(?:m|g|s|N|J|W|Pa|Hz|V|A|K|T)|rad|deg|h|min|ft|lbf?|rev)(?:\^?-?\d)?(?:[ /*](?=\w)|$))+", re.ASCII
-)
 SCRIPTLESS = commands.RELATIONS | commands.OPERATORS | {r"\\", "&", ",", ";", "(", "[", r"\{", r"\quad", r"\qquad"}
 
 
@@ -152,7 +149,7 @@ class _Respelling:
         if text in commands.ARGUMENT_KEPT | commands.COLOURED:
             return self.argument(token)
         if text in commands.TEXT:
-            return _text(token, self.raw_argument(token))
+            return text_atoms(token, self.raw_argument(token), lambda formula: _Respelling(formula).atoms())
         if text in commands.STYLES:
             self.at += self.peek() == "*"
             return styled(commands.STYLES[text], self.argument(token), token)
@@ -240,23 +237,3 @@ def _in_ascii(token: Token) -> list[Token]:
     if token.text.isascii():
         return [token]
     return [token._replace(text=match[0]) for match in LEXEME.finditer(commands.ascii_spelling(token.text))]
-
-
-def _text(command: Token, inside: list[Token]) -> list[PrintedAtom]:
-    """A text in an equation: a formula in it, a name such as tr, punctuation, or words between equations."""
-    words = " ".join(spelled(each for each in inside if each.text not in commands.TEXT).split())
-    words = words if "$" in words else re.sub(r"[{}]", "", words).strip()
-    if formula := re.fullmatch(r"(\\boldmath)?\s*\$[^$]*\$\s*(?:\\unboldmath)?", words):
-        start, end = (at for at, token in enumerate(inside) if token.text == "$")
-        atoms = _Respelling(inside[start + 1 : end]).atoms()
-        return styled(r"\boldsymbol" if formula[1] else "", atoms, command)
-    if not words:
-        return []
-    if len(words) == 1:
-        style = commands.TEXT_STYLES.get(command.text, r"\mathrm") if words.isalpha() else ""
-        return styled(style, [PrintedAtom([command._replace(text=words)])], command)
-    if UNIT.fullmatch(words) and not words.isalpha():
-        return [PrintedAtom([command._replace(text=rf"\operatorname{{{words}}}")])]
-    words = words[:-1] if words[:-1].isalpha() and words[-1] == "." else words  # an abbreviation
-    is_name = words.isalpha() and words.isascii() and "\\" + words.lower() not in commands.CONNECTIVES
-    return [PrintedAtom([command._replace(text=rf"\{'operatorname' if is_name else 'text'}{{{words}}}")])]

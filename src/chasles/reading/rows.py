@@ -12,11 +12,11 @@ from chasles.reading.fits import UNUSUAL, Fit, kept, made
 from chasles.reading.glyphs import Glyph, joined, letter_of
 from chasles.reading.grammar import Atom, FlatRow
 from chasles.reading.lexemes import Token
+from chasles.reading.products import multiplied, times
 from chasles.reading.quotients import sized_quotient
 from chasles.reading.spellings import Make
 from chasles.reading.totals import TOTALS, end_of_total, totals
-from chasles.vocabulary import Block, Contract, Misfit, Node, Quotient, Scale, Skew, Sum
-from chasles.vocabulary.parts import part
+from chasles.vocabulary import Quotient, Skew
 from chasles.vocabulary.spelling import Precedence
 
 Pieces = tuple[Atom | Token, ...]
@@ -70,14 +70,14 @@ def _with_total(pieces: Pieces, place: int, ctx: FittingContext) -> list[Fit]:
     end = end_of_total(sign, inside)
     found = totals(sign, inside[:end], lambda each: _signed(each, ctx), ctx)
     if inside[end:]:
-        found = [each for one in found for other in _signed(inside[end:], ctx) for each in _times(one, other, ctx)]
+        found = [each for one in found for other in _signed(inside[end:], ctx) for each in times(one, other, ctx)]
     cut = max((k for k, piece in enumerate(before) if isinstance(piece, Token)), default=-1)
     last = before[-1] if before else None
     if isinstance(last, Atom) and (operators := operators_of(last, ctx)):
         found, before = list(made_of(operators, [[fit] for fit in found], None, ctx)), before[:-1]
     if before[cut + 1 :]:
         factors = _signed(before[cut + 1 :], ctx)
-        found = [each for one in factors for other in found for each in _times(one, other, ctx)]
+        found = [each for one in factors for other in found for each in times(one, other, ctx)]
     if cut < 0:
         return kept(found)
     infix = before[cut]
@@ -130,7 +130,7 @@ def _stroke(left: Pieces, right: Pieces, usual: int, ctx: FittingContext) -> Ite
                     yield fit
                     continue
                 for rest in _product(right[end:], ctx):  # type: ignore[arg-type]
-                    yield from _times(fit, rest, ctx)
+                    yield from times(fit, rest, ctx)
 
 
 def _product(items: tuple[Atom, ...], ctx: FittingContext) -> list[Fit]:
@@ -149,12 +149,12 @@ def _product(items: tuple[Atom, ...], ctx: FittingContext) -> list[Fit]:
             for cut in range(end - 1, start, -1):
                 for left in spans.get((start, cut), ()):
                     for right in single.get((cut, end), ()):
-                        found += _times(left, right, ctx)
+                        found += times(left, right, ctx)
             if not found:
                 for cut in range(end - 1, start, -1):
                     for left in spans.get((start, cut), ()):
                         for right in spans.get((cut, end), ()):
-                            found += _times(left, right, ctx)
+                            found += times(left, right, ctx)
             spans[start, end] = kept(found)
     if not spans[0, count] and ctx.tolerant:
         return _ill_formed(items, single, ctx)
@@ -180,59 +180,6 @@ def _names_whole(items: tuple[Atom, ...], ctx: FittingContext) -> tuple[Atom, ..
                 found[-length:] = [joint]
                 break
     return tuple(found)
-
-
-def _times(left: Fit, right: Fit, ctx: FittingContext) -> Iterator[Fit]:
-    """The product of two factors, if it fits; an identity takes its size from what it multiplies."""
-    if left.node is None or right.node is None:
-        yield from _times_sized(left, right, ctx)
-        return
-    (a, a_said), (b, b_said) = ctx.inside(left, Precedence.PRODUCT), ctx.inside(right, Precedence.PRODUCT)
-    node = made(multiplied, a, b)
-    if node is not None:
-        yield Fit(node, (*a_said, *b_said), left.cost + right.cost)
-    for make in (*ctx.notation.spellings.infixes.get("", ()), _mixed):
-        if (node := made(make, a, b)) is not None:
-            yield Fit(node, ctx.said(node), left.cost + right.cost)
-
-
-def _mixed(a: Node, column: Node) -> Node:
-    """A matrix times a column of vectors: what the columns of numbers would be, with vectors for the numbers."""
-    if not isinstance(column, Block) or not _stacks_vectors(column) or a.is_scalar or a.shape[1] != len(column.rows):
-        raise Misfit("no column of vectors")
-    rows, columns = a.shape
-    entries = a.rows if isinstance(a, Block) and len(a.rows) == rows else None
-    sums = []
-    for i in range(rows):
-        row = [entries[i][j] if entries else part(a, (i + 1, j + 1)) for j in range(columns)]
-        terms = [Scale(factor, vector) for factor, (vector,) in zip(row, column.rows, strict=True)]
-        sums.append((Sum(tuple(terms)),))
-    return Block(tuple(sums))
-
-
-def multiplied(a: Node, b: Node) -> Node:
-    """The product as an author writes it from left to right."""
-    if a.is_scalar:
-        return Scale(a, b)
-    if b.is_scalar:
-        return Scale(b, a, trailing=True)
-    return Contract((*(a.factors if isinstance(a, Contract) else (a,)), b))
-
-
-def _times_sized(left: Fit, right: Fit, ctx: FittingContext) -> Iterator[Fit]:
-    known, open_one = (left, right) if left.node is not None else (right, left)
-    if known.node is None or known.shape == (1, 1):
-        yield ctx.of_open_size(multiplied, Precedence.PRODUCT, left, right)
-    elif known.shape is not None:
-        side = known.shape[1] if known is left else known.shape[0]
-        square = open_one.at((side, side))
-        if square is not None:
-            yield from _times(known, square, ctx) if known is left else _times(square, known, ctx)
-
-
-def _stacks_vectors(column: Block) -> bool:
-    shapes = {row[0].shape for row in column.rows}
-    return all(len(row) == 1 for row in column.rows) and len(shapes) == 1 and shapes != {(1, 1)}
 
 
 def _ill_formed(items: tuple[Atom, ...], single: dict[tuple[int, int], list[Fit]], ctx: FittingContext) -> list[Fit]:
