@@ -35,7 +35,9 @@ class _Unproved(Exception):
 
 
 LESS_WORK = 0.1
-"""The part of the work that is taken where no proof is likely."""
+"""The part of the work that is taken for a refutation, or a condition."""
+LEAST_WORK = 0.02
+"""The part of it that is taken where nothing is known of what follows."""
 ATTEMPTS = 24
 """So often a point is drawn."""
 
@@ -90,6 +92,8 @@ class _FewRates(_Likely):
 class _NoCounterexamples(_FewTerms):
     """Points at which a problem is looked at before a proof is tried, and one that satisfies what a proof rests on."""
 
+    closed = False
+
     def refute(self, context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnprovedPart]) -> None:
         raise _Unproved
 
@@ -112,7 +116,7 @@ def proof_of(claim: Claim, session: Session, likely: bool = False) -> Verdict | 
 
     More work is taken where it is likely to follow than where that is not known.
     """
-    tries = ((FEW_RATES, 1.0), (LIKELY, 1.0)) if likely else ((NO_COUNTEREXAMPLES, LESS_WORK),)
+    tries = ((FEW_RATES, 1.0), (LIKELY, 1.0)) if likely else ((NO_COUNTEREXAMPLES, LEAST_WORK),)
     found = (_answer(claim, session, source, work) for source, work in tries)
     return next((verdict for verdict in found if verdict.true), None)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -149,7 +149,7 @@ def read(text: str, notation: str | Path | ModuleType | Chapter | Mapping[str, A
 
 def read_page(printed: tuple[PrintedEquation, ...], notation: PageNotation, file: str = "") -> Page:
     """The page of these equations, decided in their order; raises `BadNotation` for what it cannot assume."""
-    deduction = Deduction(Premises(lambda symbol: facts_of(symbol, kind_in_meaning(symbol))))
+    deduction = Deduction(Premises(cache(lambda symbol: facts_of(symbol, kind_in_meaning(symbol)))))
     for said in notation.assuming:
         for part in parts_of(said, notation, f"[page] assuming '{said}'"):
             deduction.assume(part.left, part.right)
