@@ -8,6 +8,7 @@ first entry that is not zero is positive by that. Only the last row's sign is th
 from __future__ import annotations
 
 from dataclasses import replace as with_fields
+from functools import reduce
 from typing import Any
 
 import sympy as sp
@@ -53,9 +54,10 @@ def _projector(matrix: Any, value: Any, blocks: list[tuple[list[int], list[tuple
         if not any(same_number(other, value) for other, _ in values):
             continue
         block = matrix.extract(places, places)
-        one = found = sp.eye(len(places))
-        for other in (other for other, _ in values if not same_number(other, value)):
-            found = product(found, block - other * one) / (value - other)
+        one = sp.eye(len(places))
+        others = [other for other, _ in values if not same_number(other, value)]
+        factors = [(block - other * one) / (value - other) for other in others]
+        found = reduce(product, factors) if factors else one
         for i, row in enumerate(places):
             for j, column in enumerate(places):
                 whole[row, column] = normal(found[i, j])

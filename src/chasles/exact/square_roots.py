@@ -31,7 +31,7 @@ def in_tower(tower: QuadraticTower, expression: Any) -> Surd:
         return reduce(tower.multiply, [in_tower(tower, factor) for factor in expression.args])
     if expression.is_Pow and expression.exp.is_Rational:
         if expression not in tower.known:
-            tower.known[expression] = _power(tower, expression.base, int(expression.exp.p), int(expression.exp.q))
+            tower.known[expression] = _power_in(tower, expression)
         return tower.known[expression]
     for atom in tower.ground.atoms:
         beside = expression / atom
@@ -66,6 +66,24 @@ def _is_constructible(turns: Any, most: int) -> bool:
     part = int((turns / 2).q)
     degree = int(sp.totient(part)) if part < MOST_PARTS else 0
     return 0 < degree <= most and not degree & (degree - 1)
+
+
+_powers: dict[Any, tuple[Surd, tuple[Surd, ...]]] = {}
+"""Powers that were read, by the roots that the tower had then; and the roots that it has with them."""
+MOST_POWERS = 5_000
+
+
+def _power_in(tower: QuadraticTower, expression: Any) -> Surd:
+    """The element that a power is. It depends on the roots in the tower alone, so that it is read once for these."""
+    key = expression, tower.ground.atoms, tuple(tower.radicands)
+    if key not in _powers:
+        found = _power(tower, expression.base, int(expression.exp.p), int(expression.exp.q))
+        if len(_powers) == MOST_POWERS:
+            _powers.clear()
+        _powers[key] = found, tuple(tower.radicands)
+    found, radicands = _powers[key]
+    tower.radicands[:] = radicands
+    return found
 
 
 def _power(tower: QuadraticTower, base: Any, above: int, below: int) -> Surd:
