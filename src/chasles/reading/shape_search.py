@@ -35,7 +35,8 @@ SHAPES = {
 USUAL = {(True, True): ("matrix", "vector"), (True, False): ("vector", "matrix"),
          (False, True): ("matrix", "scalar", "vector"), (False, False): ("scalar", "vector")}  # fmt: skip
 """What a letter may be, by whether it is bold and whether it is a capital."""
-ROUNDS, MOST_TOGETHER, MOST_TRIED, MOST_AFFECTED = 3, 3, 300, 40
+ROUNDS, MOST_TOGETHER, MOST_TRIED, MOST_AFFECTED, MOST_WORK = 3, 3, 300, 40, 300_000
+"""How often all is gone through, how many letters are changed at once, in how many ways, and what that may cost."""
 UNLIKELY = 0.3
 """What another kind than that which its looks suggest costs, in equations that do not fit together."""
 
@@ -71,6 +72,7 @@ class _KindSearch:
         self.kinds: dict[Glyph, list[Kind]] = {stem: _kinds(stem, use) for stem, use in uses.items()}
         self.known: dict[object, int] = {}
         self.sizes: set[int] = set()
+        self.work = 0
         self.parted = lru_cache(maxsize=None)(lambda letter: parted(letter, operators))
 
     def shape_of(self, letter: Glyph) -> tuple[Shape | None, tuple[str, ...]]:
@@ -82,6 +84,7 @@ class _KindSearch:
 
     def faults(self, place: int) -> int:
         """How many relations of the equation do not fit together; those with a matrix count more."""
+        self.work += 1
         key = place, *((self.uses[stem].kind, self.uses[stem].shape) for stem in self.stems[place])
         if key not in self.known:
             self.known[key] = sum(
@@ -110,15 +113,16 @@ class _KindSearch:
         found: tuple[tuple[Glyph, Kind], ...] = ()
         here = self.faults(place)
         for change in islice(self._changes(place), MOST_TRIED):
-            affected = list(dict.fromkeys(each for stem, _ in change for each in self.uses[stem].places))[
-                :MOST_AFFECTED
-            ]
-            before = sum(map(self.faults, affected))
+            if self.work > MOST_WORK:
+                break
             old = self._let(change)
             if self.faults(place) < here:
-                gain = before - sum(map(self.faults, affected)) - UNLIKELY * sum(self._cost(each) for each in change)
-                gain += UNLIKELY * sum(self._cost(each) for each in old)
-                best, found = (gain, change) if gain > best else (best, found)
+                places = dict.fromkeys(each for stem, _ in change for each in self.uses[stem].places)
+                affected = [*places][:MOST_AFFECTED]
+                after = sum(map(self.faults, affected)) + UNLIKELY * sum(map(self._cost, change))
+                self._let(old)
+                before = sum(map(self.faults, affected)) + UNLIKELY * sum(map(self._cost, old))
+                best, found = (before - after, change) if before - after > best else (best, found)
             self._let(old)
         self._let(found)
 
