@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from fractions import Fraction
 
 from chasles import vocabulary as w
 from chasles.checker.quantities import squeezed
 from chasles.checker.sparse import ZERO, Polynomial, cleared, exponents
 from chasles.coq.expressions import ATOM, Unsaid
 from chasles.coq.motion import Instant
-from chasles.coq.polynomials import Polynomials, literal
+from chasles.coq.polynomials import Polynomials, literal, multiple
 from chasles.coq.sources import StatedEntry
 from chasles.coq.statement import CoqStatement
 
@@ -85,8 +86,22 @@ class KnownFacts:
         """What they are."""
         for name, call in self._angles:
             value = self.spell(self.reading.turned(call))
-            yield f"assert (value'{name} : {name} = {value}) by (rewrite of'{name}; words; turned)."
+            steps = f"first [turned | turned_by {self._in_units(call.argument)}]"
+            yield f"assert (value'{name} : {name} = {value}) by (rewrite of'{name}; words; {steps})."
             yield f"clear of'{name}. subst {name}."
+
+    def _in_units(self, argument: w.Node) -> str:
+        """An angle as a sum of those of which the cosine and the sine are variables, and of right angles."""
+        units = {what[1]: what[2] for what in self.reading.variables if what[0] == "cos"}
+        parts = []
+        for monomial, coefficient in (entry := self.reading(argument)[0][0]).terms.items():
+            ((place, _),) = exponents(monomial)
+            symbol = self.reading.variables[place][1]
+            unit = units.get(symbol, Fraction(1, 2))
+            times = Fraction(coefficient, entry.below) / unit
+            name = "PI" if symbol == w.PI else self.spell.angle(symbol, Fraction(1))
+            parts += [f"{'-' if times < 0 else '+'} {multiple(name, unit)}"] * abs(int(times))
+        return f"({' '.join(parts).removeprefix('+ ') or '0'})"
 
     # Integrals.
 
@@ -166,7 +181,9 @@ class KnownFacts:
             elif hypothesis.kind == "positive":
                 source = f"(Rgt_not_eq _ _ {source})"
             factor = self.spell(self.reading.nonzero[k])
-            yield f"assert (nonzero'{k} : {factor} <> 0) by (apply (not_zero_as _ _ {source}); words; identity)."
+            below = self.spell.product(cleared(self.reading(node)[0][0], self.reading.nonzero)[1])
+            lemma = f"not_zero_factor _ _ (1 / ({below}))" if below else "not_zero_as _ _"
+            yield f"assert (nonzero'{k} : {factor} <> 0) by (apply ({lemma} {source}); words; identity)."
 
     def vanishing(self, labels: list[str]) -> Iterator[str]:
         """What vanishes, of these labels."""

@@ -172,7 +172,7 @@ class Instant:
             )
         yield (
             f"eassert (def'{name} : forall t, T t -> {name} t = _) by (intros s' now's; eapply ({lemma} T {sides} s'); "
-            f"[exact open'T | exact now's | {equal} | exact (rate'{name} s' now's) | rates])."
+            f"[exact open'T | exact now's | {equal} | exact (rate'{name} s' now's) | clear rate'{name}; rates])."
         )
 
     def _by_definitions(self, integrated: bool) -> str:

@@ -160,7 +160,8 @@ class _CoqPoint:
         rows, columns = node.shape
         is_scalar = (rows, columns) == (1, 1)
         if not any(self.values.entry(entry) != "(0)" for row in self.values.reading(node) for entry in row):
-            return f"exact ({'scalar_rest' if is_scalar else f'@rest {rows} {columns}'} T _)"
+            rest = f"exact ({'scalar_rest' if is_scalar else f'@rest {rows} {columns}'} T _)"
+            return f"first [{rest} | {self._unfold}; {rest}]"
         places = "" if is_scalar else f" {_nested(rows)} {_nested(columns)}"
         steps = f"intros t now'{places}; {KNOWN}{self._unfold}; words"
         return f"{steps}; (eapply D_same; [rates | {self._unfold}; computed])"

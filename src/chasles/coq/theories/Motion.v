@@ -150,6 +150,9 @@ Proof.
   - apply same_entries. intros. unfold times, plus. rewrite !entry_matrix.
     destruct (Nat.ltb i m), (Nat.ltb j p); try ring. symmetry. apply sum_of_both.
 Qed.
+Lemma rate_power {n} (f : R -> M n n) k t a b : rate_at (fun s => power (f s) (S k)) t b -> rate_at f t a ->
+  rate_at (fun s => power (f s) (S (S k))) t (b * f t + power (f t) (S k) * a)%M.
+Proof. exact (rate_times (fun s => power (f s) (S k)) f t b a). Qed.
 Lemma rate_transpose {m n} (f : R -> M m n) t a : rate_at f t a -> rate_at (fun s => (f s)^T)%M t (a^T)%M.
 Proof. intro F. apply rate_matrix. intros. apply F. Qed.
 Lemma rate_below {m n p} (f : R -> M m p) (g : R -> M n p) t a b :
@@ -246,7 +249,7 @@ Qed.
 
 (* What is divided by is not zero because that is assumed, or because it is positive. *)
 Ltac divisor := first
-  [ solve [auto] | apply Rgt_not_eq; solve [auto]
+  [ solve [auto] | apply pow_nonzero; divisor | apply Rgt_not_eq; solve [auto]
   | repeat match goal with H : forall s, ?T s -> ?f s = _, K : ?T ?t |- context [?f ?t] => rewrite (H t K) end;
     match goal with H : forall s, ?T s -> _ <> 0, K : ?T _ |- _ => apply (not_zero_as _ _ (H _ K)); ring end
   | not_zero_alone ].
@@ -258,6 +261,8 @@ Ltac rates := lazymatch goal with
   | |- rate_at (fun s => _ *: _)%M _ _ => apply rate_scale; rates
   | |- rate_at (fun s => _ / _)%M _ _ => apply rate_over; [cbv beta; divisor | rates | rates]
   | |- rate_at (fun s => _ * _)%M _ _ => apply rate_times; rates
+  | |- rate_at (fun s => power _ 1) _ _ => unfold power; rates
+  | |- rate_at (fun s => power _ (S (S _))) _ _ => apply rate_power; rates
   | |- rate_at (fun s => transpose _) _ _ => apply rate_transpose; rates
   | |- rate_at (fun s => @below ?m ?n ?p _ _) _ _ => refine (@rate_below m n p _ _ _ _ _ _ _); rates
   | |- rate_at (fun s => @beside ?m ?n ?p _ _) _ _ => refine (@rate_beside m n p _ _ _ _ _ _ _); rates

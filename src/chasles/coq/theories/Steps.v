@@ -64,6 +64,10 @@ Ltac turned := first
   | repeat first
       [ rewrite cos_plus | rewrite sin_plus | rewrite cos_minus | rewrite sin_minus | rewrite cos_neg | rewrite sin_neg
       | rewrite cos_PI2 | rewrite sin_PI2 | rewrite cos_PI | rewrite sin_PI | rewrite cos_2a | rewrite sin_2a ]; reckon ].
+Ltac turned_by total := lazymatch goal with
+  | |- cos _ = _ => transitivity (cos total); [f_equal; lra | turned]
+  | |- sin _ = _ => transitivity (sin total); [f_equal; lra | turned]
+  end.
 Lemma dot_not_negative {m} (v : M m 1) : 0 <= dot v v.
 Proof.
   unfold dot. set (f := fun i => entry v i 0 * entry v i 0).
