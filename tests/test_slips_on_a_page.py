@@ -49,3 +49,21 @@ def test_each_slip_is_told_with_what_is_right() -> None:
         wrong = [each for each in page.equations if each.verdict == "fails"]
         assert wrong, repr(page)
         assert all(each.finding is not None and each.finding.instead for each in wrong)
+
+
+def test_a_letter_that_was_meant_for_another_is_told() -> None:
+    notation = r"""
+[symbols]
+'n_{#}' = "unit vector"
+'a_{#}' = "unit vector"
+[page]
+assuming = ['n_x \cdot n_y = 0', 'n_z = n_x \times n_y']
+"""
+    page = "\n".join(
+        rf"$$ a_{left} = (a_{right} \cdot n_x) n_x + (a_{right} \cdot n_y) n_y + (a_{right} \cdot n_z) n_z $$"
+        for left, right in ("xx", "yy", "xz")
+    )
+    *right, wrong = read(page, notation).equations
+    assert [each.verdict for each in right] == ["holds-under", "holds-under"]
+    assert wrong.verdict == "fails"
+    assert str(wrong.finding.instead.left) == "a_z"

@@ -42,13 +42,14 @@ def true_but_for_a_slip(
     spoken_of = (symbol for symbol, _ in free_quantities(claim.printed, known[0]))
     edits = one_mark_away(*claim.printed, spoken_of, lambda symbol: symbol in said_of or bool(premises.facts(symbol)))
     slips = (edit for edit in islice(edits, MOST_TESTS) if _is_slip(claim, edit[:2], premises))
-    agreeing = (edit for edit in slips if consequences.may_follow(*edit[:2], *known) is not False)
-    for left, right, said in islice(agreeing, MOST_EDITS):
+    found = ((*edit, consequences.may_follow(*edit[:2], *known)) for edit in slips)
+    agreeing = (edit for edit in found if edit[-1] is not False)
+    for left, right, said, likely in islice(agreeing, MOST_EDITS):
         meant = with_fields(claim, left=left, right=right, sic=True)
         if meant.fault or _cancels(claim, (left, right)):
             continue
-        for chosen in (consequences.least(left, right, *known), known):
-            verdict = proof_of(with_premises(meant, premises, *chosen), session)
+        for chosen in (consequences.least(left, right, *known), known) if likely else (known,):
+            verdict = proof_of(with_premises(meant, premises, *chosen), session, bool(likely))
             if isinstance(verdict, Holds | HoldsUnder):
                 return Repair(left, right, (said,), 1, verdict)
     return None
