@@ -76,6 +76,7 @@ PAGES: dict[str, tuple[list[Equation], list[str]]] = {
     "a definition, and a sign lost": ([eq(c, cross(a, b)), eq(c, cross(b, a))], ["defined", "fails"]),
     "a definition, and another letter": ([eq(c, cross(a, b) + r), eq(d, b), eq(c, cross(a, p) + r)],
                                          ["defined", "defined", "fails"]),
+    "another value": ([eq(x, number(2)), eq(x, number(4))], ["defined", "open"]),
     "another choice of two letters": ([eq(x, dot(a, b)), eq(x, dot(a, c))], ["defined", "open"]),
     "a term more, which one letter would cancel": (
         [eq(y, x * s), eq(y, x * (s + (m - k) * x))], ["defined", "open"]),

@@ -36,7 +36,7 @@ def true_but_for_a_slip(
     consequences: Consequences,
 ) -> Repair | None:
     """The first true equation one slip away from a claim, under the rules and posed equations that are known."""
-    if _is_one_term_said_to_vanish(claim):
+    if _is_one_term_said_to_vanish(claim) or _is_a_value(claim):
         return None
     said_of = {symbol for symbol, _ in premises.definitions}
     spoken_of = (symbol for symbol, _ in free_quantities(claim.printed, known[0]))
@@ -109,3 +109,12 @@ def _is_one_term_said_to_vanish(claim: Claim) -> bool:
         (right == zero or isinstance(right, Zero)) and not isinstance(left, Sum)
         for left, right in ((one, other), (other, one))
     )
+
+
+def _is_a_value(claim: Claim) -> bool:
+    """Whether it says what a letter is in numbers: that may be another one from case to case."""
+    return any(quantity(side) is not None for side in claim.printed) and min(map(_letters, claim.printed)) == 0
+
+
+def _letters(side: Node) -> int:
+    return _symbols((side,)).total()
