@@ -370,3 +370,25 @@ def test_what_is_assumed_has_to_be_an_equation(assumed: str, message: str) -> No
     letters = {"m": "scalar", "a": "scalar", "v": "vector"}
     with pytest.raises(BadNotation, match=re.escape(message)):
         chasles.read("m a = 0", {"symbols": letters, "page": {"assuming": [assumed]}})
+
+
+@pytest.mark.parametrize("entries", ["A_{##}", "A_{#}"])
+def test_a_pattern_of_entries_names_them_by_their_numbers(entries: str) -> None:
+    notation = f"[symbols]\n'A' = 'matrix'\n'a' = 'vector'\n'{entries}' = {{ is = 'entry', of = 'A' }}"
+    page = r"$$\mathrm{Tr}(A) = A_{11} + A_{2,2} + A_{33}$$ $$A_{12} = A_{21}$$ $$A_{14} = 0$$ $$A_{x} = 0$$"
+    found = chasles.read(page, notation).equations
+    assert [each.verdict for each in found] == ["holds", "open", "unread", "unread"]
+    assert [each.read.why for each in found[2:]] == [
+        "A is 3 x 3 and has no column 4: they are counted from 1",
+        "A_{x} names no entry of A",
+    ]
+    columns = "[symbols]\n'a' = 'vector'\n'a_{#}' = { is = 'component', of = 'a' }"
+    assert chasles.read(r"$$\|a\|^2 = a_1^2 + a_2^2 + a_3^2$$", columns).equations[0].verdict == "holds"
+
+
+def test_entries_of_a_matrix_are_proposed_as_such() -> None:
+    page = r"$$ B = A^T A \quad (1)$$ $$x = A_{11} + A_{22} + A_{33} + A_{12} \quad (2)$$ $$\mathrm{Tr}(A) = 3 x$$"
+    text = proposed(displayed(page, "md"))
+    assert "A_{" not in text
+    assert "Tr" not in text
+    assert [each.verdict for each in chasles.read(page, text).equations] == ["defined", "defined", "open"]

@@ -16,7 +16,7 @@ from chasles.reading.page_notation import PageNotation
 from chasles.vocabulary import NO_DIMENSION, Dimension, Inverse, Misfit, Node, Symbol, Transpose, uniform
 from chasles.vocabulary.dimension import has_units
 from chasles.vocabulary.families import Index
-from chasles.vocabulary.parts import component
+from chasles.vocabulary.parts import component, part
 
 KINDS: dict[str, tuple[int, int]] = {
     "scalar": (1, 1), "angle": (1, 1), "integer": (1, 1), "vector": (3, 1), "unit vector": (3, 1), "point": (3, 1),
@@ -114,8 +114,8 @@ def _shape(said: Mapping[str, Any], kind: str, where: str) -> tuple[int, int]:
 def _dimension(unit: str, where: str) -> Dimension:
     """The dimension of a unit such as "kg m^2/s"."""
     total = NO_DIMENSION
-    for place, part in enumerate(unit.split("/")):
-        for word in part.replace("*", " ").replace(".", " ").split():
+    for place, units in enumerate(unit.split("/")):
+        for word in units.replace("*", " ").replace(".", " ").split():
             name, _, power = word.partition("^")
             if name not in UNITS or not re.fullmatch(r"-?\d*", power):
                 raise BadNotation(
@@ -128,7 +128,7 @@ def _dimension(unit: str, where: str) -> Dimension:
 
 def _component(notation: PageNotation, table: LetterTable, letter: Glyph, text: str, said: Mapping[str, Any],
                where: str) -> None:  # fmt: skip
-    """Letters that are the entries of a column: of as many as there are alternatives, in their order."""
+    """Letters for the entries of a column, as many as there are alternatives; of a pattern, by their numbers."""
     marks = [mark.strip() for mark in letter.sub.split("|")]
     whole = letter_in(said.get("of", ""))
     if whole is None or not next(table.meanings(whole), None):
@@ -142,6 +142,21 @@ def _component(notation: PageNotation, table: LetterTable, letter: Glyph, text: 
 
         return make
 
+    def numbered(found: Glyph) -> Node:
+        notation.matched[text] = True
+        node, _rest = next(table.meanings(whole))
+        words = found.sub.replace(" ", "")
+        numbers = words.split(",") if "," in words else list(words)
+        if not all(number.isdigit() for number in numbers) or len(numbers) > 2:
+            raise Unread(f"{spelled(found)} names no entry of {node}")
+        try:
+            return part(node, int(numbers[0]) if len(numbers) == 1 else (int(numbers[0]), int(numbers[1])))
+        except Misfit as misfit:
+            raise Unread(str(misfit)) from None
+
+    if "#" in letter.sub:
+        table.add(letter, numbered, text)
+        return
     for row, mark in enumerate(marks, 1):
         table.add(replace(letter, sub=mark), meaning(row, mark), text)
 

@@ -34,6 +34,7 @@ from chasles.vocabulary import (
     Rate,
     Scale,
     Symbol,
+    Trace,
     Transpose,
     Zero,
     cot,
@@ -155,6 +156,9 @@ def usual_spellings(notation: PageNotation) -> None:
     spellings.add(r"\tan(#)", tan)
     spellings.add(r"\cot(#)", cot)
     spellings.add(r"\det(#)", Determinant)
+    for name in ("Tr", "trace", "Trace"):
+        spellings.add(rf"\operatorname{{{name}}}(#)", Trace)
+    spellings.add(r"\operatorname{sgn}(#)", lambda of: FunctionOf("sign", (of,)))
     spellings.add(r"\|#\|", Norm)
     spellings.add(r"\|#\|_2", Norm)
     spellings.add("|#|", Norm)

@@ -18,6 +18,8 @@ from chasles.reading.printed import PrintedEquation
 from chasles.reading.shape_search import shaped_letters
 
 KNOWN = LETTERS | MARKS | TYPEFACES
+ENTRY = re.compile(r"[1-9] ?,? ?[1-9]")
+"""The numbers of an entry, which is known by its matrix."""
 PRIMED = re.compile(r"[])] ('(?: ')*)")
 
 
@@ -62,14 +64,20 @@ def _text_of(equation: PrintedEquation) -> str:
 
 
 def _declared(stem: Glyph, use: LetterUse, uses: Mapping[Glyph, LetterUse]) -> Iterator[tuple[Glyph, dict[str, Any]]]:
-    """What is said of a letter: with its subscripts, by a pattern for many of them, and of a vector's components."""
+    """What is said of a letter: with its subscripts, by a pattern for many of them, and of a vector's components.
+
+    The entries of a matrix, with their numbers, need no word.
+    """
     whole = Glyph(stem.base, stem.accents)
     glyphs = list(use.letters)
+    is_of_matrix = stem.sub and whole in uses and uses[whole].kind in ("matrix", "rotation") and use.kind == "scalar"
+    entries = [glyph for glyph in glyphs if is_of_matrix and ENTRY.fullmatch(glyph.sub)]
+    glyphs = [glyph for glyph in glyphs if glyph not in entries]
     if stem.sub and whole in uses and uses[whole].kind == "vector" and not uses[whole].shape and use.kind == "scalar":
         if any(glyph.sub in ("x", "y", "z") for glyph in glyphs):
             yield replace(whole, sub="x|y|z"), {"is": "component", "of": spelled(whole)}
         glyphs = [glyph for glyph in glyphs if glyph.sub not in ("x", "y", "z")]
-    if len(glyphs) > 3 and all(glyph == replace(stem, sub=glyph.sub) for glyph in glyphs):
+    if len(glyphs) > 3 and not entries and all(glyph == replace(stem, sub=glyph.sub) for glyph in glyphs):
         glyphs = [replace(stem, sub="##")]
     shape = {"shape": list(use.shape)} if use.shape else {}
     yield from ((glyph, {"is": use.kind, **shape}) for glyph in glyphs)
