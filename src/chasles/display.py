@@ -19,10 +19,6 @@ def displayed_by(pages: str, theorems: str) -> None:
     _rooms[:] = [pages, theorems]
 
 
-def _pages() -> ModuleType:
-    return import_module(_rooms[0])
-
-
 def theorems() -> ModuleType:
     """The module that tells Coq of verdicts."""
     return import_module(_rooms[1])
@@ -34,16 +30,13 @@ class Displayed:
     __slots__ = ()
 
     def _repr_text_(self) -> str:
-        made: str = _pages().text(self)
-        return made
+        return str(import_module(_rooms[0]).text(self))
 
     def _repr_html_(self) -> str:
-        made: str = _pages().html(self)
-        return made
+        return str(import_module(_rooms[0]).html(self))
 
     def _repr_latex_(self) -> str:
-        made: str = _pages().latex(self)
-        return made
+        return str(import_module(_rooms[0]).latex(self))
 
     def _repr_mimebundle_(
         self, include: Container[str] | None = None, exclude: Container[str] | None = None

@@ -97,7 +97,7 @@ def test_a_page_on_which_all_is_decided_ends_well(tmp_path: Path) -> None:
     ("roles", "verdict"),
     [
         ("", "open"),
-        ("[equations]\n'8' = { role = 'law' }", "posed"),
+        ("[equations]\n'8' = { role = 'law' }", "assumed"),
         ("[equations]\n'8' = { role = 'claim' }", "fails"),
     ],
 )
@@ -142,7 +142,7 @@ def test_questions_are_asked_once_and_answers_are_kept(tmp_path: Path) -> None:
     assert r"\boxplus" in (out / "unread.md").read_text("utf-8")
     (out / "questions.toml").write_text(asked.replace('role = ""', 'role = "law"'), "utf-8")
     found = json.loads(run(tmp_path, "--json", "--out", str(out)).stdout)
-    assert found["equations"][-1]["verdict"] == "posed"
+    assert found["equations"][-1]["verdict"] == "assumed"
     written = {file.name: file.read_bytes() for file in out.iterdir()}
     run(tmp_path, "--out", str(out))
     assert {file.name: file.read_bytes() for file in out.iterdir()} == written

@@ -130,7 +130,10 @@ def _candidates(near: Nearest) -> Iterator[Iterable[Change]]:
 
 
 def _decided_edits(near: Nearest) -> Iterator[Change]:
-    """One edit on either side with which the prover finds the equation true, where there are no points to try it at."""
+    """One edit on either side with which the prover finds the equation true, where there are no points to try it at.
+
+    None makes the sides the same: that would say nothing.
+    """
     left, right = near.statement.printed
     try:
         if problem_of(near.statement, "printed", near.accepted).has_functions:
@@ -139,10 +142,10 @@ def _decided_edits(near: Nearest) -> Iterator[Change]:
         return
     indices = dict.fromkeys(index for side in (left, right) for index in indices_of(side))
     for new, words, effort in islice(edits_of(right, near.letters, indices), MOST_DECIDED):
-        if fit(left, new) and _verdict(near, near.statement.saying(left, new)) is not None:
+        if new != left and fit(left, new) and _verdict(near, near.statement.saying(left, new)) is not None:
             yield Change(left, new, (words,), effort)
     for new, words, effort in islice(edits_of(left, near.letters, indices), MOST_DECIDED):
-        if fit(new, right) and _verdict(near, near.statement.saying(new, right)) is not None:
+        if new != right and fit(new, right) and _verdict(near, near.statement.saying(new, right)) is not None:
             yield Change(new, right, (words,), effort)
 
 
