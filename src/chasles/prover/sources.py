@@ -74,7 +74,7 @@ class DeclaredPoints:
 
     def witness(self, context: Context, solved: tuple[Solved, ...]) -> Point | None:
         """The first point drawn, if the hypotheses on what does not occur hold somewhere too."""
-        drawn = islice(points.sample(context, solved_ratios(context, solved)), SAMPLES)
+        drawn = islice(points.sample(context, solved_ratios(context, solved), attempts=self.attempts), SAMPLES)
         found = next(drawn, None)
         return found if found is not None and holds_somewhere(context) else None
 
