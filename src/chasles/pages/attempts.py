@@ -15,15 +15,13 @@ from chasles.pages.facts import divisors
 from chasles.pages.premises import (
     PosedEquation,
     Premises,
-    Quantity,
     Rules,
     balancing,
     chosen_rules,
     free_quantities,
     last_said,
-    quantities,
-    quantity,
 )
+from chasles.pages.quantities import Quantity, quantities, quantity, symbols_in
 from chasles.statements import Claim, Condition, Statement
 from chasles.vocabulary import Node
 
@@ -37,15 +35,14 @@ MOST_BALANCED = 8
 
 @dataclass(frozen=True, slots=True)
 class Attempt:
-    """The claim with some premises, from which it is `likely` to follow, and the names of open ones that are rules.
+    """The claim with some premises, from which it is `likely` to follow.
 
-    Each `solving` is the same with posed equations, by their names, as conditions that determine what it is about.
+    `assumed` are the names of those among them that are no definitions, and that its verdict does not name by itself.
     """
 
     claim: Claim
     likely: bool
-    opened: tuple[str, ...] = ()
-    solving: tuple[tuple[Claim, tuple[str, ...]], ...] = ()
+    assumed: tuple[str, ...] = ()
 
 
 def attempts(claim: Claim, premises: Premises, consequences: Consequences) -> Iterator[Attempt]:
@@ -59,8 +56,15 @@ def attempts(claim: Claim, premises: Premises, consequences: Consequences) -> It
         if likely is not False and _is_new(*chosen, seen):
             attempt = with_premises(claim, premises, *chosen)
             names = tuple(opened[id(each)] for each in attempt.given if id(each) in opened)
-            solved = tuple(solving(attempt, premises, chosen[1])) if likely else ()
-            yield Attempt(attempt, bool(likely), names, solved)
+            yield from ways(Attempt(attempt, bool(likely), names), premises, chosen[1])
+
+
+def ways(attempt: Attempt, premises: Premises, posed: tuple[PosedEquation, ...]) -> Iterator[Attempt]:
+    """An attempt that is likely by solving the posed equations for what the claim is about; then as it is."""
+    if attempt.likely:
+        for solved, names in solving(attempt.claim, premises, posed):
+            yield Attempt(solved, True, (*attempt.assumed, *names))
+    yield attempt
 
 
 def _is_new(rules: Rules, posed: tuple[PosedEquation, ...], seen: set[tuple[frozenset[int], frozenset[int]]]) -> bool:
@@ -124,7 +128,7 @@ def solving(
             continue
         rest = [side for each in posed if each not in conditions for side in (each.left, each.right)]
         rest += [side for rule in claim.given if isinstance(rule, Statement) for side in rule.printed]
-        elsewhere = {symbol for side in (other, *rest) for symbol, _ in quantities(side)}
+        elsewhere = symbols_in((other, *rest))
         spoken = dict.fromkeys(symbol for each in conditions for symbol, _ in _spoken_of(each))
         more = tuple(s for s in spoken if s != key[0] and s not in elsewhere and not premises.facts(s))
         names = tuple(each.hypothesis.text for each in conditions)

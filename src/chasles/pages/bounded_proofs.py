@@ -89,23 +89,12 @@ class _FewRates(_Likely):
     closed = False
 
 
-class _NoCounterexamples(_FewTerms):
+class _NoCounterexamples(_FewRates, _FewTerms):
     """Points at which a problem is looked at before a proof is tried, and one that satisfies what a proof rests on."""
 
-    closed = False
-
-    def refute(self, context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnprovedPart]) -> None:
-        raise _Unproved
-
-    def refute_soon(
-        self, context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnprovedPart]
-    ) -> Counterexample | None:
+    def refute_soon(self, context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnprovedPart]) -> None:
         if not self.likely_vanish(context, solved, suspects):
             raise _Unproved
-        return None
-
-    def contradiction(self, problem: Problem) -> Contradictory | None:
-        return None
 
 
 FEW_TERMS, NO_COUNTEREXAMPLES, LIKELY, FEW_RATES = _FewTerms(), _NoCounterexamples(), _Likely(), _FewRates()

@@ -22,25 +22,23 @@ from dataclasses import replace as with_fields
 from functools import cached_property
 
 from chasles.decisions.session import Session
-from chasles.pages.attempts import Attempt, attempts, named, solving, with_everything, with_premises
+from chasles.pages.attempts import Attempt, attempts, named, ways, with_everything, with_premises
 from chasles.pages.bounded_proofs import posed_on, proof_of, verdict_on
 from chasles.pages.consequences import Consequences
-from chasles.pages.facts import divisors
+from chasles.pages.defining import definition_of, is_new, meant_by, said_to_be
 from chasles.pages.finding import PageFinding
 from chasles.pages.named_hypotheses import as_hypothesis
-from chasles.pages.notes import DEFINING, NOTHING, EquationNote, is_defining
+from chasles.pages.notes import DEFINING, NOTHING, EquationNote
 from chasles.pages.premises import (
     PosedEquation,
     Premises,
-    Quantity,
     chosen_rules,
     free_quantities,
-    quantities,
-    quantity,
 )
+from chasles.pages.quantities import Quantity, quantities, quantity, symbols_in
 from chasles.pages.refutation import expanded, refuted
 from chasles.reading.reading import Part, Reading
-from chasles.statements import Claim, Definition, Statement
+from chasles.statements import Claim, Statement
 from chasles.verdict import Assumed, Contradictory, Defined, Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
 from chasles.vocabulary import Node, plain, walk
 from chasles.vocabulary.families import indices_of
@@ -74,27 +72,28 @@ class Deduction:
         before = len(self.premises.posed)
         for part in given:
             if part.sign == "=" and not part.fault:
-                said = as_hypothesis(f"({number}, for)", part.left, part.right, self.session)
-                self.premises.posed.append(PosedEquation(said, part.left, part.right, False))
+                self.premises.posed.append(self._assumption(f"({number}, for)", part))
         added = len(self.premises.posed) - before
         yield
         del self.premises.posed[before : before + added]
 
+    def _assumption(self, name: str, said: Part | Claim) -> PosedEquation:
+        """An equation that is assumed, by the name under which it is told."""
+        return PosedEquation(as_hypothesis(name, said.left, said.right, self.session), said.left, said.right, False)
+
     def strange(self, reading: Reading) -> int:
         """How many symbols of a reading the page has not used before."""
         spoken = {symbol for symbol, _ in self.premises.spoken}
-        sides = (side for part in reading.parts for side in (part.left, part.right))
-        return len({symbol for side in sides for symbol, _ in quantities(side)} - spoken)
+        return len(symbols_in(reading.sides) - spoken)
 
     def assume(self, left: Node, right: Node) -> None:
         """What holds on the whole page: of a symbol alone on a side a rule, of anything else a hypothesis."""
         claim = Claim(f"{plain(left)} = {plain(right)}", left, right, sic=True)
-        meant = self._meant(claim)
+        meant = meant_by(claim, self.premises)
         if meant:
             self._defined(claim, *meant)
         else:
-            said = as_hypothesis(claim.number, left, right, self.session)
-            self.premises.posed.append(PosedEquation(said, left, right, False))
+            self.premises.posed.append(self._assumption(claim.number, claim))
 
     def say(
         self,
@@ -131,8 +130,8 @@ class Deduction:
             return self._posed(claim, False, Assumed() if is_law else verdict)
         if note.given is not None and role != "definition":
             return self._under(claim, note.given)
-        meant = self._meant(claim, note.of) if role != "claim" else None
-        if meant and (role == "definition" or self._is_new(claim, meant[0])):
+        meant = meant_by(claim, self.premises, note.of) if role != "claim" else None
+        if meant and (role == "definition" or is_new(claim, meant[0], self.premises)):
             return self._defined(claim, *meant)
         if role == "definition":
             return with_fields(self._posed(claim, False, Defined()), role=role)
@@ -145,52 +144,19 @@ class Deduction:
             return finding
         return self._defined(claim, *meant) if meant else self._posed(claim, True, finding.verdict)
 
-    def _meant(self, claim: Claim, of: Quantity | None = None) -> tuple[Quantity, bool] | None:
-        """What an equation may define, and whether on its right side; None for a claim. A person may say `of` what."""
-        for side, other, turned in ((*claim.printed, False), (*claim.printed[::-1], True)):
-            key = quantity(side)
-            rules = chosen_rules((other,), self.premises.defined())
-            if key is None or any(symbol == key[0] for symbol, _ in free_quantities((other,), rules)):
-                continue
-            if of == key:
-                return key, turned
-            if of is None and ((is_defining(claim) and not turned) or self._is_free(key)):
-                return key, turned
-        return None
-
-    def _said_to_be(self, claim: Claim) -> tuple[Quantity, bool] | None:
-        """The symbol that an open equation says to be something else, and whether on its right side."""
-        for side, other, turned in ((*claim.printed, False), (*claim.printed[::-1], True)):
-            key = quantity(side)
-            if key is not None and not any(each[0] == key[0] and each[1] >= key[1] for each in quantities(other)):
-                return key, turned
-        return None
-
-    def _is_new(self, claim: Claim, key: Quantity) -> bool:
-        """Whether nothing needs to be decided before a symbol is taken to be defined."""
-        is_spoken = any(symbol == key[0] for symbol, _ in self.premises.spoken)
-        return key not in self.premises.definitions and (is_defining(claim) or not is_spoken)
-
-    def _is_free(self, key: Quantity) -> bool:
-        """Whether the page has only used a symbol so far, and said nothing of it."""
-        symbol, order = key
-        said = {s for s, _ in self.premises.definitions} | {s for s, _ in self.premises.proved}
-        posed = {s for each in self.premises.posed for side in (each.left, each.right) for s, _ in quantities(side)}
-        return not order and symbol not in said | posed
-
     def _foretell(self, claim: Claim, ahead: tuple[Claim, ...]) -> bool:
         """Take in advance the definitions of symbols that are new in a claim, if there are any."""
         before = len(self._foretold)
         spoken = {symbol for symbol, _ in self.premises.spoken}
-        new = {symbol for side in claim.printed for symbol, _ in quantities(side)} - spoken
+        new = symbols_in(claim.printed) - spoken
         for other in ahead:
-            meant = None if other.fault else self._meant(other)
+            meant = None if other.fault else meant_by(other, self.premises)
             if meant and meant[0][0] in new and meant[0] not in self.premises.definitions:
                 self._foretold[other.number, other.part] = self._defined(other, *meant)
         return len(self._foretold) > before
 
     def _defined(self, claim: Claim, key: Quantity, turned: bool) -> PageFinding:
-        made = _definition(claim, turned)
+        made = definition_of(claim, turned)
         known = self.premises.definitions.setdefault(
             key, [None] if any(q[0] == key[0] for q in self.premises.spoken) else []
         )
@@ -203,9 +169,9 @@ class Deduction:
     def _posed(self, claim: Claim, is_open: bool, verdict: Verdict) -> PageFinding:
         if not any(map(indices_of, claim.printed)):
             said = as_hypothesis(named(claim), *claim.printed, self.session)
-            key = self._said_to_be(claim) if is_open else None
+            key = said_to_be(claim) if is_open else None
             if key is not None:
-                self.premises.opened[key[0]] = _definition(claim, key[1])
+                self.premises.opened[key[0]] = definition_of(claim, key[1])
                 self.premises.said.append(self.premises.opened[key[0]])
             self.premises.posed.append(PosedEquation(said, claim.left, claim.right, is_open, key is not None))
         return PageFinding("condition", verdict, claim, open=is_open)
@@ -226,19 +192,10 @@ class Deduction:
     def _proof(self, claim: Claim) -> PageFinding | None:
         """The finding on a claim that follows from what the page has said; None for any other."""
         for attempt in attempts(claim, self.premises, self.consequences):
-            found = self._proof_by(attempt)
-            if found is not None:
-                return self._proved(*found)
-        return None
-
-    def _proof_by(self, attempt: Attempt) -> tuple[Claim, Verdict] | None:
-        """What is proved, and its verdict: if it may be, by solving for what the claim is about."""
-        for solved, names in attempt.solving:
-            verdict = proof_of(solved, self.session, likely=True)
+            verdict = proof_of(attempt.claim, self.session, attempt.likely)
             if verdict is not None:
-                return solved, _resting_on((*attempt.opened, *names), verdict)
-        verdict = proof_of(attempt.claim, self.session, attempt.likely)
-        return None if verdict is None else (attempt.claim, _resting_on(attempt.opened, verdict))
+                return self._proved(attempt.claim, _resting_on(attempt.assumed, verdict))
+        return None
 
     def _under(self, claim: Claim, given: Iterable[tuple[str, Claim]]) -> PageFinding:
         """The finding on a claim under the premises that a person gives, and no others of the page.
@@ -249,22 +206,20 @@ class Deduction:
         posed: list[PosedEquation] = []
         told: list[str] = []
         for name, each in given:
-            key = self._said_to_be(each)
+            key = said_to_be(each)
             if key is not None and key[0] not in rules:
-                rules[key[0]] = _definition(each, key[1])
+                rules[key[0]] = definition_of(each, key[1])
             else:
-                said = as_hypothesis(name, each.left, each.right, self.session)
-                posed.append(PosedEquation(said, each.left, each.right, False))
+                posed.append(self._assumption(name, each))
             told.append(name)
         attempt = with_premises(claim, self.premises, rules, tuple(posed))
         likely = self.consequences.may_follow(*claim.printed, rules, posed)
-        tried = Attempt(
-            attempt, bool(likely), (), tuple(solving(attempt, self.premises, tuple(posed))) if likely else ()
-        )
-        proved, verdict = (self._proof_by(tried) if likely is not False else None) or (
-            attempt,
-            verdict_on(attempt, self.session),
-        )
+        proved, verdict = attempt, None
+        for way in ways(Attempt(attempt, bool(likely)), self.premises, tuple(posed)) if likely is not False else ():
+            proved, verdict = way.claim, proof_of(way.claim, self.session, way.likely)
+            if verdict is not None:
+                break
+        verdict = verdict or verdict_on(attempt, self.session)
         if verdict.true:
             if not {named(each) for each in self.premises.said}.issuperset(told):
                 self._posed(claim, False, verdict)
@@ -282,11 +237,6 @@ class Deduction:
             self.premises.proved[key] = least
             self.premises.said.append(least)
         return PageFinding("claim", verdict, least)
-
-
-def _definition(claim: Claim, turned: bool) -> Definition:
-    left, right = (claim.right, claim.left) if turned else claim.printed
-    return Definition(claim.number, left, right, part=claim.part, sign=claim.sign, assuming=divisors((right,)))
 
 
 def _resting_on(opened: tuple[str, ...], verdict: Verdict) -> Verdict:

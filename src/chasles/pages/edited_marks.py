@@ -25,13 +25,13 @@ def one_mark_away(
 
     The letters that one may be meant for are those of the sides, and `more`.
     """
-    seen = {(left, right)}
+    seen, turned = {(left, right)}, _turned((left, right), is_known)
     letters = tuple(dict.fromkeys((*symbols_of(left), *symbols_of(right), *more)))
     of_right = ((left, changed, said) for changed, said in chain(_scaled(right), _edits(right, letters)))
     of_left = ((changed, right, said) for changed, said in _edits(left, letters))
     for one, other, said in filter(None, chain.from_iterable(zip_longest(of_right, of_left))):
         fits = one.fault is other.fault is None and one.shape == other.shape == left.shape and one != other
-        if fits and (one, other) not in seen and _turned((one, other), is_known) == _turned((left, right), is_known):
+        if fits and (one, other) not in seen and _turned((one, other), is_known) == turned:
             seen.add((one, other))
             yield one, other, said
 

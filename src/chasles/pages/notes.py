@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from operator import itemgetter
 from typing import Any
 
 from chasles.pages.attempts import named
-from chasles.pages.premises import Quantity, quantities, quantity
+from chasles.pages.quantities import Quantity, quantity, symbols_in
 from chasles.reading.equations import expressions, read_equations
 from chasles.reading.grouping import Unread
 from chasles.reading.letter_table import BadNotation
 from chasles.reading.lexemes import BadPage
 from chasles.reading.page_notation import PageNotation
 from chasles.reading.printed import PrintedEquation
-from chasles.reading.reading import Part, Reading
+from chasles.reading.reading import Part
 from chasles.statements import Claim
 from chasles.vocabulary import At, Symbol, plain
 
@@ -48,13 +49,14 @@ def notes_of(notation: PageNotation, relations: Mapping[str, Sequence[Claim]]) -
     """
     found = {}
     for name, claims in relations.items():
-        whole, printed_as_definitions = notation.notes.get(name, {}), [claim for claim in claims if is_defining(claim)]
+        whole = notation.notes.get(name, {})
+        is_of_all = whole.get("role") == "definition" or all(map(is_defining, claims))
         for claim in claims:
             own = notation.notes.get(f"{name}/{claim.part}", {})
             if "reading" in own:
                 raise BadNotation(f"[equations] '{name}/{claim.part}': say the reading of all of '{name}'")
-            of_others = claim in printed_as_definitions != claims and whole.get("role") != "definition"
-            said = own if "role" in own or of_others else {**whole, **own}
+            is_of_others = is_defining(claim) and not is_of_all
+            said = own if "role" in own or is_of_others else {**whole, **own}
             if said:
                 found[name, claim.part] = _note_of(name, said, notation, relations, [claim] if own else claims)
     return found
@@ -89,7 +91,7 @@ def _given(
         yield from ((named(claim), claim) for claim in relations[number] if str(claim.part) == part)
     else:
         where = f"[equations] '{name}' given '{text}'"
-        spoken = {symbol for claim in among for side in claim.printed for symbol, _ in quantities(side)}
+        spoken = symbols_in(side for claim in among for side in claim.printed)
         for said in parts_of(text, notation, where, spoken):
             told = f"{plain(said.left)} = {plain(said.right)}"
             yield told, Claim(told, said.left, said.right, sic=True)
@@ -100,13 +102,9 @@ def parts_of(text: str, notation: PageNotation, where: str, spoken: Collection[S
 
     Of several readings that is meant in which the most symbols are `spoken` of.
     """
-
-    def others(reading: Reading) -> int:
-        sides = (side for part in reading.parts for side in (part.left, part.right))
-        return len({symbol for side in sides for symbol, _ in quantities(side)}.difference(spoken))
-
     (found,) = read_equations((PrintedEquation(text),), notation)
-    parts = min(found.readings, key=others).parts if found.readings else ()
+    strange = [(len(symbols_in(reading.sides).difference(spoken)), reading.parts) for reading in found.readings]
+    parts = min(strange, key=itemgetter(0), default=(0, ()))[1]
     relations = [f"{part.sign} is no sign of an equation" for part in parts if part.sign not in EQUAL]
     why = [found.why] if not parts else [*relations, *(part.fault for part in parts if part.fault)]
     if why:

@@ -7,14 +7,11 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from dataclasses import replace as with_fields
 
+from chasles.pages.quantities import Quantity, quantities
 from chasles.problems.scanning import differs
 from chasles.statements import Hypothesis, Statement
-from chasles.statements.statement import bare
-from chasles.vocabulary import Integral, Negative, Node, Rate, Sum, Symbol, undotted, walk
-from chasles.vocabulary.families import Member
+from chasles.vocabulary import Integral, Negative, Node, Sum, Symbol, walk
 
-Quantity = tuple[Symbol, int]
-"""A symbol and how often it is dotted."""
 Rules = Mapping[Quantity, Statement]
 
 
@@ -116,30 +113,6 @@ def _free(posed: PosedEquation, rules: Rules) -> set[Symbol]:
     """The symbols of a posed equation on which it depends, definitions applied."""
     chosen = chosen_rules((posed.left, posed.right), rules)
     return {s for s, _ in free_quantities((posed.left, posed.right), chosen)}
-
-
-def quantity(node: Node) -> Quantity | None:
-    """The symbol, or rate of one, that a side is; None for anything else, and for an abbreviation."""
-    base, order = undotted(bare(node))
-    base = bare(base)
-    return (base, order) if isinstance(base, Symbol) and base.stands_for is None else None
-
-
-def quantities(node: Node, order: int = 0) -> Iterator[Quantity]:
-    """The symbols that occur and how often they are dotted, abbreviations opened."""
-    match node:
-        case Symbol(stands_for=None):
-            yield node, order
-        case Symbol(stands_for=Node() as meant):
-            yield from quantities(meant, order)
-        case Rate(of):
-            yield from quantities(of, order + 1)
-        case Member(family):
-            for member in family.members:
-                yield from quantities(member, order)
-        case _:
-            for part in node.below:
-                yield from quantities(part, order)
 
 
 def rule_for(found: Quantity, rules: Rules) -> Quantity | None:

@@ -16,7 +16,8 @@ from chasles.pages.attempts import with_premises
 from chasles.pages.bounded_proofs import proof_of
 from chasles.pages.consequences import Consequences
 from chasles.pages.edited_marks import one_mark_away
-from chasles.pages.premises import PosedEquation, Premises, Rules, free_quantities, quantities, quantity
+from chasles.pages.premises import PosedEquation, Premises, Rules, free_quantities
+from chasles.pages.quantities import quantities, quantity
 from chasles.repairs.repair import Repair
 from chasles.statements import Claim
 from chasles.verdict import Holds, HoldsUnder

@@ -35,6 +35,11 @@ class Reading:
     parts: tuple[Part, ...]
     given: tuple[Part, ...] = ()
 
+    @property
+    def sides(self) -> tuple[Node, ...]:
+        """The sides of its parts."""
+        return tuple(side for part in self.parts for side in (part.left, part.right))
+
 
 @dataclass(frozen=True, slots=True)
 class ReadEquation:

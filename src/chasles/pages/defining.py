@@ -1,0 +1,52 @@
+"""What an equation of a page may define, and what its definition is."""
+
+from __future__ import annotations
+
+from chasles.pages.facts import divisors
+from chasles.pages.notes import is_defining
+from chasles.pages.premises import Premises, chosen_rules, free_quantities
+from chasles.pages.quantities import Quantity, quantities, quantity
+from chasles.statements import Claim, Definition
+
+
+def meant_by(claim: Claim, premises: Premises, of: Quantity | None = None) -> tuple[Quantity, bool] | None:
+    """What an equation may define, and whether on its right side; None for a claim. A person may say `of` what."""
+    for side, other, turned in ((*claim.printed, False), (*claim.printed[::-1], True)):
+        key = quantity(side)
+        rules = chosen_rules((other,), premises.defined())
+        if key is None or any(symbol == key[0] for symbol, _ in free_quantities((other,), rules)):
+            continue
+        if of == key:
+            return key, turned
+        if of is None and ((is_defining(claim) and not turned) or _is_free(key, premises)):
+            return key, turned
+    return None
+
+
+def said_to_be(claim: Claim) -> tuple[Quantity, bool] | None:
+    """The symbol that an open equation says to be something else, and whether on its right side."""
+    for side, other, turned in ((*claim.printed, False), (*claim.printed[::-1], True)):
+        key = quantity(side)
+        if key is not None and not any(each[0] == key[0] and each[1] >= key[1] for each in quantities(other)):
+            return key, turned
+    return None
+
+
+def is_new(claim: Claim, key: Quantity, premises: Premises) -> bool:
+    """Whether nothing needs to be decided before a symbol is taken to be defined."""
+    is_spoken = any(symbol == key[0] for symbol, _ in premises.spoken)
+    return key not in premises.definitions and (is_defining(claim) or not is_spoken)
+
+
+def _is_free(key: Quantity, premises: Premises) -> bool:
+    """Whether the page has only used a symbol so far, and said nothing of it."""
+    symbol, order = key
+    said = {s for s, _ in premises.definitions} | {s for s, _ in premises.proved}
+    posed = {s for each in premises.posed for side in (each.left, each.right) for s, _ in quantities(side)}
+    return not order and symbol not in said | posed
+
+
+def definition_of(claim: Claim, turned: bool) -> Definition:
+    """What is said of the symbol on the left side, or on the right one if it is turned."""
+    left, right = (claim.right, claim.left) if turned else claim.printed
+    return Definition(claim.number, left, right, part=claim.part, sign=claim.sign, assuming=divisors((right,)))

@@ -1,0 +1,41 @@
+"""The quantities of which a page speaks: symbols, and their rates."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from chasles.statements.statement import bare
+from chasles.vocabulary import Node, Rate, Symbol, undotted
+from chasles.vocabulary.families import Member
+
+Quantity = tuple[Symbol, int]
+"""A symbol and how often it is dotted."""
+
+
+def quantity(node: Node) -> Quantity | None:
+    """The symbol, or rate of one, that a side is; None for anything else, and for an abbreviation."""
+    base, order = undotted(bare(node))
+    base = bare(base)
+    return (base, order) if isinstance(base, Symbol) and base.stands_for is None else None
+
+
+def quantities(node: Node, order: int = 0) -> Iterator[Quantity]:
+    """The symbols that occur and how often they are dotted, abbreviations opened."""
+    match node:
+        case Symbol(stands_for=None):
+            yield node, order
+        case Symbol(stands_for=Node() as meant):
+            yield from quantities(meant, order)
+        case Rate(of):
+            yield from quantities(of, order + 1)
+        case Member(family):
+            for member in family.members:
+                yield from quantities(member, order)
+        case _:
+            for part in node.below:
+                yield from quantities(part, order)
+
+
+def symbols_in(sides: Iterable[Node]) -> set[Symbol]:
+    """The symbols that occur in any of the sides, abbreviations opened."""
+    return {symbol for side in sides for symbol, _ in quantities(side)}
