@@ -38,9 +38,9 @@ class RationalNumbers:
         """The element that a rational number is."""
         return Fraction(int(expression.p), int(expression.q))
 
-    def expression(self, x: Fraction) -> Any:
-        """The element as SymPy spells it."""
-        return sp.Rational(x.numerator, x.denominator)
+    def expression(self, x: Fraction, times: Any = sp.Integer(1)) -> Any:
+        """The element, times a number without a rational factor, as SymPy spells it."""
+        return sp.Rational(x.numerator, x.denominator) * times
 
     def sign(self, x: Fraction) -> int:
         """1, 0 or -1."""
@@ -75,11 +75,19 @@ class RationalFunctions:
             return self._field.field.raw_new(ring.ground_new(int(expression.p)), ring.ground_new(int(expression.q)))
         return self._field.gens[self.atoms.index(expression)]
 
-    def expression(self, x: Any) -> Any:
-        """The element as SymPy spells it."""
+    def expression(self, x: Any, times: Any = sp.Integer(1)) -> Any:
+        """The element, times a square root, as SymPy spells it: multiplied out, no rational number divides below."""
         if not x:
             return sp.Integer(0)
-        return reduced(x.numer.as_expr(*self.atoms), x.denom.as_expr(*self.atoms))
+        above, below = self._terms(x.numer, times), self._terms(x.denom, sp.Integer(1))
+        content = reduce(sp.gcd, (number for number, _ in below))
+        over, under = (sp.Add(*(c / content * power for c, power in terms)) for terms in (above, below))
+        return over / under
+
+    def _terms(self, polynomial: Any, times: Any) -> list[tuple[Any, Any]]:
+        """Of each term a rational number and what it multiplies."""
+        powers = ((int(c), _power(self.atoms, exponents, times)) for exponents, c in polynomial.terms())
+        return [(c * number, power) for c, (number, power) in powers]
 
     def sign(self, x: Any) -> int:
         """1, 0 or -1; raises NotDecided where enclosures do not tell the value from zero."""
@@ -124,10 +132,11 @@ class RationalFunctions:
         return self._field.field.one * _square_in(abs(int(number))) * _powers(factors, self._field.one)
 
 
-def reduced(above: Any, below: Any) -> Any:
-    """The quotient, without a rational number that divides both."""
-    (one, over), (other, under) = above.primitive(), below.primitive()
-    return one / other * over / under
+@lru_cache(maxsize=500)
+def _power(atoms: tuple[Any, ...], exponents: tuple[int, ...], times: Any) -> tuple[Any, Any]:
+    """A product of powers, times a number: its rational factor and what that multiplies."""
+    found = prod((atom**k for atom, k in zip(atoms, exponents, strict=True)), start=times).as_coeff_Mul(rational=True)
+    return found[0], found[1]
 
 
 def _powers(factors: Sequence[tuple[Any, int]], one: Any) -> Any:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import lru_cache
 from typing import Any, Protocol, runtime_checkable
 
 import sympy as sp
@@ -61,7 +62,7 @@ def as_data(value: Any) -> Any:
         return [as_data(value[i, 0] if columns == 1 else list(value[i, :])) for i in range(rows)]
     if isinstance(value, Sequence):
         return [as_data(part) for part in value]
-    return _PRINTER.doprint(normal(value))
+    return _number_text(normal(value))
 
 
 def text_of(value: Any) -> str:
@@ -84,7 +85,7 @@ def text_of(value: Any) -> str:
         return f"[{'; '.join(', '.join(text_of(value[i, j]) for j in range(columns)) for i in range(rows))}]"
     if isinstance(value, Sequence):
         return f"[{', '.join(map(text_of, value))}]"
-    return str(_PRINTER.doprint(normal(value)))
+    return _number_text(normal(value))
 
 
 def latex_of(value: Any) -> str:
@@ -98,11 +99,20 @@ def latex_of(value: Any) -> str:
         case SpelledValue():
             return value.as_latex()
     if hasattr(value, "shape"):
-        order = "none" if value.has(sp.cot) else None
-        return str(sp.latex(sp.Matrix(value), mat_str="bmatrix", mat_delim="", order=order))
+        rows = (" & ".join(map(_number_latex, row)) for row in value.tolist())
+        return r"\begin{bmatrix}" + r"\\".join(rows) + r"\end{bmatrix}"
     if isinstance(value, Sequence):
         return r"\left\{" + r",\; ".join(map(latex_of, value)) + r"\right\}"
-    number = normal(value)
+    return _number_latex(normal(value))
+
+
+@lru_cache(maxsize=5_000)
+def _number_text(number: Any) -> str:
+    return str(_PRINTER.doprint(number))
+
+
+@lru_cache(maxsize=5_000)
+def _number_latex(number: Any) -> str:
     return str(sp.latex(number, order="none" if number.has(sp.cot) else None))
 
 

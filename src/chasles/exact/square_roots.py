@@ -10,7 +10,6 @@ from typing import Any
 import sympy as sp
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
-from chasles.exact.grounds import reduced
 from chasles.exact.tower import QuadraticTower, Surd
 
 MOST_PARTS, MOST_FACTORS, FEW_FACTORS = 600, 64, 16
@@ -25,14 +24,18 @@ def in_tower(tower: QuadraticTower, expression: Any) -> Surd:
     """The element of the tower that the number is; roots that the tower lacks are taken in. Raises NotInTower."""
     if expression.is_Rational:
         return tower.ground(expression)
-    if expression.is_Add:
-        return reduce(tower.add, [in_tower(tower, term) for term in expression.args])
     if expression.is_Mul:
         return reduce(tower.multiply, [in_tower(tower, factor) for factor in expression.args])
+    if expression not in tower.known:
+        tower.known[expression] = _read_in(tower, expression)
+    return tower.known[expression]
+
+
+def _read_anew(tower: QuadraticTower, expression: Any) -> Surd:
+    if expression.is_Add:
+        return reduce(tower.add, [in_tower(tower, term) for term in expression.args])
     if expression.is_Pow and expression.exp.is_Rational:
-        if expression not in tower.known:
-            tower.known[expression] = _power_in(tower, expression)
-        return tower.known[expression]
+        return _power(tower, expression.base, int(expression.exp.p), int(expression.exp.q))
     for atom in tower.ground.atoms:
         beside = expression / atom
         if (beside**2).is_Rational:
@@ -68,20 +71,20 @@ def _is_constructible(turns: Any, most: int) -> bool:
     return 0 < degree <= most and not degree & (degree - 1)
 
 
-_powers: dict[Any, tuple[Surd, tuple[Surd, ...]]] = {}
-"""Powers that were read, by the roots that the tower had then; and the roots that it has with them."""
-MOST_POWERS = 5_000
+_read: dict[Any, tuple[Surd, tuple[Surd, ...]]] = {}
+"""What was read, by the roots that the tower had then; and the roots that it has with it."""
+MOST_READ = 5_000
 
 
-def _power_in(tower: QuadraticTower, expression: Any) -> Surd:
-    """The element that a power is. It depends on the roots in the tower alone, so that it is read once for these."""
+def _read_in(tower: QuadraticTower, expression: Any) -> Surd:
+    """The element that the number is. It depends on the roots in the tower alone: it is read once for these."""
     key = expression, tower.ground.atoms, tuple(tower.radicands)
-    if key not in _powers:
-        found = _power(tower, expression.base, int(expression.exp.p), int(expression.exp.q))
-        if len(_powers) == MOST_POWERS:
-            _powers.clear()
-        _powers[key] = found, tuple(tower.radicands)
-    found, radicands = _powers[key]
+    if key not in _read:
+        found = _read_anew(tower, expression)
+        if len(_read) == MOST_READ:
+            _read.clear()
+        _read[key] = found, tuple(tower.radicands)
+    found, radicands = _read[key]
     tower.radicands[:] = radicands
     return found
 
@@ -99,28 +102,28 @@ def _power(tower: QuadraticTower, base: Any, above: int, below: int) -> Surd:
     return reduce(tower.multiply, [value] * abs(above), tower.ground(sp.Integer(1)))
 
 
-def spelled(tower: QuadraticTower, x: Surd) -> Any:
-    """The element as SymPy spells it: one spelling for one number."""
+def spelled(tower: QuadraticTower, x: Surd, times: Any = sp.Integer(1)) -> Any:
+    """The element, times roots of integers, as SymPy spells it: one spelling for one number."""
     if not isinstance(x, tuple):
-        return tower.ground.expression(x)
+        return tower.ground.expression(x, times)
     level, a, b = x
     radicand = tower.radicands[level - 1]
     if radicand not in tower.spelled:
         tower.spelled[radicand] = spelled(tower, radicand)
     under = tower.spelled[radicand]
     inside = sp.sqrt(under)
-    if under.is_Rational and not tower.ground.atoms:
-        return spelled(tower, a) + sp.expand_mul(spelled(tower, b) * inside)
     if under.is_Rational:
-        above, below = sp.fraction(spelled(tower, b))
-        return spelled(tower, a) + reduced(sp.expand_mul(above * inside), below)
-    times = tower.multiply(b, radicand)
-    square = tower.multiply(b, times)
-    length, beside = tower.length, tower.length(radicand)
-    if 2 * length(square) < min(length(b), length(times)) + beside:
-        return spelled(tower, a) + tower.sign(b) * sp.sqrt(spelled(tower, square))
-    shorter = spelled(tower, b) * inside if length(b) <= length(times) else spelled(tower, times) / inside
-    return spelled(tower, a) + shorter
+        return spelled(tower, a, times) + spelled(tower, b, times * inside)
+    beside = tower.multiply(b, radicand)
+    square = tower.multiply(b, beside)
+    length, own = tower.length, tower.length(radicand)
+    if 2 * length(square) < min(length(b), length(beside)) + own:
+        root = tower.sign(b) * sp.sqrt(spelled(tower, square))
+    elif length(b) <= length(beside):
+        root = spelled(tower, b) * inside
+    else:
+        root = spelled(tower, beside) / inside
+    return spelled(tower, a, times) + (root if times == 1 else sp.expand_mul(root * times))
 
 
 def is_surd(expression: Any) -> bool:
