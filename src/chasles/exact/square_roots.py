@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from functools import reduce
+from functools import lru_cache, reduce
 from math import lcm
 from typing import Any
 
@@ -151,13 +150,13 @@ def independent_atoms(*values: Any) -> tuple[Any, ...] | None:
     return tuple(beside * atom for atom in sorted(found, key=sp.default_sort_key))
 
 
-def _integers_under_roots(value: Any) -> Iterator[int]:
+@lru_cache(maxsize=20_000)
+def _integers_under_roots(value: Any) -> frozenset[int]:
     """The integers whose square roots occur, not those within angles."""
     if value.is_Pow and value.base.is_Integer and value.exp.q == 2:
-        yield int(value.base)
-    elif not isinstance(value, TrigonometricFunction):
-        for part in value.args:
-            yield from _integers_under_roots(part)
+        return frozenset({int(value.base)})
+    parts = () if isinstance(value, TrigonometricFunction) else value.args
+    return frozenset().union(*map(_integers_under_roots, parts))
 
 
 def has_roots_of_atoms(value: Any) -> bool:
@@ -165,11 +164,12 @@ def has_roots_of_atoms(value: Any) -> bool:
     return any(under_root or isinstance(atom, sp.cot) for atom, under_root in _leaves(value))
 
 
-def _leaves(value: Any, under_root: bool = False) -> Iterator[tuple[Any, bool]]:
+@lru_cache(maxsize=20_000)
+def _leaves(value: Any, under_root: bool = False) -> frozenset[tuple[Any, bool]]:
     """What arithmetic and square roots do not take apart, and whether it stands under a root."""
     if value.is_Add or value.is_Mul or (value.is_Pow and value.exp.is_Rational):
-        below = int(value.exp.q) if value.is_Pow else 1
-        for part in value.args[:1] if value.is_Pow else value.args:
-            yield from _leaves(part, under_root or below > 1)
-    elif not is_surd(value):
-        yield (sp.cot(value.args[0]) if isinstance(value, sp.tan) else value), under_root
+        within = under_root or (value.is_Pow and int(value.exp.q) > 1)
+        return frozenset().union(*(_leaves(part, within) for part in value.args[: 1 if value.is_Pow else None]))
+    if is_surd(value):
+        return frozenset()
+    return frozenset({(sp.cot(value.args[0]) if isinstance(value, sp.tan) else value, under_root)})
