@@ -12,6 +12,8 @@ from mpmath.ctx_iv import MPIntervalContext
 from mpmath.libmp import fzero, mpf_lt
 
 FEW_BITS = 64
+MOST_KNOWN = 5_000
+"""Enclosures that are kept for each number of bits."""
 INVERSES = (sp.acos, sp.asin, sp.atan, sp.acot, sp.asec, sp.acsc)
 
 
@@ -46,7 +48,12 @@ def enclosed(number: Any, bits: int) -> Any:
 
     Raises NoEnclosure.
     """
-    return _Intervals(bits)(number)
+    return _intervals_of(bits)(number)
+
+
+@lru_cache(maxsize=50)
+def _intervals_of(bits: int) -> _Intervals:
+    return _Intervals(bits)
 
 
 @lru_cache(maxsize=50)
@@ -93,9 +100,13 @@ class _Intervals:
         self._known: dict[Any, Any] = {}
 
     def __call__(self, number: Any) -> Any:
-        if number not in self._known:
-            self._known[number] = self._interval(number)
-        return self._known[number]
+        found = self._known.get(number)
+        if found is None:
+            found = self._interval(number)
+            if len(self._known) >= MOST_KNOWN:
+                self._known.clear()
+            self._known[number] = found
+        return found
 
     def _interval(self, number: Any) -> Any:
         match number:
