@@ -80,7 +80,7 @@ class RationalFunctions:
         if not x:
             return sp.Integer(0)
         above, below = self._terms(x.numer, times), self._terms(x.denom, sp.Integer(1))
-        content = reduce(sp.gcd, (number for number, _ in below))
+        content = sp.Rational(gcd(*(int(c.p) for c, _ in below)), lcm(*(int(c.q) for c, _ in below)))
         over, under = (sp.Add(*(c / content * power for c, power in terms)) for terms in (above, below))
         return over / under
 

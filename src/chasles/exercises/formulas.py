@@ -27,8 +27,12 @@ def equation(name: Node | str, value: Any) -> Formula:
 
 def chain(texts: list[str], formulas: list[str], value: Any) -> Formula:
     """Expressions that are equal, the last of them a value; what is written alike is written once."""
-    written = dict(zip([*texts, text_of(value)], [*formulas, latex_of(value)], strict=True))
-    return Formula(" = ".join(written), " = ".join(written.values()), decimal_text(value))
+    written = dict(zip([*texts, text_of(value)], [*formulas, ""], strict=True))
+
+    def in_latex() -> str:
+        return " = ".join((written | {text_of(value): latex_of(value)}).values())
+
+    return Formula(" = ".join(written), in_latex, decimal_text(value))
 
 
 def compared(left: Node, right: Node, values: tuple[Any, Any], same: bool) -> tuple[Formula, ...]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
@@ -19,8 +19,14 @@ class Formula:
     """A formula: as text, in LaTeX, and, where that tells more, its value in decimals."""
 
     text: str
-    latex: str
+    in_latex: str | Callable[[], str]
+    """Made where it is asked for: a terminal shows none, and of long numbers it takes a while."""
     decimals: str = ""
+
+    @property
+    def latex(self) -> str:
+        """The formula in LaTeX."""
+        return self.in_latex if isinstance(self.in_latex, str) else self.in_latex()
 
 
 @dataclass(frozen=True, slots=True)
