@@ -38,7 +38,7 @@ class RationalNumbers:
         """The element that a rational number is."""
         return Fraction(int(expression.p), int(expression.q))
 
-    def expression(self, x: Fraction, times: Any = sp.Integer(1)) -> Any:
+    def expression(self, x: Fraction, times: Any = sp.S.One) -> Any:
         """The element, times a number without a rational factor, as SymPy spells it."""
         return sp.Rational(x.numerator, x.denominator) * times
 
@@ -75,7 +75,7 @@ class RationalFunctions:
             return self._field.field.raw_new(ring.ground_new(int(expression.p)), ring.ground_new(int(expression.q)))
         return self._field.gens[self.atoms.index(expression)]
 
-    def expression(self, x: Any, times: Any = sp.Integer(1)) -> Any:
+    def expression(self, x: Any, times: Any = sp.S.One) -> Any:
         """The element, times a square root, as SymPy spells it: multiplied out, no rational number divides below."""
         if not x:
             return sp.Integer(0)

@@ -101,7 +101,7 @@ def _power(tower: QuadraticTower, base: Any, above: int, below: int) -> Surd:
     return reduce(tower.multiply, [value] * abs(above), tower.ground(sp.Integer(1)))
 
 
-def spelled(tower: QuadraticTower, x: Surd, times: Any = sp.Integer(1)) -> Any:
+def spelled(tower: QuadraticTower, x: Surd, times: Any = sp.S.One) -> Any:
     """The element, times roots of integers, as SymPy spells it: one spelling for one number."""
     if not isinstance(x, tuple):
         return tower.ground.expression(x, times)
