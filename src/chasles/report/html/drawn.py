@@ -8,11 +8,11 @@ from contextlib import suppress
 from hashlib import sha256
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
+from typing import Any
 
 from markupsafe import Markup
 
 from chasles import cache
-from chasles.exercises.picture import Picture
 
 MOST = 16 * 2**20
 """Bytes of pictures that are kept: some hundred reports."""
@@ -20,9 +20,9 @@ DRAWING = ("exact", "exercises", "report")
 """The packages on which a picture depends."""
 
 
-def drawn(picture: Picture, place: str, draw: Callable[[], Markup]) -> Markup:
-    """The picture that is kept, or the one that `draw` makes, which is kept for the next time."""
-    path = _path(picture, place)
+def drawn(shows: Any, place: str, draw: Callable[[], Markup]) -> Markup:
+    """The picture of this that is kept, or the one that `draw` makes, which is kept for the next time."""
+    path = _path(repr(shows), place)
     if path is None:
         return draw()
     with suppress(OSError, ValueError):
@@ -45,9 +45,9 @@ def are_kept() -> bool:
     return root is not None and any((root / "pictures").glob("*.svg"))
 
 
-def _path(picture: Picture, place: str) -> Path | None:
+def _path(said: str, place: str) -> Path | None:
     """Where the picture is kept; None where nothing is, or where it holds what cannot be told by its words."""
-    root, said = cache.folder(), repr(picture)
+    root = cache.folder()
     if root is None or " at 0x" in said or not _engine():
         return None
     return root / "pictures" / f"{_hash(f'{_engine()} {place} {said}')}.svg"

@@ -9,6 +9,7 @@ from typing import Any
 
 from markupsafe import Markup
 
+from chasles.report.html.drawn import drawn
 from chasles.report.html.measured import ErrorAtAngle, ErrorCurve
 from chasles.report.html.pictures import inline
 
@@ -47,7 +48,8 @@ def plotted(curves: Sequence[ErrorCurve]) -> Plotted:
 def _plot(curve: ErrorCurve) -> ErrorPlot:
     words = _in_words(curve)
     place = f"errors-{curve.kernel.replace('_', '-')}"
-    return ErrorPlot(inline(_figure(curve), place, f"Errors of {curve.kernel} over the angle", words), words)
+    title = f"Errors of {curve.kernel} over the angle"
+    return ErrorPlot(drawn(curve, place, lambda: inline(_figure(curve), place, title, words)), words)
 
 
 def _in_words(curve: ErrorCurve) -> str:
