@@ -30,7 +30,7 @@ MOST_REORDERED = 4
 MOST_STEPS = 3
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Grade:
     """What is right, what is wrong and what nothing decides, by the names of the answers, and what is missing.
 
@@ -54,6 +54,19 @@ class Grade:
         """The right parts among all, from 0 to 1."""
         parts = sum(map(len, (self.right, self.wrong, self.missing, self.undecided)))
         return len(self.right) / parts if parts else 1.0
+
+    @property
+    def in_words(self) -> Iterator[str]:
+        """The lines in which it is told."""
+        for word in ("right", "wrong", "undecided", "missing"):
+            if names := getattr(self, word):
+                yield f"{word}: {', '.join(names)}"
+        if not self.passed:
+            yield f"score: {self.score:.0%}"
+        yield from (f"not satisfied: {says}" for says in self.violated)
+
+    def __repr__(self) -> str:
+        return "\n".join(self.in_words)
 
     def as_data(self) -> dict[str, Any]:
         """What `chasles practice --json` prints of it."""
@@ -166,7 +179,8 @@ class _GradedAnswer:
 
     def _verdict(self, name: str, expected: Mapping[str, Any], given: Any) -> bool | None:
         if name in self.exercise.axes:
-            matrix, moments = (expected[of] for of in self.exercise.axes[name])
+            known = {key: in_lists(value) for key, value in self.sheet.data.items()} | dict(expected)
+            matrix, moments = (known[of] for of in self.exercise.axes[name])
             return are_along_axes(matrix, moments, given, Equality(self.tolerance, moments))
         is_angle = name in self.exercise.turns
         return agree(expected[name], given, Equality(self.tolerance, expected[name], is_angle))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
+from json import dumps
 from os import PathLike
 from typing import Any
 
@@ -15,6 +16,7 @@ from chasles.exercises.grading import Grade, graded, new_data
 from chasles.exercises.solution import Solution
 from chasles.exercises.solving import solved_on_sheet
 from chasles.exercises.worksheet import Worksheet
+from chasles.statements.elsewhere import chapter_of
 from chasles.statements.exercise import Exercise
 from chasles.statements.exercises import UnknownExercise
 from chasles.statements.exercises import exercise as find_exercise
@@ -28,7 +30,7 @@ EXACT = (
 )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Practice:
     """A task: the exercise and which data are drawn. The same seed draws the same data."""
 
@@ -74,6 +76,28 @@ class Practice:
             "answers": {answer.name: {"shape": shape_in_words(answer.shape), "is": answer.says} for answer in asked},
             "template": self.template,
         }
+
+    @property
+    def in_words(self) -> Iterator[str]:
+        """The lines in which it is handed out."""
+        whole = self.as_data()
+        yield f"Exercise {whole['exercise']}  {whole['title']}, new data {self.seed}"
+        yield from (f"  - {text}" for text in whole["asked"])
+        yield "Data:"
+        yield from (f"  {key} = {dumps(value)}: {whole['data_are'][key]}" for key, value in whole["data"].items())
+        yield "Conventions:"
+        yield from (f"  - {text}" for text in whole["conventions"])
+        yield "Answers, those that apply:"
+        yield from (f"  {name}: {answer['is']} ({answer['shape']})" for name, answer in whole["answers"].items())
+        yield "As JSON, with ? replaced:"
+        yield "{" + ",\n ".join(f"{dumps(name)}: {dumps(blank)}" for name, blank in whole["template"].items()) + "}"
+        yield "Check an answer:"
+        package = chapter_of(self.exercise)
+        chapter = "" if package == BOOK else f" --chapter {package}"
+        yield f"  chasles{chapter} practice {whole['exercise']} --seed {self.seed} --check answer.json"
+
+    def __repr__(self) -> str:
+        return "\n".join(self.in_words)
 
     def grade(self, answers: Mapping[str, Any], rtol: Any = None, digits: int | None = None) -> Grade:
         """The grade of these answers: exact, or, with a tolerance, of numbers as near as `rtol` or so many digits.

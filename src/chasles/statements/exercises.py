@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from importlib import import_module
 from importlib.util import find_spec
+from itertools import chain
 from pkgutil import iter_modules
 
 from chasles.statements.chapter import Sentence
@@ -42,7 +43,27 @@ def exercise(number: str, chapter: str = BOOK) -> Exercise:
         raise DeclarationError(f"{module} declares no `exercise`: write exercise = Exercise({number!r}, ...)")
     if found.number != number:
         raise DeclarationError(f"{found.place}: {module} declares exercise {found.number}: it must be {number}")
+    _require_known_names(found)
     return found
+
+
+def _require_known_names(found: Exercise) -> None:
+    """Raises DeclarationError where an exercise speaks of an answer, a datum or a status that it does not have."""
+    answers, statuses = {answer.name for answer in found.answers}, set(found.statuses)
+    spoken = (
+        ("symbols", found.symbols, answers),
+        ("signs", chain(*found.signs), answers),
+        ("turns", found.turns, answers),
+        ("orders", chain(*found.orders), answers),
+        ("axes", chain(found.axes, *found.axes.values()), answers | set(found.keys)),
+        ("stand_ins", found.stand_ins, set(found.keys)),
+        ("only", chain(*(answer.only for answer in found.answers)), statuses),
+        ("given", (answer.given for answer in found.answers if answer.given), set(found.keys)),
+    )
+    for field, names, known in spoken:
+        if unknown := [name for name in names if name not in known]:
+            there = ", ".join(sorted(known)) or "none"
+            raise DeclarationError(f"{found.place}: {field}: there is no {unknown[0]!r}; there are: {there}")
 
 
 def sentences_of_exercises(chapter: str = BOOK) -> dict[str, Sentence]:

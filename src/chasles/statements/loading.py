@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from importlib import import_module
 from importlib.util import find_spec
+from pkgutil import iter_modules
 from types import ModuleType
 from typing import Any
 
@@ -45,6 +47,12 @@ def _modules(book: ModuleType) -> Iterator[ModuleType]:
         if find_spec(module) is None:
             raise DeclarationError(f"{book.__name__} lists {name!r} among its SECTIONS, and there is no such module")
         yield import_module(module)
+
+
+def unlisted(book: ModuleType) -> list[str]:
+    """The modules of the package that are named as sections are, `s2_motion`, and are not among its SECTIONS."""
+    names = (module.name for module in iter_modules(getattr(book, "__path__", ())))
+    return sorted(name for name in names if re.match(r"s\d", name) and name not in book.SECTIONS)
 
 
 def _entries(module: ModuleType, seen: set[int]) -> Iterator[Entry]:

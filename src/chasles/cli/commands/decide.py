@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -53,6 +54,7 @@ def command(
     from chasles.cli.hint import say_once_what_is_faster
     from chasles.cli.outcome import decide
     from chasles.report.records import record
+    from chasles.statements.loading import unlisted
 
     book = chapter()
     outcome, _ = decide(chosen(book, numbers, sections), book, recheck=recheck, anew=anew)
@@ -68,6 +70,8 @@ def command(
         _show(outcome, brief)
         for line in theorems.in_words if theorems else ():
             click.echo(line)
+    if left_out := unlisted(import_module(book.package)):
+        click.echo(f"hint: not among the SECTIONS of {book.package}, and left out: {', '.join(left_out)}", err=True)
     say_once_what_is_faster()
     return complain(outcome.failures)
 

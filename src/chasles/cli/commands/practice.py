@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from json import dumps
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
@@ -13,11 +13,6 @@ from chasles.cli import completing
 from chasles.cli.book import as_data, package_chosen, print_data
 from chasles.cli.failures import BAD_INPUT, FAILED, Failure
 from chasles.cli.files import text_of_file
-from chasles.statements.packages import BOOK
-
-if TYPE_CHECKING:
-    from chasles.exercises.grading import Grade
-    from chasles.exercises.practice import Practice
 
 
 @click.command(
@@ -65,7 +60,7 @@ def command(
 
         from chasles.report.screen import Screen
 
-        lines = _task(task) if marks is None else _marks(marks)
+        lines = (task if marks is None else marks).in_words
         Screen().show(*(Text(line, overflow="fold") for line in lines))
     return 0 if marks is None or marks.passed else FAILED
 
@@ -82,32 +77,3 @@ def _answers(read: dict[str, Any]) -> dict[str, Any]:
     """The answers, alone or as `chasles solve --json` prints them."""
     inner = read.get("answers")
     return inner if isinstance(inner, dict) else read
-
-
-def _task(task: Practice) -> Iterator[str]:
-    from chasles.statements.elsewhere import chapter_of
-
-    whole = task.as_data()
-    yield f"Exercise {whole['exercise']}  {whole['title']}, new data {task.seed}"
-    yield from (f"  - {text}" for text in whole["asked"])
-    yield "Data:"
-    yield from (f"  {key} = {dumps(value)}: {whole['data_are'][key]}" for key, value in whole["data"].items())
-    yield "Conventions:"
-    yield from (f"  - {text}" for text in whole["conventions"])
-    yield "Answers, those that apply:"
-    yield from (f"  {name}: {answer['is']} ({answer['shape']})" for name, answer in whole["answers"].items())
-    yield "As JSON, with ? replaced:"
-    yield "{" + ",\n ".join(f"{dumps(name)}: {dumps(blank)}" for name, blank in whole["template"].items()) + "}"
-    yield "Check an answer:"
-    package = chapter_of(task.exercise)
-    chapter = "" if package == BOOK else f" --chapter {package}"
-    yield f"  chasles{chapter} practice {whole['exercise']} --seed {task.seed} --check answer.json"
-
-
-def _marks(marks: Grade) -> Iterator[str]:
-    for word in ("right", "wrong", "undecided", "missing"):
-        if names := getattr(marks, word):
-            yield f"{word}: {', '.join(names)}"
-    if not marks.passed:
-        yield f"score: {marks.score:.0%}"
-    yield from (f"not satisfied: {says}" for says in marks.violated)
