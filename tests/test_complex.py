@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -14,7 +15,7 @@ from chasles.verdict import Fails, Holds, HoldsUnder
 x, y, u, v = sp.symbols("x y u v")
 p = sp.Symbol("p", positive=True)
 z, w = x + I * y, u + I * v
-f = sp.Function("f")(x)
+f, g = sp.Function("f")(x), sp.Function("g")(x)
 
 TRUE: list[tuple[Any, Any, set[str]]] = [
     (z * conjugate(z), Abs(z) ** 2, set()),
@@ -67,11 +68,13 @@ FALSE: list[tuple[Any, Any]] = [
     (Matrix([x, z]), Matrix([x, x])),
     (Matrix([[x, z]]).H, Matrix([x, z])),
 ]
-Z = sp.Symbol("Z", complex=True)
+Z, W = sp.symbols("Z W", complex=True)
+q = sp.Symbol("q")
 REFUSED: list[Any] = [
     sqrt(z), conjugate(sqrt(z)), Abs(sqrt(z) + 1),
     sp.log(z), im(sp.asin(z)), re(sp.sign(z)), im(sp.Function("h")(z)), im(sp.besselj(0, z)),
-    im(Z), re(Z), conjugate(Z), Abs(Z), Z, sp.arg(Z), im(sp.Symbol("j", imaginary=True)), x**z, z**x, (-1) ** x,
+    sqrt(Z), sp.log(Z), Abs(sqrt(Z)), x**Z, im(sp.Symbol("j", imaginary=True)), x**z, z**x, (-1) ** x,
+    conjugate(sp.Symbol("n", complex=True, zero=False)),
     im((-1) ** x), sp.Max(re(sqrt(z)), 1), z**40, sp.cbrt(-1) + x,
 ]  # fmt: skip
 
@@ -83,8 +86,25 @@ def name(case: Any) -> str:
 @pytest.mark.parametrize(("lhs", "rhs", "needs"), TRUE, ids=name)
 def test_both_parts_are_proved(lhs: Any, rhs: Any, needs: set[str]) -> None:
     verdict = prove(lhs, rhs)
-    assert isinstance(verdict, HoldsUnder if needs else Holds), verdict
-    assert set(verdict.needs if isinstance(verdict, HoldsUnder) else ()) == needs
+    said = set(verdict.needs if isinstance(verdict, HoldsUnder) else ())
+    assert isinstance(verdict, HoldsUnder if said else Holds), verdict
+    assert {text for text in said if not text.endswith(" is real")} == needs
+    recheck(verdict, lhs, rhs)
+
+
+@pytest.mark.parametrize(
+    ("lhs", "rhs"), [(conjugate(q), q), (im(q), 0), (conjugate(q * x), x * q), (re(g), g)], ids=name
+)
+def test_what_is_read_as_real_is_said(lhs: Any, rhs: Any, atoms: Any) -> None:
+    verdict = prove(lhs, rhs)
+    assert isinstance(verdict, HoldsUnder)
+    assert set(verdict.needs) == {
+        f"{atom} is real" for atom in (q, x, g) if lhs.has(atom) and not (atom == x and lhs.has(g))
+    }
+    recheck(verdict, lhs, rhs)
+    for needs in ((), ("q is real", "x is real", "g(x) is real", "y is real")):
+        with pytest.raises(Rejected):
+            recheck(replace(verdict, needs=needs), lhs, rhs)
 
 
 @pytest.mark.parametrize(("lhs", "rhs"), FALSE, ids=name)
@@ -122,7 +142,37 @@ def test_a_complex_condition_says_both_of_its_parts() -> None:
     assert isinstance(prove(x / z, 1 / (1 + I * y / x), nonzero=[x, z]), Holds | HoldsUnder)
 
 
-@pytest.mark.parametrize("symbol", [Z, sp.Symbol("j", imaginary=True), sp.Symbol("N", infinite=True)], ids=str)
+OF_COMPLEX_SYMBOLS: list[tuple[Any, Any, dict[str, Any], bool]] = [
+    (Abs(Z) ** 2, Z * conjugate(Z), {}, True),
+    (Abs(Z) ** 2, Z**2, {}, False),
+    (re(Z * conjugate(W)), re(Z) * re(W) + im(Z) * im(W), {}, True),
+    (re(Z * W), re(Z) * re(W), {}, False),
+    (exp(Z + W), exp(Z) * exp(W), {}, True),
+    (1 / Z, conjugate(Z) / Abs(Z) ** 2, {}, True),
+    (1 / Z, conjugate(Z), {"given": Eq(Abs(Z), 1)}, True),
+    (1 / Z, conjugate(Z), {"given": Eq(re(Z), 1)}, False),
+    (Z**2, -1, {"given": {Z: I}}, True),
+    (Z**2, 1, {"given": {Z: I}}, False),
+    (sp.tanh(Z + W), (sp.tanh(Z) + sp.tanh(W)) / (1 + sp.tanh(Z) * sp.tanh(W)), {}, True),
+    (conjugate(Z), Z, {}, False),
+    (im(Z), 0, {}, False),
+    (re(Z) ** 2 + im(Z) ** 2, Abs(Z) ** 2, {}, True),
+    (re(Z) + I * im(Z), Z, {}, True),
+    (re(Z) - I * im(Z), Z, {}, False),
+    (tan(x + I * y), (sin(2 * x) + I * sp.sinh(2 * y)) / (cos(2 * x) + sp.cosh(2 * y)), {}, True),
+    (sp.coth(x + I * y), (sp.sinh(2 * x) - I * sin(2 * y)) / (sp.cosh(2 * x) - cos(2 * y)), {}, True),
+    (tan(x + I * y), tan(x) + I * tan(y), {}, False),
+]
+
+
+@pytest.mark.parametrize(("lhs", "rhs", "under", "true"), OF_COMPLEX_SYMBOLS, ids=name)
+def test_complex_symbols_have_all_complex_values(lhs: Any, rhs: Any, under: dict[str, Any], true: bool) -> None:
+    verdict = prove(lhs, rhs, **under)
+    assert isinstance(verdict, (Holds | HoldsUnder) if true else Fails), verdict
+    recheck(verdict, lhs, rhs, **under)
+
+
+@pytest.mark.parametrize("symbol", [sp.Symbol("j", imaginary=True), sp.Symbol("N", infinite=True)], ids=str)
 @pytest.mark.parametrize("rule", ["abs", "max", "root", "sign", "switch"])
 def test_cases_of_signs_are_of_real_symbols(symbol: Any, rule: str) -> None:
     """|Z|^2 = Z^2 holds where Z is positive, zero or negative: a complex Z is none of these."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 from math import inf
 from typing import Any
 
@@ -12,6 +13,7 @@ from chasles.checker.expressions.counterexample import check_refutation
 from chasles.checker.expressions.proof import check_proof
 from chasles.checker.sparse import Rejected
 from chasles.from_sympy import Question, ask
+from chasles.from_sympy.complex_symbols import by_parts
 from chasles.from_sympy.contradiction import contradiction
 from chasles.from_sympy.decimals import as_decimals
 from chasles.from_sympy.splitting import Splitting
@@ -30,7 +32,9 @@ EFFORT = 1e7
 def prove(lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), budget: float = inf, exact: bool = False) -> Verdict:
     """The verdict on `lhs == rhs`, for all real values of the symbols that satisfy the side conditions.
 
-    Square roots are the nonnegative ones and are meant where they are real, fractions where no divisor vanishes.
+    Symbols that are `complex=True` have all complex values, and the verdict speaks of their parts `re_z` and `im_z`.
+    Where a conjugate or a part is taken of others, the verdict says that they are real. Square roots are the
+    nonnegative ones and are meant where they are real, fractions where no divisor vanishes.
 
     Args:
         lhs: a SymPy scalar or matrix.
@@ -99,9 +103,9 @@ def _followed(verdict: Verdict, asked: tuple[Any, ...]) -> Verdict:
 
 
 def _asked(exact: bool, *said: Any) -> tuple[Any, ...]:
-    """What was asked, iterators written out, since they are read more than once."""
+    """What was asked, iterators written out, since they are read more than once, and complex symbols by parts."""
     said = tuple(tuple(each) if isinstance(each, Iterator) else each for each in said)
-    return tuple(map(as_decimals, said)) if exact else said
+    return by_parts(tuple(map(as_decimals, said)) if exact else said)
 
 
 def recheck(verdict: Verdict, lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), exact: bool = False) -> None:
@@ -164,11 +168,12 @@ def _decided(question: Question) -> Verdict:
         impossible = contradiction(question)
         if impossible is not None:
             return impossible
-        blind = replace(question.search, blind=True)
-        for squared, problem in question.variants():
+        write = question.search.write
+        for variant, problem in question.variants():
+            blind = replace(question.search, blind=True, write=write and partial(write, variant=variant))
             again = decide_problem(problem, question.own, search=blind)
             if isinstance(again, Holds | HoldsUnder):
-                return replace(again, certificate={**again.certificate, "variant": int(squared)})
+                return again
     return verdict
 
 

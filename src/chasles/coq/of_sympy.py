@@ -106,7 +106,7 @@ class ScalarStatement:
 
     def _needs(self, needs: tuple[str, ...]) -> Iterator[ScalarPremise]:
         spelled = {str(atom): atom for atom in self.names}
-        said = {item.text for item in self.asked.given}
+        said = {*self.asked.real, *(item.text for item in self.asked.given)}
         for count, text in enumerate(need for need in needs if need not in said):
             ending = next((each for each in RELATIONS if text.endswith(each)), None)
             if ending is None:

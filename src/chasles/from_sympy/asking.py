@@ -9,8 +9,9 @@ from typing import Any
 import sympy
 
 from chasles.from_sympy.arcs import turned
-from chasles.from_sympy.atoms import QuantityNames
+from chasles.from_sympy.atoms import QuantityNames, nonnegative_by_sign
 from chasles.from_sympy.certificates import Writing
+from chasles.from_sympy.complex_symbols import taken_as_real
 from chasles.from_sympy.complexes import Parts
 from chasles.from_sympy.divisors import DivisorText, divisor_of
 from chasles.from_sympy.elementary import Elementary
@@ -55,6 +56,7 @@ def ask(lhs: Any, rhs: Any, given: Any, nonzero: Any) -> Question | IllFormed | 
     question = _Asking(conditions, expressions, len(declared), left.shape, elementary).question(
         (lhs, rhs, given, nonzero)
     )
+    question.nonnegative = size == 1 and all(map(nonnegative_by_sign, expressions[first : first + 2]))
     question.search.rows = rows if left.shape[0] > rows else None
     still = not any(orders_of(pair) for pair in conditions.stated)
     defined = (*parts.met, *elementary.needs.values())
@@ -123,6 +125,7 @@ class _Asking:
         unsaid += [f"{word} > 0" for word, origin in self.elementary.origins.items() if origin.is_Pow]
         met = [divisor.text for node, divisor in reader.divisors.items() if node in self.met]
         higher = [item.text for item in self.given.equations if not item.sources]
+        substituted = [text for text, _, _ in self.given.substitutions]
         search = search_for(reader, self.given)
         search.unseen = bool(self.elementary.origins)
         search.blind = search.blind or search.unseen
@@ -134,7 +137,13 @@ class _Asking:
                 *(divisors[node] for node in divisors if node in self.declared),
             ),
             search=search,
-            needs=(*(text for text, _, _ in self.given.substitutions), *self.elementary.needs, *met, *roots.domains),
+            needs=(
+                *taken_as_real(asked),
+                *substituted,
+                *self.elementary.needs,
+                *met,
+                *roots.domains,
+            ),
             hidden=frozenset((*unsaid, *higher, *(h.text for h in roots.hypotheses))),
             sources={item.text: item.sources for item in self.given.equations if item.sources},
             origins=reader.atoms.origins,

@@ -101,6 +101,13 @@ def real_copy(expression: Any) -> Any:
     return expression.xreplace(copies)
 
 
+def nonnegative_by_sign(expression: Any) -> bool:
+    """Whether a real expression is not negative by what SymPy sees, roots being real."""
+    roots = {part: sympy.Dummy(nonnegative=True) for part in expression.atoms(sympy.Pow) if part.exp.is_Rational
+             and part.exp.q == 2 and part.exp > 0}  # fmt: skip
+    return bool(real_copy(expression.xreplace(roots)).is_nonnegative)
+
+
 def nonzero_by_sign(expression: Any) -> bool:
     """Whether a real expression is positive, or negative, by what SymPy sees or by completing squares."""
     copy = real_copy(expression)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from itertools import combinations
 from math import prod
 from typing import Any
 
@@ -77,8 +78,11 @@ class SplitCase:
 
     @property
     def possible(self) -> bool:
-        """Whether the known signs do not visibly contradict each other."""
-        return all(visible_sign(e) in (None, sign) for e, sign in self.facts)
+        """Whether the known signs do not visibly contradict each other, alone or two of them."""
+        if any(visible_sign(e) not in (None, sign) for e, sign in self.facts):
+            return False
+        pairs = ((ratio_of(e, other), sign, known) for (e, sign), (other, known) in combinations(self.facts, 2))
+        return all(ratio is None or sign == ratio * known for ratio, sign, known in pairs)
 
     def sign(self, e: Any) -> int | None:
         """The sign of an expression, if it is known."""

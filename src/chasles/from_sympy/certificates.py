@@ -47,11 +47,13 @@ class Writing:
     search: Search
     elementary: Elementary
 
-    def __call__(self, context: Context, done: list[ProvedEntry], witness: Mapping[str, Any]) -> dict[str, Any]:
-        """All that the checker needs, as text."""
+    def __call__(
+        self, context: Context, done: list[ProvedEntry], witness: Mapping[str, Any], variant: int = 0
+    ) -> dict[str, Any]:
+        """All that the checker needs, as text; `variant` says how the problem differs from the question."""
         ring = context.field.ring
         certificate: dict[str, Any] = {
-            "variant": 0,
+            "variant": variant,
             "names": {word.name: str(atom) for atom, word in self.reader.atoms.words.items()},
             "positive": list(self._positive(context)),
             "squares": list(self._squares(context)),

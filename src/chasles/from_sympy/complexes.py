@@ -70,6 +70,9 @@ class Parts:
         if isinstance(e, sympy.Derivative):
             re, im = self(e.expr)
             return re.diff(*e.variables), im.diff(*e.variables)
+        if e.func in QUOTIENTS:
+            above, below = QUOTIENTS[e.func]
+            return self(above(*e.args) / below(*e.args))
         rule = RULES.get(e.func)
         parts = [self(argument) for argument in e.args]
         if rule is not None and len(parts) == 1:
@@ -149,4 +152,15 @@ RULES: Mapping[type, Callable[[Any, Any], Pair]] = {
     sympy.cos: _cos,
     sympy.sinh: _sinh,
     sympy.cosh: _cosh,
+}
+
+QUOTIENTS: Mapping[type, tuple[Callable[..., Any], Callable[..., Any]]] = {
+    sympy.tan: (sympy.sin, sympy.cos),
+    sympy.cot: (sympy.cos, sympy.sin),
+    sympy.sec: (lambda _: sympy.S.One, sympy.cos),
+    sympy.csc: (lambda _: sympy.S.One, sympy.sin),
+    sympy.tanh: (sympy.sinh, sympy.cosh),
+    sympy.coth: (sympy.cosh, sympy.sinh),
+    sympy.sech: (lambda _: sympy.S.One, sympy.cosh),
+    sympy.csch: (lambda _: sympy.S.One, sympy.sinh),
 }

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import sympy
@@ -11,10 +11,19 @@ from sympy.matrices import MatrixBase
 
 def as_decimals(value: Any) -> Any:
     """The expression, matrix, equation or list with every floating-point number replaced by what its digits say."""
+    return each_replaced(value, lambda e: {number: sympy.Rational(str(number)) for number in e.atoms(sympy.Float)})
+
+
+def each_replaced(value: Any, values: Callable[[Any], Mapping[Any, Any]]) -> Any:
+    """The expression, matrix, equation or list with parts of every expression replaced by the values that it has."""
     if isinstance(value, list | tuple):
-        return type(value)(map(as_decimals, value))
+        return type(value)(each_replaced(item, values) for item in value)
     if isinstance(value, Mapping):
-        return {name: as_decimals(said) for name, said in value.items()}
+        keyed = any(isinstance(name, sympy.Basic) and values(name) for name in value)
+        pairs = [(name, each_replaced(said, values)) for name, said in value.items()]
+        if keyed:
+            return tuple(sympy.Eq(each_replaced(name, values), said, evaluate=False) for name, said in pairs)
+        return dict(pairs)
     if isinstance(value, str):
         return value
     try:
@@ -22,7 +31,5 @@ def as_decimals(value: Any) -> Any:
     except sympy.SympifyError:
         return value
     if isinstance(value, MatrixBase):
-        return value.applyfunc(as_decimals)
-    if not isinstance(value, sympy.Basic):
-        return value
-    return value.xreplace({number: sympy.Rational(str(number)) for number in value.atoms(sympy.Float)})
+        return value.applyfunc(lambda entry: each_replaced(entry, values))
+    return value.xreplace(dict(values(value))) if isinstance(value, sympy.Basic) else value

@@ -13,6 +13,7 @@ from typing import Any
 
 import sympy
 
+from chasles.from_sympy.constants import is_algebraic, is_positive
 from chasles.from_sympy.divisors import CIRCULAR
 from chasles.from_sympy.opening import excerpt, is_atom
 from chasles.problems.variables import Untreatable
@@ -24,13 +25,15 @@ LARGEST = 90
 class General:
     """Rewrites the expressions of a question; `meanings` says what the symbols stand for, `facts` what they satisfy.
 
-    `met` are the expressions that symbols stand for, and `parts` is n where cos(pi/n) is one.
+    `roots` are equations between powers of symbols and numbers, `met` the expressions that symbols stand for, and
+    `parts` is n where cos(pi/n) is one.
     """
 
     def __init__(self, expressions: Iterable[Any]) -> None:
         self.expressions = list(expressions)
         self.meanings: dict[Any, Any] = {}
         self.facts: list[Any] = []
+        self.roots: list[tuple[Any, Any]] = []
         self._taken = {str(s) for e in self.expressions for s in e.free_symbols}
         self.parts = self._parts()
         if self.parts:
@@ -40,13 +43,28 @@ class General:
 
     def __call__(self, e: Any) -> Any:
         """The expression in the symbols."""
-        if not e.has(*CIRCULAR):
+        if not e.has(*CIRCULAR, sympy.Pow):
             return e
         if e not in self._known:
-            self._known[e] = (
-                self._circular(e) if type(e) in CIRCULAR else e if is_atom(e) else e.func(*map(self, e.args))
-            )
+            self._known[e] = self._written(e)
         return self._known[e]
+
+    def _written(self, e: Any) -> Any:
+        if type(e) in CIRCULAR:
+            return self._circular(e)
+        if is_atom(e):
+            return e
+        return self._root(e) if is_root_of_number(e) else e.func(*map(self, e.args))
+
+    def _root(self, e: Any) -> Any:
+        """A root of a positive number is a symbol, whose power is the number."""
+        degree = int(e.exp.q)
+        meaning = e.base ** sympy.Rational(1, degree)
+        symbol = next((known for known, other in self.meanings.items() if other == meaning), None)
+        if symbol is None:
+            symbol = self._symbol(meaning, positive=True)
+            self.roots.append((symbol**degree, self(e.base)))
+        return symbol ** int(e.exp.p)
 
     @property
     def met(self) -> list[Any]:
@@ -89,13 +107,20 @@ class General:
             raise Untreatable(f"angles that are multiples of pi/{parts} are not treated: of pi/{LARGEST} at the least")
         return parts
 
-    def _symbol(self, meaning: Any) -> Any:
+    def _symbol(self, meaning: Any, **assumed: bool) -> Any:
         name = str(meaning)
-        symbol = sympy.Symbol(name, real=True)
+        symbol = sympy.Symbol(name, real=True, **assumed)
         if name in self._taken:
             raise Untreatable(f"a symbol is called as {excerpt(meaning)} is written: rename it")
         self.meanings[symbol] = meaning
         return symbol
+
+
+def is_root_of_number(e: Any) -> bool:
+    """Whether an expression is a power of a positive number that is more than square roots of numbers."""
+    if not (isinstance(e, sympy.Pow) and e.exp.is_Rational and e.exp.q > 1 and is_algebraic(e.base)):
+        return False
+    return any(part.exp.q > 2 for part in e.atoms(sympy.Pow)) and is_positive(e.base)
 
 
 def _is_product(e: Any) -> bool:

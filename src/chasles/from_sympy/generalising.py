@@ -45,14 +45,15 @@ def generalised(
     columns = [sympy.Matrix([*side, *met]) for side in sides]
     facts = [*general.facts]
     while True:
-        known = [*equations, *(sympy.Eq(fact, 0, evaluate=False) for fact in facts)]
+        vanishing = [*general.roots, *((fact, sympy.S.Zero) for fact in facts)]
+        known = [*equations, *(sympy.Eq(one, other, evaluate=False) for one, other in vanishing)]
         question = ask(columns[0], columns[1], known, declared)
         if not isinstance(question, Question) or question.formal:
             return None
         more = relations(question, general.meanings) if len(facts) == len(general.facts) else []
         if not more:
             break
-        facts += more
+        facts += [general(fact.xreplace(general.meanings)) for fact in more]
     question.sampling = None
     question.search.blind = question.search.unseen = True
     verdict = decide(question)
@@ -62,5 +63,5 @@ def generalised(
     needs = tuple(text for text in verdict.needs if text not in said)
     certificate: dict[str, Any] = {"proof": verdict.certificate, "needs": list(verdict.needs)}
     if general.meanings or facts:
-        certificate |= {"parts": general.parts, "facts": [str(fact) for fact in facts]}
+        certificate |= {"parts": general.parts, "facts": [str(fact.xreplace(general.meanings)) for fact in facts]}
     return Proved(certificate, needs)

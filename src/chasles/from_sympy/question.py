@@ -28,7 +28,7 @@ class Question:
     true by themselves. `sources` give the texts of what the user said for that of what follows
     from it, `origins` what each word stands for; `roots` follow from the other coordinates of a point, and so do the
     atoms `substituted`. If it is `formal`, words stand for values of functions: a point of the problem need not be one
-    of the question.
+    of the question. If it is `nonnegative`, both sides are scalars that visibly are.
     """
 
     problem: Problem
@@ -42,24 +42,29 @@ class Question:
     substituted: tuple[tuple[Any, Any], ...]
     sampling: Sampling | None = None
     formal: bool = False
+    nonnegative: bool = False
 
-    def variants(self) -> Iterator[tuple[bool, Problem]]:
-        """Problems that say the same, and may be easier to prove, and whether these square the differences.
+    def variants(self) -> Iterator[tuple[int, Problem]]:
+        """Problems that say the same, and may be easier to prove, with what the certificate calls them.
 
-        The left side is multiplied and divided by what does not vanish; or the square of the difference is zero.
+        The left side is multiplied and divided by what does not vanish (0); or the square of the difference is zero
+        (1); or the squares of sides are equal that are not negative (2).
         """
         divisors = [node for h in self.problem.hypotheses for node in h.nonvanishing]
         alone = [[node] for node in divisors] if len(divisors) > 1 else []
         for factors in [*alone, divisors, [*divisors, *divisors]] if divisors else []:
             factor = multiplied(factors)
             goals = [Goal(g.label, Quotient(Scale(factor, g.left), factor), g.right) for g in self.problem.goals]
-            yield False, replace(self.problem, goals=tuple(goals))
+            yield 0, replace(self.problem, goals=tuple(goals))
         for goal in self.problem.goals if self.conditions else ():
             rows, columns = shape = goal.left.shape
             places = [(i + 1, j + 1) for i in range(rows) for j in range(columns)]
             pairs = [(entry_of(goal.left, place), entry_of(goal.right, place)) for place in places]
             squares: list[Node] = [Power(Sum((one, Negative(other))), 2) for one, other in pairs]
-            yield True, replace(self.problem, goals=(Goal("", matrix_of(squares, shape), Zero(rows, columns)),))
+            yield 1, replace(self.problem, goals=(Goal("", matrix_of(squares, shape), Zero(rows, columns)),))
+        if self.nonnegative:
+            (goal,) = self.problem.goals
+            yield 2, replace(self.problem, goals=(Goal("", Power(goal.left, 2), Power(goal.right, 2)),))
 
     @property
     def conditions(self) -> bool:

@@ -23,15 +23,14 @@ def relations(question: Question, meanings: Mapping[Any, Any]) -> list[Any]:
     context = build(question.problem)
     symbols = [(place, variable.symbol) for place, variable in enumerate(context.variables)]
     numeric = [place for place, symbol in symbols if symbol is not None and is_algebraic(origins.get(symbol))]
-    found: dict[Any, None] = {}
-    for goal in context.problem.goals:
-        for _, _, ratio in entries(difference(context, goal)):
-            for coefficient in _coefficients(context, context.basis.reduce(ratio.numerator)[1], numeric):
-                number = as_sympy(question.origins, context, coefficient)
-                if not vanishes(number.xreplace(meanings)):
-                    return []
-                found[number] = None
-    return list(found)
+    claims = [ratio.numerator for goal in context.problem.goals for _, _, ratio in entries(difference(context, goal))]
+    reduced = [context.basis.reduce(claim)[1] for claim in claims]
+    for polynomials in (claims, reduced) if any(claim != 0 for claim in reduced) else ():
+        coefficients = [c for polynomial in polynomials for c in _coefficients(context, polynomial, numeric)]
+        found = list(dict.fromkeys(as_sympy(question.origins, context, c) for c in coefficients))
+        if all(vanishes(number.xreplace(meanings)) for number in found):
+            return found
+    return []
 
 
 def _is_plain(number: Any) -> bool:

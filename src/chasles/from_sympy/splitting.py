@@ -11,7 +11,9 @@ import sympy
 from chasles.from_sympy.atoms import QuantityNames
 from chasles.from_sympy.cases import SplitCase
 from chasles.from_sympy.complexes import OF_COMPLEX
+from chasles.from_sympy.defined import Pairs, without_defined
 from chasles.from_sympy.divisors import divisor_of
+from chasles.from_sympy.general import is_root_of_number
 from chasles.from_sympy.generalising import Decide, generalised
 from chasles.from_sympy.opening import Entries, atoms_of, opened, sides
 from chasles.from_sympy.sampling import Sampling
@@ -65,8 +67,9 @@ class Splitting:
 
     @property
     def wanted(self) -> bool:
-        """Whether something is spoken of that is treated by cases alone."""
-        return bool(switches_in(self.spoken, *UNREADABLE)) and self.possible
+        """Whether something is spoken of that is treated by cases alone, or numbers that are treated by themselves."""
+        roots = any(is_root_of_number(part) for e in self.spoken for part in e.atoms(sympy.Pow))
+        return (roots or bool(switches_in(self.spoken, *UNREADABLE))) and self.possible
 
     @property
     def readable(self) -> bool:
@@ -157,16 +160,26 @@ class Splitting:
 
     def _decided(self, case: SplitCase) -> Mapping[str, Any] | None:
         self._require(case, within=True)
-        size, pairs = self._left.shape[0] * self._left.shape[1], len(self._pairs)
-        left, right = (case.spoken[k * size : (k + 1) * size] for k in (0, 1))
-        flat = iter(case.spoken[2 * size : 2 * size + 2 * pairs])
+        size, pairs = 2 * self._left.shape[0] * self._left.shape[1], len(self._pairs)
+        flat = iter(case.spoken[size : size + 2 * pairs])
         given = [*zip(flat, flat, strict=True), *((e, sympy.S.Zero) for e in case.equations)]
+        spoken = [*case.spoken[:size], *case.spoken[size + 2 * pairs :]]
+        found = self._generalised(case, spoken, given)
+        if found is None:
+            places, spoken, given = without_defined(spoken, given)
+            found = self._generalised(case, spoken, given) if places else None
+            found = {**found, "defined": [list(place) for place in places]} if found else None
+        return found
+
+    def _generalised(self, case: SplitCase, spoken: list[Any], given: Pairs) -> dict[str, Any] | None:
+        """The certificate of a case with these sides and scalars that do not vanish, and this given."""
+        size = self._left.shape[0] * self._left.shape[1]
         try:
-            proved = generalised(left, right, given, case.spoken[2 * size + 2 * pairs :], self.decide)
+            proved = generalised(spoken[:size], spoken[size : 2 * size], given, spoken[2 * size :], self.decide)
         except Untreatable as error:
-            self._refused = error
+            self._refused = self._refused or error
             return None
-        return proved.certificate if proved and all(self._need(case, text) for text in proved.needs) else None
+        return {**proved.certificate} if proved and all(self._need(case, text) for text in proved.needs) else None
 
     def _need(self, case: SplitCase, text: str) -> bool:
         """State a need of a case in the symbols of the question, unless it holds throughout the case."""

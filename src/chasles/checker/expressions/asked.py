@@ -15,6 +15,7 @@ from sympy.matrices.expressions.matexpr import MatrixElement
 from chasles.checker.expressions.quantities import atoms_of, require_real
 from chasles.checker.sparse import Rejected
 
+OF_PARTS = (sympy.re, sympy.im, sympy.conjugate, sympy.arg)
 Entries = dict[tuple[int, int], Any]
 
 
@@ -34,7 +35,10 @@ class GivenEquation:
 
 
 class Asked:
-    """A question on SymPy expressions; raises `Rejected` if it is none."""
+    """A question on SymPy expressions; raises `Rejected` if it is none.
+
+    `real` says of what it takes conjugates or parts that nothing says to be real, and that is read so.
+    """
 
     def __init__(self, lhs: Any, rhs: Any, given: Any, nonzero: Any) -> None:
         self.left, self.right = entries_of(lhs), entries_of(rhs)
@@ -44,6 +48,8 @@ class Asked:
         self.nonzero = [_nonzero(item) for _, item in _listed(nonzero, "nonzero") if item is not sympy.true]
         for atom in {atom for expression in self.expressions for atom in atoms_of(expression)}:
             require_real(atom)
+        calls = {call for e in self.expressions for call in e.atoms(*OF_PARTS)}
+        self.real = sorted({f"{e} is real" for call in calls for e in atoms_of(call) if e.is_real is None})
 
     @property
     def expressions(self) -> Iterator[Any]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from itertools import combinations
 from math import prod
 from typing import Any
 
@@ -60,8 +61,11 @@ class CheckedCase:
 
     @property
     def impossible(self) -> bool:
-        """Whether what is known here visibly contradicts itself, or what is given."""
+        """Whether what is known here visibly contradicts itself, two facts each other, or what is given."""
         signs = any(visible_sign(e) not in (None, sign) for e, sign in self.facts)
+        for (e, sign), (other, known) in combinations(self.facts, 2):
+            multiple = sign_of_multiple(e, other)
+            signs = signs or (multiple is not None and sign != multiple * known)
         apart = [one - other for one, other in self.pairs] + list(self.equations)
         return signs or any(self.sign(e) in (1, -1) for e in apart)
 

@@ -15,6 +15,13 @@ if TYPE_CHECKING:
     from chasles.checker.expressions.expressions import Expressions
 
 OF_COMPLEX = (type(sympy.I), sympy.re, sympy.im, sympy.conjugate, sympy.arg)
+QUOTIENTS = {
+    sympy.tan: (sympy.sin, sympy.cos), sympy.cot: (sympy.cos, sympy.sin),
+    sympy.sec: (None, sympy.cos), sympy.csc: (None, sympy.sin),
+    sympy.tanh: (sympy.sinh, sympy.cosh), sympy.coth: (sympy.cosh, sympy.sinh),
+    sympy.sech: (None, sympy.cosh), sympy.csch: (None, sympy.sinh),
+}  # fmt: skip
+"""What stands above and below the line in functions of complex numbers."""
 Pair = tuple[Polynomial, Polynomial]
 Place = tuple[int, int]
 
@@ -55,6 +62,10 @@ def parts(reading: Expressions, e: Any) -> Pair:
             return reading.arc(b, a), ZERO
         case sympy.exp() | sympy.cos() | sympy.sin() | sympy.cosh() | sympy.sinh():
             return _entire(reading, type(e), e.args[0])
+    if type(e) in QUOTIENTS:
+        above, below = QUOTIENTS[type(e)]
+        inverse = _power(reading, parts(reading, below(*e.args)), -1, str(below(*e.args)))
+        return _times(reading, parts(reading, above(*e.args)), inverse) if above else inverse
     return reading(e), ZERO
 
 

@@ -186,4 +186,4 @@ def _degree(e: Any) -> int:
     """A bound of the degree of a field in which a number and all of its parts are."""
     roots = {(part.base, int(part.exp.q)) for part in e.atoms(sympy.Pow)}
     parts = lcm(1, *(int((call.args[0] / sympy.pi).q) for call in e.atoms(sympy.cos)))
-    return prod(degree for _, degree in roots) * int(sympy.totient(2 * parts))
+    return prod(degree for _, degree in roots) * max(1, int(sympy.totient(2 * parts)) // 2)

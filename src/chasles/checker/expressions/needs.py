@@ -29,7 +29,8 @@ def require_needs(
     """
     stated = list(stated)
     texts = {item.text for item in asked.given} | {f"{e} is zero" for e in reading.atoms.values() if e.is_zero}
-    for text in (*used, *reading.substituted):
+    texts.update(asked.real)
+    for text in (*used, *reading.substituted, *asked.real):
         if text not in stated:
             raise Rejected(f"the proof uses {text}, and the verdict does not say so")
     said = [_SaidNeed(reading, text) for text in stated if text not in texts]

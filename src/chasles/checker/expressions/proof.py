@@ -73,12 +73,27 @@ def _check(certificate: Data, needs: Sequence[str], asked: Asked, witness: Any) 
 
 
 def claims_of(asked: Asked, reading: Proven, certificate: Data) -> dict[tuple[int, int], Polynomial]:
-    """What vanishes where both sides are equal; a sum of angles may vanish where its cosine is one."""
+    """What vanishes where both sides are equal; a sum of angles may vanish where its cosine is one.
+
+    Sides that are not negative are equal where their squares are.
+    """
+    if certificate["variant"] == 2:
+        return {place: _of_squares(reading, left, asked.right[place]) for place, left in asked.left.items()}
     claims = differences(reading, {place: (left, asked.right[place]) for place, left in asked.left.items()})
     for label, halvings in certificate.get("turned", {}).items():
         row, column = (int(part) - 1 for part in label.split(","))
         claims[row, column] = reading.arcs.turned(claims[row, column], int(halvings))
     return claims
+
+
+def _of_squares(reading: Proven, *sides: Any) -> Polynomial:
+    """The difference of the squares of two sides; raises `Rejected` if one is not seen to be nonnegative."""
+    left, right = (reading.normal(reading(side)) for side in sides)
+    if not (reading.is_seen(left) and reading.is_seen(right)):
+        raise Rejected("the squares of sides are compared that are not seen to be nonnegative")
+    if reading.vanishes(left - right):
+        raise Rejected("the certificate squares what is equal by itself")
+    return reading.normal(left * left) - reading.normal(right * right)
 
 
 def _declare(reading: Proven, e: Any) -> None:
@@ -99,8 +114,8 @@ def _inverses_given(asked: Asked, reading: Proven) -> set[int]:
 def _prove(certificate: Data, reading: Proven, facts: Facts, claims: Mapping[tuple[int, int], Polynomial]) -> set[int]:
     """Show that every claim vanishes; the places of the inverses by which claims were multiplied."""
     variant, entries, multiplied = certificate["variant"], certificate.get("entries", {}), set()
-    if isinstance(variant, bool) or variant not in (0, 1) or not isinstance(variant, int):
-        raise Rejected(f"the certificate's variant is {variant!r}: 0 or 1 is expected")
+    if isinstance(variant, bool) or variant not in (0, 1, 2) or not isinstance(variant, int):
+        raise Rejected(f"the certificate's variant is {variant!r}: 0, 1 or 2 is expected")
     if not claims:
         raise Rejected("there is nothing to prove")
     open_claims = {place: claim for place, claim in claims.items() if not reading.vanishes(claim)}
@@ -108,11 +123,11 @@ def _prove(certificate: Data, reading: Proven, facts: Facts, claims: Mapping[tup
     if entries.keys() != labels.keys():
         what = min(entries.keys() ^ labels.keys())
         raise Rejected(f"entry {what} does not follow, or follows without more being said")
-    if variant and not open_claims:
+    if variant == 1 and not open_claims:
         raise Rejected("the certificate squares what vanishes by itself")
     for label, said in entries.items():
         claim = open_claims[labels[label]]
-        claim = reading.normal(claim * claim) if variant else claim
+        claim = reading.normal(claim * claim) if variant == 1 else claim
         multiplied |= _follows(certificate, reading, facts, claim, said, label)
     return multiplied
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -16,16 +17,17 @@ from sympy.core.function import AppliedUndef
 
 from chasles.checker.expressions.cases import CheckedCase
 from chasles.checker.expressions.enclosed import EnclosedValues, vanishes
+from chasles.checker.expressions.generalised import Generalised
+from chasles.checker.expressions.intervals import Enclosure
 from chasles.checker.expressions.needs import RELATIONS
-from chasles.checker.expressions.quantities import atoms_of, is_atom, require_independent
-from chasles.checker.expressions.readings import CIRCULAR
+from chasles.checker.expressions.quantities import atoms_of, require_independent
 from chasles.checker.sparse import Rejected
 
 PLAIN = re.compile(r"[A-Za-z0-9_+\-*/(), .\[\]]*")
 ASSUMED = (
     "positive", "negative", "nonnegative", "nonpositive", "zero", "nonzero", "integer", "even", "odd", "rational",
 )  # fmt: skip
-PARTS = frozenset(("on", "size", "cases", "proof", "needs", "parts", "facts", "impossible", "witness"))
+PARTS = frozenset(("on", "size", "cases", "proof", "needs", "parts", "facts", "impossible", "witness", "defined"))
 """What a certificate by cases, or of a more general question, may say."""
 Standard = Callable[[Mapping[str, Any], Sequence[str], tuple[Any, ...]], None]
 """Checks a certificate, with what it needs, of both sides, what is given and what does not vanish."""
@@ -80,10 +82,13 @@ class _Widened:
             raise Rejected("one of the cases is not proved")
         if missing := [texts for texts in case.required_inside() if not texts & set(self.needs)]:
             raise Rejected(f"one of the cases needs {min(missing[0])}, and the verdict does not say so")
-        more = _General(int(node.get("parts", 0)), case.names)
+        more = Generalised(int(node.get("parts", 0)), case.names)
+        case = replace(case, pairs=(*case.pairs, *((e, sympy.S.Zero) for e in case.equations)), equations=())
+        for place, side in node.get("defined", ()):
+            case = _without_defined(case, case.pairs[place], side)
+        case = replace(case, pairs=tuple(pair for pair in case.pairs if pair))
         sides = [list(map(more, side)) for side in case.sides]
         given = [sympy.Eq(more(one), more(other), evaluate=False) for one, other in case.pairs]
-        given += [sympy.Eq(more(e), 0, evaluate=False) for e in case.equations]
         nonzero = list(map(more, case.nonzero))
         met: list[Any] = []
         while len(met) < len(more.met):
@@ -91,11 +96,12 @@ class _Widened:
         moving = any(e.has(AppliedUndef) for pair in case.pairs for e in pair)
         if met and moving:
             raise Rejected("functions that are given are angles inside others")
+        given += [sympy.Eq(one, other, evaluate=False) for one, other in more.roots]
         for text in node.get("facts", ()):
             fact = _parsed(text, {})
             if not vanishes(fact):
                 raise Rejected(f"{text} is not known to be zero")
-            given.append(sympy.Eq(fact.xreplace(more.symbols), 0, evaluate=False))
+            given.append(sympy.Eq(more(fact), 0, evaluate=False))
         stated = list(node["needs"])
         self.check(node["proof"], stated, (*(sympy.Matrix([*side, *met]) for side in sides), given, nonzero))
         own = {f"{e.lhs} = {e.rhs}" for e in given}
@@ -112,65 +118,25 @@ class _Widened:
         return case.sign(e) in ((1, -1) if relation == " != 0" else (1,)) or f"{case.back(e)}{relation}" in self.needs
 
 
-class _General:
-    """Puts symbols in the place of what is no plain angle, and of the cosine of a part of half a turn."""
-
-    def __init__(self, parts: int, taken: set[str]) -> None:
-        self.parts, self.taken = parts, taken
-        self.symbols: dict[Any, Any] = {}
-        if parts:
-            self.cosine = self._symbol(sympy.cos(sympy.pi / parts))
-
-    @property
-    def met(self) -> list[Any]:
-        """What the symbols stand for, as far as it has to be defined."""
-        return [e for e in self.symbols if e.free_symbols]
-
-    def __call__(self, e: Any) -> Any:
-        if is_atom(e) or not e.args:
-            return e
-        if type(e) not in CIRCULAR:
-            return e.func(*map(self, e.args))
-        rest, turn = sympy.S.Zero, Fraction(0)
-        for term in sympy.Add.make_args(sympy.expand(e.args[0])):
-            multiple, factor = term.as_coeff_Mul()
-            if factor is sympy.pi:
-                turn += Fraction(int(multiple.p), int(multiple.q))
-            else:
-                rest += multiple * (factor if _is_angle(factor) else self._symbol(factor))
-        if not self.parts:
-            return type(e)(rest + sympy.Rational(turn.numerator, turn.denominator) * sympy.pi)
-        above, below = (self._turned(name, rest, turn) for name in CIRCULAR[type(e)])
-        if rest != 0 and CIRCULAR[type(e)][1]:
-            raise Rejected(f"what {e} divides by is not seen any more")
-        return above / below
-
-    def _turned(self, name: str, rest: Any, turn: Fraction) -> Any:
-        if not name:
-            return sympy.S.One
-        turn = turn if name == "cos" else turn - Fraction(1, 2)
-        c, s = self._chebyshev(turn), self._chebyshev(turn - Fraction(1, 2))
-        return c if rest == 0 else sympy.cos(rest) * c - sympy.sin(rest) * s
-
-    def _chebyshev(self, turn: Fraction) -> Any:
-        """cos(k t) is 2 cos(t) cos((k - 1) t) - cos((k - 2) t)."""
-        count = turn * self.parts
-        if count.denominator != 1:
-            raise Rejected(f"{turn} pi is no multiple of pi/{self.parts}")
-        before, value = self.cosine, sympy.S.One
-        for _ in range(int(count) % (2 * self.parts)):
-            before, value = value, sympy.expand(2 * self.cosine * value - before)
-        return value
-
-    def _symbol(self, e: Any) -> Any:
-        if str(e) in self.taken:
-            raise Rejected(f"a symbol is called {e}, as something else is written")
-        return self.symbols.setdefault(e, sympy.Symbol(str(e), real=True))
+def _without_defined(case: CheckedCase, pair: tuple[Any, Any], side: int) -> CheckedCase:
+    """The case with the other side of an equation for a quantity that may have any value, and without the equation."""
+    atom, value = pair[side], pair[1 - side]
+    if not isinstance(atom, sympy.Symbol | AppliedUndef) or len(atom.args) > 1:
+        raise Rejected(f"{atom} is no quantity that an equation defines")
+    moving = isinstance(atom, AppliedUndef)
+    calls = () if moving else {call for e in case.spoken for call in e.atoms(AppliedUndef)}
+    if value.has(type(atom) if moving else atom) or any(call.has(atom) for call in calls):
+        raise Rejected(f"{atom} is not defined by {value}")
+    if any(getattr(atom, f"is_{kind}") is not None for kind in ASSUMED):
+        raise Rejected(f"{atom} may not have any value")
+    pairs = tuple(() if other is pair else tuple(_put(e, atom, value) for e in other) for other in case.pairs)
+    sides = tuple(tuple(_put(e, atom, value) for e in entries) for entries in case.sides)
+    return replace(case, sides=sides, pairs=pairs, nonzero=tuple(_put(e, atom, value) for e in case.nonzero))
 
 
-def _is_angle(e: Any) -> bool:
-    """Whether an expression is a product of quantities."""
-    return e != 1 and all(is_atom(base) and n.is_Integer and n > 0 for base, n in e.as_powers_dict().items())
+def _put(e: Any, atom: Any, value: Any) -> Any:
+    e = e.xreplace({atom: value})
+    return e.doit() if e.has(sympy.Derivative) else e
 
 
 def _parsed(text: str, names: Mapping[str, Any]) -> Any:
@@ -194,14 +160,19 @@ def check_enclosed(
     pairs = tuple(pair for _, item in given for pair in item)
     case = CheckedCase(tuple(map(tuple, sides)), pairs, tuple(nonzero))
     values = _values(case, at)
-    for e in case.spoken:
-        values(e)
-    one, other = (values(side[place]) for side in case.sides)
+    spoken = {e: _parts(values, e) for e in case.spoken}
+    one, other = (spoken[side[place]] for side in case.sides)
     for text, value in zip(said, (one, other), strict=True):
-        if not value.meets(values(_parsed(text, {}))):
+        if not all(map(Enclosure.meets, value, _parts(values, _parsed(text, {})))):
             raise Rejected(f"a side is not {text} at the point")
-    if one.meets(other):
+    if all(map(Enclosure.meets, one, other)):
         raise Rejected("the two sides are not seen to differ at the point")
+
+
+def _parts(values: EnclosedValues, e: Any) -> tuple[Enclosure, Enclosure]:
+    """What holds the real and the imaginary part."""
+    real, imaginary = e.xreplace(values.point).as_real_imag() if e.has(sympy.I) else (e, sympy.S.Zero)
+    return values(real), values(imaginary)
 
 
 def _values(case: CheckedCase, at: Mapping[str, Any]) -> EnclosedValues:

@@ -1,0 +1,48 @@
+"""Symbols that are complex numbers, by real ones for their parts: z is re_z + I*im_z."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import sympy
+from sympy.matrices import MatrixBase
+
+from chasles.from_sympy.decimals import each_replaced
+from chasles.from_sympy.opening import atoms_of
+
+OF_PARTS = (sympy.re, sympy.im, sympy.conjugate, sympy.arg)
+
+
+def by_parts(said: tuple[Any, ...]) -> tuple[Any, ...]:
+    """What is said, with the parts of complex symbols as real symbols."""
+    spoken = list(_expressions(said))
+    found = {z for e in spoken for z in e.atoms(sympy.Symbol) if z.is_complex and z.is_real is None}
+    taken = {str(z) for e in spoken for z in e.free_symbols}
+    values = {z: _parts(z, taken) for z in sorted(found, key=str) if z.is_zero is None and z.is_commutative}
+    return each_replaced(said, lambda _: values) if values else said
+
+
+def taken_as_real(said: tuple[Any, ...]) -> tuple[str, ...]:
+    """What is read as real though nothing says so, where a conjugate or a part of it is taken."""
+    calls = {call for e in _expressions(said) for call in e.atoms(*OF_PARTS)}
+    return tuple(sorted({f"{atom} is real" for call in calls for atom in atoms_of(call) if atom.is_real is None}))
+
+
+def _parts(z: Any, taken: set[str]) -> Any:
+    names = [f"{part}_{z}" for part in ("re", "im")]
+    while taken & {*names}:
+        names = [f"{name}_" for name in names]
+    re, im = (sympy.Symbol(name, real=True) for name in names)
+    return re + sympy.I * im
+
+
+def _expressions(value: Any) -> Iterator[Any]:
+    """All SymPy expressions in lists, mappings and matrices."""
+    if isinstance(value, list | tuple | MatrixBase):
+        for item in value:
+            yield from _expressions(item)
+    elif isinstance(value, Mapping):
+        yield from _expressions([*value.keys(), *value.values()])
+    elif isinstance(value, sympy.Basic):
+        yield value

@@ -1,0 +1,91 @@
+"""Questions that are widened before they are proved: numbers as symbols, quantities that are defined, squares."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import pytest
+import sympy as sp
+from sympy import Abs, Eq, Max, Min, Rational, cbrt, cos, root, sin, sqrt
+
+from chasles.prove import Rejected, prove, recheck
+from chasles.verdict import Fails, Holds, HoldsUnder
+
+x, y, z, a = sp.symbols("x y z a", real=True)
+p, r = sp.symbols("p r", positive=True)
+t = sp.Symbol("t")
+f, g, h = (sp.Function(name)(t) for name in "fgh")
+
+NUMBERS = [
+    (cbrt(26 + 15 * sqrt(3)), 2 + sqrt(3)),
+    (cbrt(7 + 5 * sqrt(2)) + cbrt(5 * sqrt(2) - 7), 2 * sqrt(2)),
+    (cbrt(2 + sqrt(5)) - cbrt(sqrt(5) - 2), 1),
+    (x * cbrt(7 + 5 * sqrt(2)), x * (1 + sqrt(2))),
+    (sqrt(cbrt(5) - cbrt(4)), (cbrt(2) + cbrt(20) - cbrt(25)) / 3),
+    (cbrt(cbrt(2) - 1), cbrt(Rational(1, 9)) - cbrt(Rational(2, 9)) + cbrt(Rational(4, 9))),
+    (root((3 + 2 * root(5, 4)) / (3 - 2 * root(5, 4)), 4), (root(5, 4) + 1) / (root(5, 4) - 1)),
+]
+DEFINED = [
+    (x / sqrt(x**2 + y**2), cos(a), [Eq(x, r * cos(a)), Eq(y, r * sin(a))]),
+    (sqrt(x), y**2, [Eq(x, y**4)]),
+    (sqrt(x), Abs(y), [Eq(y**2, x)]),
+    (sqrt(z**2 - y**2), Abs(x), [Eq(z**2, y**2 + x**2)]),
+    (sqrt(x**2 + y**2 + z**2), r, [Eq(x, r * sin(a) * cos(p)), Eq(y, r * sin(a) * sin(p)), Eq(z, r * cos(a))]),
+    (sqrt(f.diff(t) ** 2 + g.diff(t) ** 2), r * Abs(h.diff(t)), [Eq(f, r * cos(h)), Eq(g, r * sin(h))]),
+]
+BY_SQUARES = [
+    (sqrt(x + 2 * sqrt(x - 1)), 1 + sqrt(x - 1)),
+    (sqrt((p + 1) ** 2 - 1), sqrt(p) * sqrt(p + 2)),
+    (sqrt(2 * x + 2 * sqrt(x**2 - 1)), sqrt(x + 1) + sqrt(x - 1)),
+]
+BY_CASES = [
+    (Min(Abs(x - y), Abs(x + y)), Abs(Abs(x) - Abs(y))),
+    (Abs(x) + Abs(y) + Abs(Abs(x) - Abs(y)), Abs(x - y) + Abs(x + y)),
+    (Max(Abs(x), Abs(y)), (Abs(x + y) + Abs(x - y)) / 2),
+]
+TRUE = [(*sides, []) for sides in (*NUMBERS, *BY_SQUARES, *BY_CASES)] + DEFINED
+
+
+def name(case: Any) -> str:
+    return str(case)[:40]
+
+
+@pytest.mark.parametrize(("lhs", "rhs", "given"), TRUE, ids=name)
+def test_it_holds_and_no_more_than_it(lhs: Any, rhs: Any, given: list[Any]) -> None:
+    verdict = prove(lhs, rhs, given)
+    assert isinstance(verdict, Holds | HoldsUnder), verdict
+    recheck(verdict, lhs, rhs, given)
+    for other in (rhs + 1, 2 * rhs, -rhs):
+        with pytest.raises(Rejected):
+            recheck(verdict, lhs, other, given)
+    assert not isinstance(prove(lhs, rhs + Rational(1, 10**6), given), Holds | HoldsUnder)
+
+
+@pytest.mark.parametrize(("lhs", "rhs"), NUMBERS, ids=name)
+def test_what_is_near_is_not_equal(lhs: Any, rhs: Any) -> None:
+    assert isinstance(prove(lhs, rhs * (1 + Rational(1, 10**15))), Fails)
+
+
+@pytest.mark.parametrize(("lhs", "rhs", "given"), DEFINED, ids=name)
+def test_a_forged_definition_is_rejected(lhs: Any, rhs: Any, given: list[Any]) -> None:
+    verdict = prove(lhs, rhs, given)
+    places = verdict.certificate.get("defined", [[0, 0]])
+    for forged in ([[0, 1]], [*places, places[0]], [[7, 0]], [[0, 0, 0]], "0"):
+        with pytest.raises(Rejected):
+            recheck(replace(verdict, certificate={**verdict.certificate, "defined": forged}), lhs, rhs, given)
+
+
+@pytest.mark.parametrize(
+    ("lhs", "rhs", "given"),
+    [
+        (sqrt(x), y, [Eq(x, y**2)]),
+        (x / sqrt(x**2 + y**2), cos(a), [Eq(x, z * cos(a)), Eq(y, z * sin(a))]),
+        (sqrt(x), x, [Eq(x, y**4)]),
+        (sqrt(x + 2 * sqrt(x - 1)), sqrt(x - 1) - 1, []),
+        (sqrt(f.diff(t) ** 2), f.diff(t), [Eq(f, sin(h))]),
+    ],
+    ids=name,
+)
+def test_what_a_sign_decides_does_not_hold(lhs: Any, rhs: Any, given: list[Any]) -> None:
+    assert not isinstance(prove(lhs, rhs, given), Holds | HoldsUnder)
