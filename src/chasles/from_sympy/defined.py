@@ -15,7 +15,10 @@ Place = tuple[int, int]
 
 
 def without_defined(spoken: Sequence[Any], pairs: Pairs) -> tuple[list[Place], list[Any], Pairs]:
-    """What is spoken of and given, without what is defined: the equations that define it, and on which side."""
+    """What is spoken of and given, without what is defined: the equations that define it, and on which side.
+
+    There are none where something else would not be defined any more.
+    """
     spoken, left = list(spoken), dict(enumerate(pairs))
     places: list[Place] = []
     for place in range(len(pairs)):
@@ -27,7 +30,9 @@ def without_defined(spoken: Sequence[Any], pairs: Pairs) -> tuple[list[Place], l
             places.append((place, side))
             spoken = [_put(e, atom, value) for e in spoken]
             left = {k: (_put(a, atom, value), _put(b, atom, value)) for k, (a, b) in left.items()}
-    return places, spoken, list(left.values())
+    pairs = list(left.values())
+    lost = any(e.has(sympy.zoo, sympy.nan, sympy.oo) for e in (*spoken, *(side for pair in pairs for side in pair)))
+    return [] if lost else places, spoken, pairs
 
 
 def _defines(pair: tuple[Any, Any], side: int, spoken: Iterable[Any]) -> bool:

@@ -39,6 +39,8 @@ class General:
         if self.parts:
             self._cosine = self._symbol(sympy.cos(sympy.pi / self.parts))
             self.facts.append(_minimal(self.parts, self._cosine))
+        powers = {power for e in self.expressions for power in e.atoms(sympy.Pow)}
+        self._rooted = all(map(is_numeric, powers))
         self._known: dict[Any, Any] = {}
 
     def __call__(self, e: Any) -> Any:
@@ -54,7 +56,7 @@ class General:
             return self._circular(e)
         if is_atom(e):
             return e
-        return self._root(e) if is_root_of_number(e) else e.func(*map(self, e.args))
+        return self._root(e) if self._rooted and is_root_of_number(e) else e.func(*map(self, e.args))
 
     def _root(self, e: Any) -> Any:
         """A root of a positive number is a symbol, whose power is the number."""
@@ -114,6 +116,11 @@ class General:
             raise Untreatable(f"a symbol is called as {excerpt(meaning)} is written: rename it")
         self.meanings[symbol] = meaning
         return symbol
+
+
+def is_numeric(power: Any) -> bool:
+    """Whether a power is a square root, one with a whole exponent, or one of a number."""
+    return bool(power.exp.is_Rational) and (power.exp.q <= 2 or not power.base.free_symbols)
 
 
 def is_root_of_number(e: Any) -> bool:

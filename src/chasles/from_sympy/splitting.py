@@ -13,7 +13,7 @@ from chasles.from_sympy.cases import SplitCase
 from chasles.from_sympy.complexes import OF_COMPLEX
 from chasles.from_sympy.defined import Pairs, without_defined
 from chasles.from_sympy.divisors import divisor_of
-from chasles.from_sympy.general import is_root_of_number
+from chasles.from_sympy.general import is_numeric, is_root_of_number
 from chasles.from_sympy.generalising import Decide, generalised
 from chasles.from_sympy.opening import Entries, atoms_of, opened, sides
 from chasles.from_sympy.sampling import Sampling
@@ -68,7 +68,8 @@ class Splitting:
     @property
     def wanted(self) -> bool:
         """Whether something is spoken of that is treated by cases alone, or numbers that are treated by themselves."""
-        roots = any(is_root_of_number(part) for e in self.spoken for part in e.atoms(sympy.Pow))
+        powers = {part for e in self.spoken for part in e.atoms(sympy.Pow)}
+        roots = any(map(is_root_of_number, powers)) and all(map(is_numeric, powers))
         return (roots or bool(switches_in(self.spoken, *UNREADABLE))) and self.possible
 
     @property
