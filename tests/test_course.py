@@ -66,3 +66,6 @@ def test_a_question_of_prairielearn() -> None:
     assert data["feedback"]["parts"][0]["name"] == "d"
     submit({"d": None})
     assert "d: expected a number, and got None" in data["format_errors"]["answer.json"]
+    data |= {"format_errors": {"_files": ["No submitted answer for answer.json"]}, "submitted_answers": {}}
+    server["parse"](data)
+    assert list(data["format_errors"]) == ["_files"]

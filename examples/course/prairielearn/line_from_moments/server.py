@@ -32,6 +32,8 @@ def generate(data: dict[str, Any]) -> None:
 
 def parse(data: dict[str, Any]) -> None:
     """What is malformed is told before it is graded, and costs no attempt."""
+    if data["format_errors"]:
+        return  # The file editor has told what is missing.
     try:
         _grade(data)
     except (DataError, LookupError, ValueError) as error:
