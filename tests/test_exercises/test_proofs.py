@@ -75,8 +75,8 @@ def test_letters_need_both_values() -> None:
 
 def test_a_leading_term_says_what_is_left_out() -> None:
     lines = [line.text for step in solve("3.9").steps for line in step.lines]
-    assert "sin(phi) - phi = -phi**3/6 + O(phi**5)" in lines
-    assert "1 - cos(phi) = phi**2/2 + O(phi**4)" in lines
+    assert "sin(phi) - phi = -phi^3/6 + O(phi^5)" in lines
+    assert "1 - cos(phi) = phi^2/2 + O(phi^4)" in lines
 
 
 @pytest.mark.parametrize("number", ["3.17", "3.18"])

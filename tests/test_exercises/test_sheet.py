@@ -21,10 +21,12 @@ from chasles.cli import main
 from chasles.decisions.session import Session
 from chasles.exact.evaluate import DividesByZero, NoValue, column_of, evaluate, matrix_of
 from chasles.exact.linear import kernel_of, rank_of, solve_linear
+from chasles.exact.spelling import text_of
 from chasles.exercises.data import DataError
 from chasles.exercises.solving import solve_with
 from chasles.exercises.worksheet import HypothesisFails, Refuted, Worksheet, equal
 from chasles.report.html.exercises import worked_view
+from chasles.report.worked_page import in_lines
 from chasles.statements import Claim, Condition, load, rotation
 from chasles.statements.exercises import exercise_numbers
 from chasles.verdict import Undecided
@@ -202,3 +204,16 @@ def test_what_rests_on_an_undecided_statement_is_said_to(number: str) -> None:
     assert done.stdout == ""
     view = worked_view(load(), number)
     assert (view.outcome, view.steps, view.unsolved) == ("unsolved", (), line.partition(" is not solved: ")[2])
+
+
+def test_long_formulas_are_shown_in_lines() -> None:
+    row = ", ".join(["sqrt(1234567)/7654321"] * 3)
+    root = "sqrt(2 - sqrt(3))*12345678901234567890123"
+    assert in_lines(f"I = [{row}; 0, 0, 0]") == f"I = [{row}; 0, 0, 0]"
+    assert in_lines(f"I = [{row}; {row}]") == f"I = [{row};\n     {row}]"
+    assert in_lines(f"int_B(rho (|r|^2 1 - r r^T)) = [{row}]") == f"int_B(rho (|r|^2 1 - r r^T))\n= [{row}]"
+    assert in_lines(f"k = ({root}, f(x, y), {root}, 1)") == f"k = ({root},\n     f(x, y),\n     {root},\n     1)"
+
+
+def test_a_root_is_written_with_short_numbers() -> None:
+    assert all(len(text_of(entry)) < 120 for entry in solve_with("3.12", {}).answers["rest.axes"])

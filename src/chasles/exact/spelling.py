@@ -85,7 +85,7 @@ def text_of(value: Any) -> str:
         return f"[{'; '.join(', '.join(text_of(value[i, j]) for j in range(columns)) for i in range(rows))}]"
     if isinstance(value, Sequence):
         return f"[{', '.join(map(text_of, value))}]"
-    return _number_text(normal(value))
+    return _number_text(normal(value)).replace("**", "^")
 
 
 def latex_of(value: Any) -> str:

@@ -83,8 +83,12 @@ class QuadraticTower:
         return one * self.sign(self._norm(a, b, level))
 
     def length(self, x: Surd) -> int:
-        """About how long the element is when it is written."""
-        return sum(map(self.ground.length, _coefficients(x)))
+        """About how long the element is when it is written, where b sqrt(r) may be b r / sqrt(r)."""
+        if not isinstance(x, tuple):
+            return self.ground.length(x) if x else 0
+        level, a, b = x
+        forms = [b, self._by_radicand(b, level)] if isinstance(self.radicands[level - 1], tuple) else [b]
+        return self.length(a) + min(map(self.length, forms))
 
     def root(self, x: Surd) -> Surd:
         """The square root that is not negative, taken into the field if it is not there yet.

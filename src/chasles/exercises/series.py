@@ -19,8 +19,8 @@ class LeadingTerm:
     beyond: int
 
     def as_text(self) -> str:
-        """As it is written: phi**2/2 + O(phi**4)."""
-        return f"{self.term} + O({PHI**self.beyond})"
+        """As it is written: phi^2/2 + O(phi^4)."""
+        return f"{self.term} + O({PHI**self.beyond})".replace("**", "^")
 
     as_data = as_text
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from rich.console import RenderableType
@@ -12,7 +13,8 @@ from rich.text import Text
 from chasles.exact.spelling import decimal_text, text_of
 from chasles.exercises.solution import Formula, Solution, SolutionStep, SubstitutionCheck, cited
 
-WIDE = 100
+WIDE, SHORT = 100, 24
+"""Signs on a line, and in what stands before a value on the same line."""
 
 
 def worked_page(solution: Solution, signs: bool) -> Iterator[RenderableType]:
@@ -55,17 +57,44 @@ def _step(mark: str, step: SolutionStep | SubstitutionCheck, signs: bool) -> Ren
     return grid
 
 
-def _formula(line: Formula, signs: bool) -> Text:
-    return _with_decimals(f"    {line.text}", line.decimals, signs, "    ")
+def _formula(line: Formula, signs: bool) -> Padding:
+    return Padding(_with_decimals(line.text, line.decimals, signs), (0, 0, 0, 4))
 
 
-def _with_decimals(text: str, decimals: str, signs: bool, indent: str = "") -> Text:
+def _with_decimals(text: str, decimals: str, signs: bool) -> Text:
     """The text with its decimals: beside it, or below where both are long."""
-    shown = Text(text)
+    shown = Text(in_lines(text))
     if decimals:
-        between = "  " if len(text) + len(decimals) < WIDE else f"\n{indent}"
-        shown.append(f"{between}{'≈' if signs else '~'} {decimals}", "dim")
+        between = "  " if len(text) + len(decimals) < WIDE else "\n"
+        shown.append(between + in_lines(f"{'≈' if signs else '~'} {decimals}"), "dim")
     return shown
+
+
+def in_lines(text: str) -> str:
+    """A long chain of equal expressions with each on its own line, and so each row of a matrix that is long."""
+    name, *values = _parted(text, " = ", 0) if len(text) > WIDE else [text]
+    if values and len(name) <= SHORT:
+        name, *values = f"{name} = {values[0]}", *values[1:]
+    lines = [name, *(f"= {value}" for value in values)]
+    return "\n".join(_rows(line) if len(line) > WIDE else line for line in lines)
+
+
+def _rows(line: str) -> str:
+    """The line with each row of the matrix at its end, or each entry of the column, below the other."""
+    found = re.fullmatch(r"(|.*= |[≈~] )(\[.*\]|\(.*\))", line)
+    mark = "; " if line.endswith("]") else ", "
+    return line if found is None else (f"{mark[0]}\n" + " " * (found.end(1) + 1)).join(_parted(line, mark, 1))
+
+
+def _parted(text: str, mark: str, depth: int) -> list[str]:
+    """The parts between marks that stand in so many brackets."""
+    parts, start, within = [], 0, 0
+    for at, sign in enumerate(text):
+        within += (sign in "([") - (sign in ")]")
+        if within == depth and text.startswith(mark, at):
+            parts.append(text[start:at])
+            start = at + len(mark)
+    return [*parts, text[start:]]
 
 
 def _answers(solution: Solution, signs: bool) -> RenderableType:
