@@ -211,7 +211,7 @@ def test_long_formulas_are_shown_in_lines() -> None:
     root = "sqrt(2 - sqrt(3))*12345678901234567890123"
     assert in_lines(f"I = [{row}; 0, 0, 0]") == f"I = [{row}; 0, 0, 0]"
     assert in_lines(f"I = [{row}; {row}]") == f"I = [{row};\n     {row}]"
-    assert in_lines(f"int_B(rho (|r|^2 1 - r r^T)) = [{row}]") == f"int_B(rho (|r|^2 1 - r r^T))\n= [{row}]"
+    assert in_lines(f"int_B(rho (|r|^2 1 - r r^T)) = [{row}, 1]") == f"int_B(rho (|r|^2 1 - r r^T))\n= [{row}, 1]"
     assert in_lines(f"k = ({root}, f(x, y), {root}, 1)") == f"k = ({root},\n     f(x, y),\n     {root},\n     1)"
 
 

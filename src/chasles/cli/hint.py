@@ -23,6 +23,6 @@ def say_once_what_is_faster() -> None:
         folder.mkdir(parents=True, exist_ok=True)
         (folder / _SAID).touch()
         click.echo(
-            "hint: with python-flint, `pip install 'chasles[fast]'`, new proofs are found more than twice as fast",
+            "hint: with python-flint, `pip install 'chasles[fast]'`, new proofs are found about three times as fast",
             err=True,
         )
