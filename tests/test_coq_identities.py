@@ -6,7 +6,28 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
-from sympy import Abs, Eq, Function, Matrix, Max, Min, cos, exp, eye, log, pi, sign, sin, sqrt, symbols, tan
+from sympy import (
+    Abs,
+    Eq,
+    Function,
+    Matrix,
+    Max,
+    Min,
+    acos,
+    asin,
+    cos,
+    cot,
+    exp,
+    eye,
+    log,
+    pi,
+    sign,
+    sin,
+    sqrt,
+    symbols,
+    tan,
+    tanh,
+)  # fmt: skip
 
 from chasles import prove
 from chasles.coq.checking import MISSING, coq_version, verdicts_of_coq
@@ -41,6 +62,18 @@ QUESTIONS: list[tuple[Any, ...]] = [
     (sqrt(5 + 2 * sqrt(6)), sqrt(2) + sqrt(3)),
     (Abs(x) * sign(x), x),
     (Max(x, y) + Min(x, y), x + y),
+    (1 / sqrt(1 - x**2 / p**2), p / sqrt(p**2 - x**2)),
+    (Abs(x / y), Abs(x) / Abs(y)),
+    (sqrt(1 - cos(x) ** 2), Abs(sin(x))),
+    (1 / (sqrt(3) - sqrt(2)), sqrt(3) + sqrt(2)),
+    (cot(x) - tan(x), 2 * cot(2 * x)),
+    (sin(p * t + phi), sin(p * t) * cos(phi) + cos(p * t) * sin(phi)),
+    (tanh(x / 2), (1 - exp(-x)) / (1 + exp(-x))),
+    (log(1 - x**2), log(1 - x) + log(1 + x)),
+    (2**x * 3**x, 6**x),
+    (f.diff(t), f / 2, [Eq(f, exp(t / 2))]),
+    (f.diff(t), 1 / t, [Eq(f, log(t))]),
+    (p * f.diff(t, 2) + x * f, 0, [Eq(f.diff(t, 2), -x / p * f)]),
 ]
 
 
@@ -68,9 +101,11 @@ def test_functions_of_time_are_functions() -> None:
 @pytest.mark.parametrize(
     ("question", "reason"),
     [
-        ((log(p**2), 2 * log(p)), "log"),
-        ((exp(x) * exp(y), exp(x + y)), "exp"),
-        ((sqrt(1 - cos(x) ** 2), Abs(sin(x))), "of which the question does not speak"),
+        ((acos(x) + asin(x), pi / 2), "acos is no word of the theories"),
+        ((log(sqrt(p)), log(p) / 2), "the logarithm of what has the factor"),
+        ((sin(exp(x)) ** 2, 1 - cos(exp(x)) ** 2), "the angle exp(x)"),
+        ((Abs(Abs(x) - 1) * Abs(Abs(x) + 1), Abs(x**2 - 1)), "shown case by case"),
+        ((f.diff(t) - g * g.diff(t) / f, 0, [Eq(f, sqrt(1 + g**2))]), "with the rate of f(t) = sqrt(g(t)**2 + 1)"),
     ],
 )
 def test_what_there_is_no_proof_of_has_a_reason(question: tuple[Any, ...], reason: str) -> None:
@@ -88,8 +123,8 @@ def test_a_verdict_writes_its_theorem() -> None:
     verdict = prove(*QUESTIONS[1])
     claim = as_theorem(verdict, *QUESTIONS[1])
     assert verdict.coq() == f"From Chasles Require Import Scalars.\n\n{claim.said}{claim.proof}"
-    with pytest.raises(ValueError, match=r"^there is no theorem for Coq: .*exp"):
-        prove(exp(x) * exp(y), exp(x + y)).coq()
+    with pytest.raises(ValueError, match=r"^there is no theorem for Coq: .*acos"):
+        prove(acos(x) + asin(x), pi / 2).coq()
     with pytest.raises(ValueError, match="chasles decide --coq"):
         replace(verdict, asked=()).coq()
 

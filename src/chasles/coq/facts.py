@@ -10,7 +10,7 @@ from chasles.checker.quantities import squeezed
 from chasles.checker.sparse import ZERO, Polynomial, cleared, exponents
 from chasles.coq.expressions import ATOM, Unsaid
 from chasles.coq.motion import Instant
-from chasles.coq.polynomials import Polynomials, literal, multiple
+from chasles.coq.polynomials import Polynomials, in_units, literal
 from chasles.coq.sources import StatedEntry
 from chasles.coq.statement import CoqStatement
 
@@ -86,22 +86,12 @@ class KnownFacts:
         """What they are."""
         for name, call in self._angles:
             value = self.spell(self.reading.turned(call))
-            steps = f"first [turned | turned_by {self._in_units(call.argument)}]"
+            steps = f"first [turned | turned_by {in_units(self.reading, call.argument, self._angle)}]"
             yield f"assert (value'{name} : {name} = {value}) by (rewrite of'{name}; words; {steps})."
             yield f"clear of'{name}. subst {name}."
 
-    def _in_units(self, argument: w.Node) -> str:
-        """An angle as a sum of those of which the cosine and the sine are variables, and of right angles."""
-        units = {what[1]: what[2] for what in self.reading.variables if what[0] == "cos"}
-        parts = []
-        for monomial, coefficient in (entry := self.reading(argument)[0][0]).terms.items():
-            ((place, _),) = exponents(monomial)
-            symbol = self.reading.variables[place][1]
-            unit = units.get(symbol, Fraction(1, 2))
-            times = Fraction(coefficient, entry.below) / unit
-            name = "PI" if symbol == w.PI else self.spell.angle(symbol, Fraction(1))
-            parts += [f"{'-' if times < 0 else '+'} {multiple(name, unit)}"] * abs(int(times))
-        return f"({' '.join(parts).removeprefix('+ ') or '0'})"
+    def _angle(self, symbol: w.Symbol) -> str:
+        return self.spell.angle(symbol, Fraction(1))
 
     # Integrals.
 

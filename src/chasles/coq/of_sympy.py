@@ -17,7 +17,15 @@ from chasles.checker.expressions.asked import Asked
 from chasles.coq.expressions import APPLIED, ATOM, LOOSE, MINUS, PLUS, POWER, TIMES, Spelled, Unsaid, held
 from chasles.coq.names import identifier
 
-FUNCTIONS = {sympy.sin: "sin", sympy.cos: "cos", sympy.tan: "tan", sympy.Abs: "Rabs", sympy.sign: "sign"}
+FUNCTIONS = {
+    sympy.sin: "sin", sympy.cos: "cos", sympy.tan: "tan", sympy.Abs: "Rabs", sympy.sign: "sign", sympy.exp: "exp",
+    sympy.log: "ln", sympy.sinh: "sinh", sympy.cosh: "cosh", sympy.tanh: "tanh",
+}  # fmt: skip
+CIRCULAR = {
+    sympy.tan: lambda x: (sympy.sin(x), sympy.cos(x)), sympy.cot: lambda x: (sympy.cos(x), sympy.sin(x)),
+    sympy.sec: lambda x: (sympy.Integer(1), sympy.cos(x)), sympy.csc: lambda x: (sympy.Integer(1), sympy.sin(x)),
+}  # fmt: skip
+"""Functions of an angle as quotients; but for the tangent, Coq has no words for them."""
 OF_TWO = {sympy.Max: "Rmax", sympy.Min: "Rmin"}
 BY_CASES = (sympy.sign, *OF_TWO)
 SIGNS = {
@@ -66,6 +74,7 @@ class ScalarStatement:
                     f"{each.func.__name__}_{'d' * k}ot" if k else each.func.__name__,
                 )
         self.goals = [(left, asked.right[place]) for place, left in asked.left.items()]
+        self.positive: list[Any] = []
         self.premises = [*self._rates(), *self._signs(), *self._given(), *self._needs(needs)]
 
     def _name(self, atom: Any, text: str) -> None:
@@ -81,8 +90,10 @@ class ScalarStatement:
 
     @property
     def has_cases(self) -> bool:
-        """Whether something is spoken of whose value is told by cases."""
-        return any(e.has(*BY_CASES) for e in self.asked.expressions)
+        """Whether something is spoken of whose value is told by cases, all else being rational and at rest."""
+        everything = sympy.Tuple(*self.asked.expressions)
+        others = everything.atoms(sympy.Function) - everything.atoms(sympy.Abs, *BY_CASES)
+        return everything.has(*BY_CASES) and not others
 
     def _rates(self) -> Iterator[ScalarPremise]:
         if self.moves:
@@ -100,6 +111,11 @@ class ScalarStatement:
                 yield self._premise(f"sign'{name}", SIGNS[kind].format(f"{name} t" if moves else name), atom)
 
     def _given(self) -> Iterator[ScalarPremise]:
+        """The equations that are given, and that they divide by nothing that is zero."""
+        sides = sympy.Tuple(*(side for item in self.asked.given for pair in item.pairs.values() for side in pair))
+        divisors = {power.base for power in sides.atoms(sympy.Pow) if power.exp.is_negative}
+        for count, divisor in enumerate(sorted(divisors, key=str)):
+            yield self._premise(f"divisor'{count}", f"{self.side(divisor, PLUS)} <> 0", divisor)
         for count, item in enumerate(self.asked.given):
             for (i, j), pair in item.pairs.items():
                 yield self._premise(f"given'{count}_{i + 1}_{j + 1}", self.equation(*pair), sympy.Tuple(*pair), pair)
@@ -117,10 +133,12 @@ class ScalarStatement:
             value = sympy.sympify(text.removesuffix(ending), locals=local)
             if not value.atoms(sympy.Symbol, AppliedUndef) <= self.names.keys():
                 raise Unsaid(f"the need {text}")
+            self.positive += [value] * (ending == " > 0")
             yield self._premise(f"need'{count}", RELATIONS[ending].format(self.side(value, PLUS)), value)
 
     def _premise(self, name: str, says: str, about: Any, pair: Any = None) -> ScalarPremise:
-        return ScalarPremise(name, says, bool(about.atoms(AppliedUndef) or about.has(sympy.Derivative)), pair)
+        moves = bool(about.atoms(AppliedUndef, sympy.Derivative)) or self.time in about.free_symbols
+        return ScalarPremise(name, says, moves, pair)
 
     def holding(self, name: str) -> str:
         """The definition of the statement, under its name."""
@@ -156,6 +174,11 @@ class ScalarStatement:
             return (f"- {text}", max(level, MINUS)) if e < 0 else (text, level)
         if e.func in FUNCTIONS:
             return f"{FUNCTIONS[e.func]} {self.side(e.args[0], ATOM)}", APPLIED
+        if e.func in CIRCULAR:
+            above, below = CIRCULAR[e.func](e.args[0])
+            return f"{self.side(above, TIMES)} / {self.side(below, TIMES - 1)}", TIMES
+        if e is sympy.E:
+            return "exp 1", APPLIED
         if e.func in OF_TWO:
             *others, text = [self.side(each, ATOM) for each in e.args]
             for each in reversed(others):
@@ -177,7 +200,9 @@ class ScalarStatement:
                 return f"{self.side(e.base, POWER - 1)} ^ {e.exp}", POWER
             root = f"sqrt {self.side(e.base, ATOM)}"
             return (root, APPLIED) if e.exp == sympy.Rational(1, 2) else (f"({root}) ^ {2 * e.exp}", POWER)
-        raise Unsaid(f"{e.func} is no word of the theories")
+        if e.is_Pow and not e.exp.is_Rational:
+            return f"Rpower {self.side(e.base, ATOM)} {self.side(e.exp, ATOM)}", APPLIED
+        raise Unsaid(f"{e.func if e.is_Function else e} is no word of the theories")
 
     def _product(self, e: Any) -> Spelled:
         if e.could_extract_minus_sign():

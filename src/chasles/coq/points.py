@@ -12,7 +12,7 @@ from typing import Any
 
 from chasles import vocabulary as w
 from chasles.coq.expressions import Spelling, Unsaid
-from chasles.coq.polynomials import multiple
+from chasles.coq.polynomials import in_units, multiple
 from chasles.coq.proof import theorem
 from chasles.coq.sentences import assumed
 from chasles.coq.statement import CoqStatement, Premise
@@ -110,20 +110,28 @@ class _CoqPoint:
                 [[value]] = self.values.at_once(node)
             except Unsaid:
                 continue  # a norm of which the square occurs
-            always = self.said.timed and self.values.is_constant(node)
-            text = f"forall t, {self.said.spelling.number(node)}" if always else now.number(node)
+            always = any(map(self.said.moves, w.walk(node))) and self.values.is_constant(node)
+            text = f"forall t : R, {self.said.spelling.number(node)}" if always else now.number(node)
             if isinstance(node, w.Norm):
                 steps = f"apply norm_is; [compared | {self._computed}]"
             else:
                 turned = self.values.of_angles(self.values.reading(node)[0][0])
                 steps = f"{self._unfold}; rewrite ?Rmult_0_l, ?Rplus_0_r; transitivity {turned}; "
-                steps += f"[turned | {self._at_angles}computed]"
+                steps += f"[{self._turning(node)} | {self._at_angles}computed]"
             names.append(f"word'{len(names)}")
             steps = f"{'intros; ' * always}{steps}"
             yield f"assert ({names[-1]} : {text} = {self.values.number(value)}) by ({steps})."
             self._rewriting = (
                 f"rewrite {', '.join(f'?{each}' for each in reversed(names))}, ?norm_square, ?norm_fourth; "
             )
+
+    def _turning(self, node: w.Call) -> str:
+        """The step by which a cosine or sine is made of those of the angles at the point."""
+        names = {symbol: name for symbol, _, name in self.values.angles.values()}
+        try:
+            return f"first [turned | turned_by {in_units(self.values.reading, node.argument, names.__getitem__)}]"
+        except (KeyError, ValueError):  # not a sum of these alone
+            return "turned"
 
     @property
     def _computed(self) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from fractions import Fraction
 
 from chasles import vocabulary as w
+from chasles.checker.reading import Reading
 from chasles.checker.sparse import Polynomial, exponents
 from chasles.coq.expressions import Unsaid
 from chasles.coq.sources import ProofReading
@@ -88,6 +89,20 @@ def multiple(name: str, unit: Fraction) -> str:
     return (
         f"({unit.numerator} * {name} / {unit.denominator})" if unit.numerator > 1 else f"({name} / {unit.denominator})"
     )
+
+
+def in_units(reading: Reading, argument: w.Node, name: Callable[[w.Symbol], str]) -> str:
+    """An angle as a sum of those of which the cosine and the sine are variables, and of right angles."""
+    units = {what[1]: what[2] for what in reading.variables if what[0] == "cos"}
+    parts = []
+    for monomial, coefficient in (entry := reading(argument)[0][0]).terms.items():
+        ((place, _),) = exponents(monomial)
+        symbol = reading.variables[place][1]
+        unit = units.get(symbol, Fraction(1, 2))
+        times = Fraction(coefficient, entry.below) / unit
+        angle = multiple("PI" if symbol == w.PI else name(symbol), unit)
+        parts += [f"{'-' if times < 0 else '+'} {angle}"] * abs(int(times))
+    return f"({' '.join(parts).removeprefix('+ ') or '0'})"
 
 
 def entry_name(name: str, shape: tuple[int, int], i: int, j: int) -> str:

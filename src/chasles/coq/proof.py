@@ -118,14 +118,16 @@ class _Proof:
                 yield taken_apart(name, node.shape)
 
     def _goals(self) -> Iterator[str]:
-        goals = self.combinations
         values = "".join(f" rewrite ?value'{each.place};" for each in self.reckoning.solved)
-        if len(goals) > 1:
+        several = len(self.combinations) > 1
+        if several:
             yield "repeat apply conj."
-        for goal in goals:
-            yield f"{'- ' if len(goals) > 1 else ''}words;{values} entries."
-            for each in goal:
-                yield f"  {'+ ' if len(goal) > 1 else ''}{self._shown(each)}."
+        for goal, entries in zip(self.said.problem.goals, self.combinations, strict=True):
+            yield from ["-"] * several
+            if not (goal.left.is_scalar and goal.right.is_scalar):
+                yield "each_entry."
+            for each in entries:
+                yield f"{'+ ' if len(entries) > 1 else ''}words;{values} {self._shown(each)}."
 
     def _shown(self, why: Combination) -> str:
         """That two numbers are equal."""

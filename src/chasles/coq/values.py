@@ -41,7 +41,7 @@ class PointValues:
             known = [reading(node) for node in (*self.nodes.values(), *words)]
             places = {place for rows in known for row in rows for entry in row for place in entry.places}
             resting = {name: Fraction(0) for name, place in reading.places.items() if at_rest and self._is_rate(place)}
-            self.point = completed(reading, dict(at) | resting, bound_in(reading, places))
+            self.point = completed(reading, self._free_ones(at) | dict(at) | resting, bound_in(reading, places))
         except (ArithmeticError, Rejected) as reason:
             raise Unsaid(str(reason)) from reason
         self.angles: dict[int, Angle] = {}
@@ -56,6 +56,20 @@ class PointValues:
         stated = (each for each in reading.vanishing.values() if each.places <= self.point.keys())
         if at_rest and any(value_at(each, self.point) for each in stated):
             raise Unsaid("a point at which something is determined by what moves")
+
+    def _free_ones(self, at: Mapping[str, Any]) -> dict[str, Fraction]:
+        """One for each quantity or norm that is not zero, and of which the point says nothing."""
+        names = {place: name for name, place in self.reading.places.items()}
+        given = {self.reading.places.get(name) for name in at}
+        found = {}
+        for node in (node for h in self.reading.problem.hypotheses for node in h.nonvanishing):
+            of = node.of if isinstance(node, w.Norm) else node
+            entries = [entry for each in (node, of) for row in self.reading(each) for entry in row]
+            for place, name in names.items():
+                alone = entries[0].terms == {1 << 8 * place: 1}
+                if alone and given.isdisjoint(place for entry in entries for place in entry.places):
+                    found[name] = Fraction(1)
+        return found
 
     def _is_rate(self, place: int) -> bool:
         what = self.reading.variables[place]

@@ -5,29 +5,6 @@ From Chasles Require Export Steps.
 Definition rate_at {m n} (f : R -> M m n) (t : R) (d : M m n) : Prop :=
   forall i j, derivable_pt_lim (fun s => entry (f s) i j) t (entry d i j).
 
-(* Entries of what is made from entries; matrices with the same entries are the same. *)
-Lemma at_place_listed {T} (x : T) n f i : at_place x i (listed n f) = if Nat.ltb i n then f i else x.
-Proof.
-  revert f i. induction n as [|n IH]; intros f i; [reflexivity|]. destruct i as [|i]; [reflexivity|].
-  change (at_place x i (listed n (fun k => f (S k))) = if Nat.ltb i n then f (S i) else x).
-  apply (IH (fun k => f (S k))).
-Qed.
-Lemma entry_matrix m n f i j : entry (matrix m n f) i j = if Nat.ltb i m then if Nat.ltb j n then f i j else 0 else 0.
-Proof.
-  unfold entry, matrix. rewrite at_place_listed. destruct (Nat.ltb i m); rewrite at_place_listed; [reflexivity|].
-  destruct (Nat.ltb j n); reflexivity.
-Qed.
-Lemma same_rows {T} (x : T) n (u v : row T n) : (forall i, at_place x i u = at_place x i v) -> u = v.
-Proof.
-  revert u v. induction n as [|n IH]; intros u v H; destruct u as [], v as []; [reflexivity|]. f_equal.
-  - exact (H O).
-  - apply IH. intro i. exact (H (S i)).
-Qed.
-Lemma same_entries {m n} (A B : M m n) : (forall i j, entry A i j = entry B i j) -> A = B.
-Proof.
-  intro H. apply (same_rows (listed n (fun _ => 0))). intro i. apply (same_rows 0). intro j. exact (H i j).
-Qed.
-
 (* Rates of numbers. *)
 Lemma D_same f t a b : derivable_pt_lim f t a -> a = b -> derivable_pt_lim f t b.
 Proof. intros H <-; exact H. Qed.
@@ -59,6 +36,8 @@ Lemma D_sin f t a : derivable_pt_lim f t a -> derivable_pt_lim (fun s => sin (f 
 Proof. intro H. exact (derivable_pt_lim_comp f sin t a _ H (derivable_pt_lim_sin _)). Qed.
 Lemma D_cos f t a : derivable_pt_lim f t a -> derivable_pt_lim (fun s => cos (f s)) t (- sin (f t) * a).
 Proof. intro H. exact (derivable_pt_lim_comp f cos t a _ H (derivable_pt_lim_cos _)). Qed.
+Lemma D_exp f t a : derivable_pt_lim f t a -> derivable_pt_lim (fun s => exp (f s)) t (exp (f t) * a).
+Proof. intro H. exact (derivable_pt_lim_comp f exp t a _ H (derivable_pt_lim_exp _)). Qed.
 Lemma D_sum n (f : R -> nat -> R) d t :
   (forall i, derivable_pt_lim (fun s => f s i) t (d i)) -> derivable_pt_lim (fun s => sum n (f s)) t (sum n d).
 Proof.
@@ -287,6 +266,7 @@ Ltac rates := lazymatch goal with
   | |- derivable_pt_lim (fun s => _ ^ _) _ _ => apply D_power; rates
   | |- derivable_pt_lim (fun s => sin _) _ _ => apply D_sin; rates
   | |- derivable_pt_lim (fun s => cos _) _ _ => apply D_cos; rates
+  | |- derivable_pt_lim (fun s => exp _) _ _ => apply D_exp; rates
   | |- derivable_pt_lim (fun s => dot _ _) _ _ => apply D_dot; rates
   | |- derivable_pt_lim (fun s => trace _) _ _ => apply D_trace; rates
   | |- derivable_pt_lim (fun s => norm _) _ _ => apply D_norm; [cbv beta; divisor | rates]
@@ -296,6 +276,7 @@ Ltac rates := lazymatch goal with
   | H : differentiable_under ?I |- derivable_pt_lim (fun s => ?I _) _ _ =>
       refine (D_integral I _ _ _ H _); intro; rates
   | |- derivable_pt_lim (fun s => s) _ _ => apply D_identity
+  | |- derivable_pt_lim (?f ?k) ?t ?d => change (derivable_pt_lim (fun s => f k s) t d); rates
   | |- derivable_pt_lim (fun s => ?c) _ _ => apply D_constant
   end.
 Lemma spin_of_rotation T (Q Q_dot : R -> M 3 3) : open_set T -> (forall t, T t -> rotation (Q t)) -> rate T Q Q_dot ->

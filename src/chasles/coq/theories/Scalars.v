@@ -2,10 +2,6 @@
 (* Steps of proofs of identities between expressions. Nothing here has to be believed. *)
 From Chasles Require Export Forms.
 
-Ltac nonnegative := first
-  [ assumption | lra | apply Rlt_le; assumption | apply Rmult_le_pos; nonnegative | apply Rplus_le_le_0_compat; nonnegative
-  | apply pow_le; nonnegative | apply pow2_ge_0 | nra
-  | match goal with |- 0 <= ?a => match goal with H : 0 <= ?b |- _ => replace a with b by reckon; exact H end end ].
 Lemma root_of v s : v = sqrt s -> 0 <= s -> v ^ 2 - s = 0.
 Proof. intros -> P. rewrite pow2_sqrt; [ring | exact P]. Qed.
 Lemma size_of v x : v = Rabs x -> v ^ 2 - x ^ 2 = 0.
@@ -22,12 +18,25 @@ Lemma not_zero_square v s : v ^ 2 - s = 0 -> s <> 0 -> v <> 0.
 Proof. intros H N ->. apply N. lra. Qed.
 Lemma root_above v s : v = sqrt s -> 0 < s -> 0 < v.
 Proof. intros -> P. apply sqrt_lt_R0, P. Qed.
-Ltac above := first
-  [ assumption | lra | apply Rmult_lt_0_compat; above | apply Rplus_lt_le_0_compat; [above | nonnegative]
+Lemma size_above v x : v = Rabs x -> x <> 0 -> 0 < v.
+Proof. intros -> N. apply Rabs_pos_lt, N. Qed.
+Lemma log_over x y : 0 < x -> 0 < y -> ln (x / y) = ln x - ln y.
+Proof. intros X Y. unfold Rdiv. rewrite ln_mult, ln_Rinv; [ring | exact Y | exact X | apply Rinv_0_lt_compat, Y]. Qed.
+Ltac nonnegative := first
+  [ assumption | lra | apply Rlt_le; assumption | apply Rlt_le, exp_pos | apply Rmult_le_pos; nonnegative | apply Rplus_le_le_0_compat; nonnegative
+  | apply Rle_mult_inv_pos; [nonnegative | above] | apply pow_le; nonnegative | apply pow2_ge_0 | nra
+  | match goal with |- 0 <= ?a => match goal with H : 0 <= ?b |- _ => replace a with b by reckon; exact H end end
+  | apply Rlt_le; above ]
+with above := first
+  [ assumption | lra | apply exp_pos | apply Rmult_lt_0_compat; above | apply Rinv_0_lt_compat; above
+  | apply Rdiv_lt_0_compat; above | apply Rplus_lt_le_0_compat; [above | nonnegative]
   | apply Rplus_le_lt_0_compat; [nonnegative | above] | apply pow_lt; above
-  | match goal with K : ?v = sqrt _ |- 0 < ?v => apply (root_above _ _ K); above end ].
+  | match goal with K : ?v = sqrt _ |- 0 < ?v => apply (root_above _ _ K); above end
+  | match goal with K : ?v = Rabs _ |- 0 < ?v => apply (size_above _ _ K); assumption end
+  | match goal with |- 0 < ?a => match goal with H : 0 < ?b |- _ => replace a with b by reckon; exact H end end ].
 Ltac not_zero_known := first
-  [ assumption | apply Rgt_not_eq; above | intro; lra
+  [ assumption | apply Rgt_not_eq; above | intro; lra | apply pow_nonzero; not_zero_known
+  | apply not_zero_product; not_zero_known
   | match goal with K : ?a <> 0 |- ?b <> 0 => apply (not_zero_as _ _ K); reckon end ].
 Lemma cos_quarter : cos (PI / 4) = sqrt 2 / 2.
 Proof.

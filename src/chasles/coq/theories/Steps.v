@@ -4,7 +4,7 @@ From Coq Require Export Lra FunctionalExtensionality.
 From Chasles Require Export Hypotheses Reckon.
 
 (* Words are opened into sums of products of entries. *)
-Ltac words := cbv beta iota zeta delta
+Ltac words := lazy beta iota zeta delta
   [M row listed at_place sum matrix entry plus minus opposite scale over times transpose one zero power below beside
    number the dot vector CPM cross vect trace signed past determinant det cofactor integrated unit_vector
    perpendicular symmetric fst snd Nat.eqb Nat.ltb Nat.leb Nat.add Nat.sub Nat.even INR Nat.pred].
@@ -15,6 +15,54 @@ Ltac words_in H := cbv beta iota zeta delta
 Lemma same_pair {S T} (a c : S) (b d : T) : a = c -> b = d -> (a, b) = (c, d).
 Proof. congruence. Qed.
 Ltac entries := repeat match goal with |- (_, _) = (_, _) => apply same_pair | |- tt = tt => reflexivity end.
+
+(* Entries of what is made from entries; matrices with the same entries are the same. *)
+Lemma at_place_listed {T} (x : T) n f i : at_place x i (listed n f) = if Nat.ltb i n then f i else x.
+Proof.
+  revert f i. induction n as [|n IH]; intros f i; [reflexivity|]. destruct i as [|i]; [reflexivity|].
+  change (at_place x i (listed n (fun k => f (S k))) = if Nat.ltb i n then f (S i) else x).
+  apply (IH (fun k => f (S k))).
+Qed.
+Lemma entry_matrix m n f i j : entry (matrix m n f) i j = if Nat.ltb i m then if Nat.ltb j n then f i j else 0 else 0.
+Proof.
+  unfold entry, matrix. rewrite at_place_listed. destruct (Nat.ltb i m); rewrite at_place_listed; [reflexivity|].
+  destruct (Nat.ltb j n); reflexivity.
+Qed.
+Lemma same_rows {T} (x : T) n (u v : row T n) : (forall i, at_place x i u = at_place x i v) -> u = v.
+Proof.
+  revert u v. induction n as [|n IH]; intros u v H; destruct u as [], v as []; [reflexivity|]. f_equal.
+  - exact (H O).
+  - apply IH. intro i. exact (H (S i)).
+Qed.
+Lemma same_entries {m n} (A B : M m n) : (forall i j, entry A i j = entry B i j) -> A = B.
+Proof.
+  intro H. apply (same_rows (listed n (fun _ => 0))). intro i. apply (same_rows 0). intro j. exact (H i j).
+Qed.
+Lemma entry_inside {m n} (A : M m n) i j :
+  entry A i j = if Nat.ltb i m then if Nat.ltb j n then entry A i j else 0 else 0.
+Proof.
+  assert (L : forall (T : Type) (x : T) n (r : row T n) i, at_place x i r = if Nat.ltb i n then at_place x i r else x).
+  { clear. intros T x n. induction n as [|n IH]; intros r i; [reflexivity|]. destruct i as [|i]; [reflexivity|].
+    apply (IH (snd r) i). }
+  unfold entry. rewrite (L _ _ _ A i) at 1. destruct (Nat.ltb i m); [apply L|]. rewrite at_place_listed.
+  destruct (Nat.ltb j n); reflexivity.
+Qed.
+(* Entries are compared one at a time: so no more than one has to be written out. *)
+Fixpoint all (n : nat) (P : nat -> Prop) : Prop :=
+  match n with O => True | S O => P O | S k => P O /\ all k (fun i => P (S i)) end.
+Lemma all_below n P i : all n P -> Nat.ltb i n = true -> P i.
+Proof.
+  revert P i. induction n as [|n IH]; intros P i H L; [discriminate|].
+  destruct n as [|n]; [destruct i as [|[|i]]; [exact H | discriminate | discriminate]|].
+  destruct i as [|i]; [apply H|]. apply (IH (fun i => P (S i)) i (proj2 H) L).
+Qed.
+Lemma by_entries {m n} (A B : M m n) : all m (fun i => all n (fun j => entry A i j = entry B i j)) -> A = B.
+Proof.
+  intro H. apply same_entries. intros i j. rewrite (entry_inside A), (entry_inside B).
+  destruct (Nat.ltb i m) eqn:I; [destruct (Nat.ltb j n) eqn:J|]; try reflexivity.
+  exact (all_below n _ j (all_below m _ i H I) J).
+Qed.
+Ltac each_entry := apply by_entries; cbv beta iota delta [all]; repeat apply conj.
 
 (* What follows from polynomials that vanish: the difference, times what is not zero, is a combination of them. *)
 Lemma by_parts (a b x : R) : x = 0 -> a - b = x -> a = b.

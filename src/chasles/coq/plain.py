@@ -1,0 +1,145 @@
+"""What an expression of SymPy is in a proof for Coq: a rational function of symbols, and facts that say so.
+
+Cosines and sines are taken apart by the addition formulas, exponentials and logarithms into those of their parts; roots
+and absolute values become what the certificate says. Nothing here has to be believed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import reduce
+from operator import mul
+from typing import Any
+
+import sympy
+
+from chasles.checker.sparse import Rejected, exponents, parsed
+from chasles.coq.exponentials import EXPONENTIAL, exponential, logarithm
+from chasles.coq.expressions import ATOM, Unsaid
+from chasles.coq.of_sympy import CIRCULAR, SIGNS, ScalarStatement
+from chasles.coq.rational import divisors_of, polynomial, rank, text_of
+from chasles.coq.roots import root, words_named
+from chasles.coq.turns import turned
+
+
+class PlainExpressions:
+    """Expressions in symbols that are called as Coq calls them.
+
+    `remembered` are what gets a name in the proof, `facts` are the steps by which it is known what these are: by
+    `rules` something vanishes, by `values` a name has a value. Symbols may be exponentials, of `exponents` that are
+    multiples of `units`, or `logarithms`.
+    """
+
+    def __init__(self, statement: ScalarStatement, certificate: Mapping[str, Any]) -> None:
+        self.statement, self.certificate = statement, certificate
+        self.rules: list[tuple[Any, str]] = []
+        self.facts: list[str] = []
+        self.remembered: list[tuple[str, str]] = []
+        self.values: list[str] = []
+        self.named: dict[str, Any] = {}
+        self.labels = {text: key for key, text in certificate["names"].items()}
+        self.units: dict[Any, Any] = {}
+        self.exponents: dict[Any, Any] = {}
+        self.logarithms: dict[Any, Any] = {}
+        self._symbols: dict[str, Any] = {}
+        self._known: dict[Any, Any] = {}
+        for atom in statement.names:
+            if str(atom) in self.labels:
+                self.named[self.labels[str(atom)]] = self(atom)
+        words_named(self)
+
+    def __call__(self, e: Any) -> Any:
+        """The expression as a rational function of symbols."""
+        if e not in self._known:
+            self._known[e] = self._plain(e)
+        return self._known[e]
+
+    def _plain(self, e: Any) -> Any:
+        if e in self.statement.names or e is sympy.pi:
+            return self.symbol(
+                self.statement.side(e, ATOM), next((kind for kind in SIGNS if getattr(e, f"is_{kind}")), "")
+            )
+        if e.is_Rational:
+            return e
+        if e.is_Add or e.is_Mul:
+            return e.func(*map(self, e.args))
+        if e.is_Pow and e.exp.is_Integer:
+            return self(e.base) ** e.exp
+        if e.is_Pow and (2 * e.exp).is_Integer:
+            of = sympy.sqrt(e.base)
+            return root(self, e, e.base, "sqrt") if e == of else self(of) ** (2 * e.exp)
+        if e.func is sympy.Abs:
+            return root(self, e, e.args[0], "abs")
+        if e.func in (sympy.cos, sympy.sin):
+            return turned(self, e)
+        if e.func in CIRCULAR:
+            above, below = CIRCULAR[e.func](e.args[0])
+            return self(above) / self(below)
+        if e.func in EXPONENTIAL or e is sympy.E or (e.is_Pow and not e.exp.is_Rational):
+            return exponential(self, e)
+        if e.func is sympy.log:
+            return logarithm(self, e)
+        raise Unsaid(f"no proof is written of what {e.func if e.is_Function else e} is")
+
+    def symbol(self, text: str, sign: str = "") -> Any:
+        """A symbol by its name in Coq; what is known of its sign is told where it first occurs."""
+        return self._symbols.setdefault(text, sympy.Symbol(text, **({sign: True} if sign else {"real": True})))
+
+    def parsed(self, text: str) -> Any:
+        """A polynomial of the certificate."""
+        places = {name: place for place, name in enumerate(self.named)}
+        symbols = list(self.named.values())
+        try:
+            found = parsed(text, places)
+        except Rejected as reason:
+            raise Unsaid("no proof is written with all that the certificate names") from reason
+        terms = (
+            reduce(mul, (symbols[k] ** n for k, n in exponents(m)), sympy.Integer(c)) for m, c in found.terms.items()
+        )
+        return sympy.Add(*terms) / found.below
+
+    @property
+    def rewritten(self) -> str:
+        """The step that puts in the values that are known."""
+        return f"rewrite {', '.join(f'?{each}' for each in self.values)}; " if self.values else ""
+
+    def remember(self, e: Any) -> str:
+        """A name for an expression of the question."""
+        name = f"value'{len(self.remembered)}"
+        self.remembered.append((self.statement.side(e), name))
+        return name
+
+    def value(self, name: str, value: Any, steps: str) -> None:
+        """A name has a value, by these steps."""
+        self.facts.append(f"assert (is'{name} : {name} = {text_of(value)}) by {steps}.")
+        self.values.append(f"is'{name}")
+
+    def rule(self, head: Any, equal: Any, steps: str) -> None:
+        """The square of a symbol is a polynomial, by these steps."""
+        if divisors_of(equal):
+            raise Unsaid("no proof is written of the root of a quotient")
+        text, name = f"({head}^2 - {text_of(equal)})", f"rule'{len(self.rules)}"
+        self.facts.append(f"assert ({name} : {text} = 0) by ({steps}).")
+        self.facts.append(f"try (pose proof (not_zero_square _ _ {name} ltac:(not_zero_known))).")
+        self.rules.append((head**2 - equal, text))
+
+    def nonzero(self, e: Any) -> Iterator[str]:
+        """The steps by which it is known, where that is seen, that what an expression is divided by is not zero."""
+        for factor in divisors_of(e):
+            made_of_roots = all(symbol.name.startswith("value") for symbol in factor.free_symbols)
+            known = "first [not_zero_known | intro; nra]" if made_of_roots else "not_zero_known"
+            yield f"try (assert ({polynomial(factor)} <> 0) by {known})."
+
+    def total(self, vanishing: Any, over: Any = 1) -> str:
+        """What vanishes as a combination of rules; raises `Unsaid` if it is none."""
+        numerator, below = sympy.fraction(sympy.together(vanishing))
+        numerator = sympy.expand(numerator)
+        rules = [rule for rule, _ in self.rules]
+        symbols = sorted({s for each in (numerator, *rules) for s in each.free_symbols}, key=rank)
+        if not numerator:
+            return "0"
+        quotients, rest = sympy.reduced(numerator, rules, *symbols) if rules else ((), numerator)
+        if rest:
+            raise Unsaid("the difference is not seen to vanish by the squares of roots, cosines and absolute values")
+        pairs = zip(quotients, self.rules, strict=True)
+        return " + ".join(f"({text_of(q / below / over)}) * {text}" for q, (_, text) in pairs if q)

@@ -1,0 +1,41 @@
+"""Rational functions of symbols that are called as Coq calls them, and how they are spelled."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+import sympy
+
+
+def text_of(e: Any) -> str:
+    """A rational function, in brackets unless it is a symbol."""
+    above, below = sympy.fraction(sympy.together(e))
+    factors = [f"{polynomial(b)}^{n}" for b, n in (factor.as_base_exp() for factor in sympy.Mul.make_args(below))]
+    return polynomial(above) if below == 1 else f"({polynomial(above)} / ({' * '.join(factors)}))"
+
+
+def polynomial(e: Any) -> str:
+    """A polynomial, in brackets unless it is a symbol."""
+    total = ""
+    for term in sympy.Add.make_args(sympy.expand(e)):
+        coefficient, factors = term.as_coeff_mul()
+        powers = [f"{b}^{n}" if n != 1 else str(b) for b, n in (factor.as_base_exp() for factor in factors)]
+        if abs(coefficient) != 1 or not powers:
+            powers.insert(0, f"{abs(coefficient.p)}" + f" / {coefficient.q}" * (coefficient.q != 1))
+        total += f" {'-' if coefficient < 0 else '+'} {' * '.join(powers)}"
+    total = total.removeprefix(" + ").strip()
+    return total if total.isalnum() else f"({total})"
+
+
+def rank(symbol: Any) -> tuple[int, str]:
+    """What rules replace comes first: the root of something with roots in it before these, cosines before sines."""
+    found = re.fullmatch(r"(?:value|word)'(\d+)", symbol.name)
+    return (-int(found[1]) - 1, "") if found else (0, symbol.name)
+
+
+def divisors_of(e: Any) -> list[Any]:
+    """What is divided by, factor by factor."""
+    below = sympy.fraction(sympy.together(e))[1]
+    factors = (factor.as_base_exp()[0] for factor in sympy.Mul.make_args(below))
+    return [factor for factor in factors if factor.free_symbols]

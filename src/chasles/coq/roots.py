@@ -1,0 +1,108 @@
+"""Square roots and absolute values as a certificate has them, for proofs in Coq."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import reduce
+from itertools import product
+from operator import mul
+from typing import TYPE_CHECKING, Any
+
+import sympy
+
+from chasles.coq.rational import divisors_of, text_of
+
+if TYPE_CHECKING:
+    from chasles.coq.plain import PlainExpressions
+
+MOST_KNOWN = 5
+"""A root is looked for among the products and quotients of so many that are known."""
+LEMMAS = {"sqrt": "root", "abs": "size"}
+
+
+def words_named(plain: PlainExpressions) -> None:
+    """The roots and absolute values of which a certificate speaks, whether or not the question does."""
+    words = plain.certificate.get("words", ())
+    for e in (sympy.sqrt(int(text)) for _, kind, text in words if kind == "sqrt" and text.isdigit()):
+        plain(e)
+    for name, kind, text in words:
+        for e in _roots_of(plain, kind):
+            if name not in plain.named and _same(plain, plain(e.args[0]), kind, text):
+                plain(e)
+        if name not in plain.named:
+            _introduced(plain, name, kind, text)
+
+
+def root(plain: PlainExpressions, e: Any, inside: Any, kind: str) -> Any:
+    """A root, or an absolute value: what is known to be it, or a symbol with its square."""
+    said = sympy.together(plain(inside))
+    square = said if kind == "sqrt" else said**2
+    name = plain.remember(e)
+    names = [
+        each
+        for each, what, text in plain.certificate.get("words", ())
+        if what == kind and _same(plain, said, kind, text)
+    ]
+    plain.facts.append(f"pose proof ({LEMMAS[kind]}_positive _ _ of'{name}) as positive'{name}.")
+    value = None if names else next(_known(plain, square), None)
+    if value is not None:
+        plain.facts += plain.nonzero(value)
+        equal = f"apply (by_parts _ _ ({plain.total(square - value**2)})); [vanish | {plain.rewritten}identity]"
+        plain.value(name, value, f"(apply ({LEMMAS[kind]}_value _ _ _ of'{name}); [nonnegative | {equal}])")
+        return value
+    plain.named |= dict.fromkeys(names, _symbol(plain, name, kind, square))
+    return plain.symbol(name)
+
+
+def _symbol(plain: PlainExpressions, name: str, kind: str, square: Any) -> Any:
+    """A name as a symbol, with the rule that says what its square is."""
+    v = plain.symbol(name, "nonnegative")
+    positive = f" ltac:({plain.rewritten}nonnegative)" if kind == "sqrt" else ""
+    plain.rule(v, square, f"refine (eq_trans _ ({LEMMAS[kind]}_of _ _ of'{name}{positive})); {plain.rewritten}identity")
+    return v
+
+
+def _introduced(plain: PlainExpressions, word: str, kind: str, text: str) -> None:
+    """A root of which the question does not speak."""
+    said, name = plain.parsed(text), f"word'{len(plain.facts)}"
+    function = "sqrt" if kind == "sqrt" else "Rabs"
+    plain.facts.append(f"remember ({function} {text_of(said)}) as {name} eqn:of'{name}.")
+    plain.facts.append(f"pose proof ({LEMMAS[kind]}_positive _ _ of'{name}) as positive'{name}.")
+    plain.named[word] = _symbol(plain, name, kind, said if kind == "sqrt" else said**2)
+
+
+def _known(plain: PlainExpressions, square: Any) -> Iterator[Any]:
+    """Products and quotients of roots that the certificate knows, with the right square; the simplest first."""
+    certificate, one = plain.certificate, sympy.Integer(1)
+    even = _even_part(square)
+    roots = certificate.get("roots", ())
+    known = [(plain.parsed(text), reduce(mul, map(plain.parsed, factors), one)) for text, factors in roots]
+    words = (each for each in certificate.get("words", ()) if each[0] in plain.named)
+    known += [(plain.parsed(text) ** (1 if kind == "sqrt" else 2), plain.named[word]) for word, kind, text in words]
+    ways = (0, 1, -1) if divisors_of(square / even**2) else (0, 1)
+    for powers in sorted(product(ways, repeat=min(len(known), MOST_KNOWN)), key=lambda each: sum(map(abs, each))):
+        made = reduce(mul, (of**n for (of, _), n in zip(known, powers, strict=False)), even**2)
+        ratio = sympy.cancel(square / made)
+        if ratio.is_Rational and sympy.sqrt(ratio).is_Rational:
+            yield reduce(mul, (v**n for (_, v), n in zip(known, powers, strict=False)), even * sympy.sqrt(ratio))
+
+
+def _even_part(square: Any) -> Any:
+    """What is positive, and of which the square divides."""
+    sides = zip(sympy.fraction(square), (1, -1), strict=True)
+    factors = ((factor, way * (count // 2)) for side, way in sides for factor, count in sympy.factor_list(side)[1])
+    return reduce(mul, (factor**half for factor, half in factors if factor.is_positive), sympy.Integer(1))
+
+
+def _roots_of(plain: PlainExpressions, kind: str) -> list[Any]:
+    """The roots, or absolute values, of the question, the innermost first."""
+    expressions = sympy.Tuple(*plain.statement.asked.expressions)
+    powers = (sympy.sqrt(e.base) for e in expressions.atoms(sympy.Pow) if e.exp.is_Rational and e.exp.q == 2)
+    found = powers if kind == "sqrt" else expressions.atoms(sympy.Abs)
+    return sorted(set(found), key=lambda e: (e.count_ops(), str(e)))
+
+
+def _same(plain: PlainExpressions, said: Any, kind: str, text: str) -> bool:
+    """Whether a root, or an absolute value, is that of the certificate."""
+    value = plain.parsed(text)
+    return not sympy.expand(said - value) or (kind == "abs" and not sympy.expand(said + value))
