@@ -71,8 +71,9 @@ QUESTIONS: list[tuple[Any, ...]] = [
     (tanh(x / 2), (1 - exp(-x)) / (1 + exp(-x))),
     (log(1 - x**2), log(1 - x) + log(1 + x)),
     (2**x * 3**x, 6**x),
+    (exp(x) / (exp(x) + 1) + 1 / (exp(x) + 1), 1),
+    (sqrt(1 + tan(x) ** 2), 1 / Abs(cos(x))),
     (f.diff(t), f / 2, [Eq(f, exp(t / 2))]),
-    (f.diff(t), 1 / t, [Eq(f, log(t))]),
     (p * f.diff(t, 2) + x * f, 0, [Eq(f.diff(t, 2), -x / p * f)]),
 ]
 

@@ -90,9 +90,10 @@ class _ScalarProof:
         for premise in said.premises:
             if premise.says.startswith("0 < "):
                 yield f"pose proof (Rgt_not_eq _ _ {premise.name})."
-        yield "unfold tan in *."
-        for text, name in sorted(plain.remembered, key=lambda each: -len(each[0])):
-            yield f"remember ({text}) as {name} eqn:of'{name} in *."
+        remembered = sorted(plain.remembered, key=lambda each: ("tan " not in each[0], -len(each[0])))
+        named = [f"remember ({text}) as {name} eqn:of'{name} in *." for text, name in remembered]
+        before = sum("tan " in text for text, _ in remembered)
+        yield from (*named[:before], "unfold tan in *.", *named[before:])
         yield from plain.facts
         yield from [f"{plain.rewritten.removesuffix('; ')} in *."] * bool(plain.values)
         yield from dict.fromkeys(step for pair in said.goals for side in pair for step in plain.nonzero(plain(side)))

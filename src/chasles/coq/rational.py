@@ -35,7 +35,11 @@ def rank(symbol: Any) -> tuple[int, str]:
 
 
 def divisors_of(e: Any) -> list[Any]:
-    """What is divided by, factor by factor."""
-    below = sympy.fraction(sympy.together(e))[1]
-    factors = (factor.as_base_exp()[0] for factor in sympy.Mul.make_args(below))
-    return [factor for factor in factors if factor.free_symbols]
+    """What is divided by, factor by factor, also where it cancels."""
+    bases = [power.base for power in e.atoms(sympy.Pow) if power.exp.is_negative]
+    belows = [
+        sympy.fraction(sympy.together(e))[1],
+        *(part for base in bases for part in sympy.fraction(sympy.together(base))),
+    ]
+    factors = (factor.as_base_exp()[0] for below in belows for factor in sympy.Mul.make_args(below))
+    return sorted({factor for factor in factors if factor.free_symbols}, key=str)
