@@ -29,6 +29,8 @@ RESTRICTED = 0.05
 """How much rather the numbers of a symbol are changed of which no facts are known: on these less depends."""
 ENOUGH = 0.9
 """A step has to leave less than this of the equations."""
+PRECISION = 1e-9
+"""Relative to the size of the sides: what is left of equations that hold."""
 MOST_NUMBERS = 600
 """With more free numbers no motion is looked for that satisfies equations."""
 SMALL_CHANGE = 1e-7
@@ -120,7 +122,7 @@ def satisfying(
 
     Raises `NotInMotion` where it is not found soon, or there are too many numbers to look for.
     """
-    known = motion.with_numbers({})
+    known = motion.undrawn
     _residual(equations, ValuesInMotion(known, rules, running, terms))
     keys = [key for key in known.numbers if not key[1]]
     numbers = {key: known.numbers[key][:, :, :, :1].copy() for key in known.numbers}
@@ -134,18 +136,17 @@ def satisfying(
         left = np.max(np.abs(residual[:, 0]))
         if not np.all(np.isfinite(residual)):
             raise NotInMotion
-        if left < 1e-9 * size:
-            return motion.with_numbers(numbers)
         slopes = (residual[:, 1:] - residual[:, :1]) / SMALL_CHANGE * ease
         steps = np.outer(ease * np.linalg.lstsq(slopes, -residual[:, 0], rcond=1e-9)[0], SHORTER)
-        tried = np.max(
-            np.abs(_residual(equations, _at(motion, numbers, places, steps, rules, running, terms))[0]), axis=0
-        )
+        residual, size = _residual(equations, _at(motion, numbers, places, steps, rules, running, terms))
+        tried = np.max(np.abs(residual), axis=0)
         best = int(np.nanargmin(tried))
-        if not tried[best] < ENOUGH * left:
+        if not tried[best] < max(ENOUGH * left, PRECISION * size):
             return None
         for (key, place), change in zip(places, steps[:, best], strict=True):
             numbers[key][*place, 0] += change
+        if tried[best] < PRECISION * size:
+            return motion.with_numbers(numbers)
     raise NotInMotion
 
 
@@ -154,7 +155,7 @@ def _at(
     rules: Rules, running: Running, terms: int,
 ) -> ValuesInMotion:  # fmt: skip
     """The values where numbers at places are changed by each of the columns of steps, one beside the other."""
-    lanes = {key: np.repeat(numbers[key], steps.shape[1], axis=3) for key, _ in places}
+    lanes = {key: np.repeat(numbers[key], steps.shape[1], axis=3) for key in dict.fromkeys(key for key, _ in places)}
     for (key, place), changes in zip(places, steps, strict=True):
         lanes[key][*place] += changes[:, None]
     return ValuesInMotion(motion.with_numbers({**numbers, **lanes}), rules, running, terms)

@@ -234,8 +234,9 @@ class Deduction:
         key = quantity(claim.left)
         behind = free_quantities((claim.right,), chosen_rules((claim.right,), self.premises.defined()))
         if key is not None and not any(symbol == key[0] for symbol, _ in behind):
-            self.premises.proved[key] = least
-            self.premises.said.append(least)
+            # What it was proved under need not be assumed again: a problem with more hypotheses takes more work.
+            self.premises.proved[key] = definition_of(least, False)
+            self.premises.said.append(self.premises.proved[key])
         return PageFinding("claim", verdict, least)
 
 

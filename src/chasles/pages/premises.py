@@ -137,11 +137,13 @@ def chosen_rules(sides: Iterable[Node], rules: Rules, deep: bool = True) -> dict
 
 def last_said(rules: Rules, place: Mapping[int, int]) -> Rules:
     """The rules without those for rates of what has been said anew since; `place` is that of each statement."""
-    when = {key: place.get(id(rule), -1) for key, rule in rules.items()}
+    when: dict[Symbol, dict[int, int]] = {}
+    for (symbol, order), rule in rules.items():
+        when.setdefault(symbol, {})[order] = place.get(id(rule), -1)
     return {
         (symbol, order): rule
         for (symbol, order), rule in rules.items()
-        if not any(s == symbol and k < order and when[s, k] > when[symbol, order] for s, k in rules)
+        if not any(k < order and said > when[symbol][order] for k, said in when[symbol].items())
     }
 
 

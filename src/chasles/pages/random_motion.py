@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from fractions import Fraction
+from functools import lru_cache
 from math import factorial
 from types import MappingProxyType
 
@@ -50,11 +51,16 @@ class RandomMotion:
     ) -> None:
         self._facts = facts
         self.numbers = dict(numbers)
-        self._made: dict[Key, Matrix] = {}
+        self._made: dict[tuple[Key, int], Matrix] = {}
 
     def restricts(self, symbol: Symbol) -> bool:
         """Whether facts are known of the symbol."""
         return bool(self._facts(symbol))
+
+    @property
+    def undrawn(self) -> RandomMotion:
+        """The motion before anything is asked of it."""
+        return RandomMotion(self._facts)
 
     def with_numbers(self, numbers: Mapping[Key, Array]) -> RandomMotion:
         """The motion with other free numbers of some symbols."""
@@ -63,13 +69,15 @@ class RandomMotion:
     def of(self, symbol: Symbol, terms: int, running: Mapping[Symbol, bool]) -> Matrix:
         """The series of a symbol; one that is `running` differs from element to element, and may move."""
         key = symbol, symbol in running, running.get(symbol, True)
-        if key not in self._made:
-            self.numbers.setdefault(key, _drawn(*key))
-            self._made[key] = self._satisfying(symbol, self.numbers[key])
-        return each(self._made[key], lambda entry: TimeSeries(entry.terms[:terms]))
+        if (key, terms) not in self._made:
+            if key not in self.numbers:
+                self.numbers[key] = _drawn(*key)
+            self._made[key, terms] = self._satisfying(symbol, self.numbers[key][:, :, :terms])
+        return self._made[key, terms]
 
     def _satisfying(self, symbol: Symbol, free: Array) -> Matrix:
-        made = [[TimeSeries(entry) for entry in row] for row in free]
+        reach = 1 if symbol.constant else None
+        made = [[TimeSeries(entry, reach) for entry in row] for row in free]
         for fact in self._facts(symbol):
             if fact.kind not in SATISFYING or fact.subjects != (symbol,):
                 raise NotInMotion
@@ -77,6 +85,7 @@ class RandomMotion:
         return made
 
 
+@lru_cache(maxsize=4096)
 def _drawn(symbol: Symbol, runs: bool, moves: bool) -> Array:
     numbers = np.random.default_rng(list(f"{symbol.name} {symbol.letter} {symbol.shape} {symbol.meaning}".encode()))
     free = numbers.uniform(-1, 1, (*symbol.shape, TERMS, MOTIONS, ELEMENTS if runs else 1))
@@ -166,7 +175,7 @@ class ValuesInMotion(Interpreter):
     def _resting(self, value: float) -> TimeSeries:
         terms = np.zeros((self.terms, 1, 1))
         terms[0] = value
-        return TimeSeries(terms)
+        return TimeSeries(terms, int(value != 0))
 
     def _moved(self, symbol: Symbol) -> Matrix:
         """The series of a symbol; where a rule says what its rate is, its later terms are found by that one by one."""
@@ -178,7 +187,7 @@ class ValuesInMotion(Interpreter):
         return found
 
     def _continued(self, symbol: Symbol, order: int, start: Matrix) -> Matrix:
-        found = each(start, lambda entry: TimeSeries(entry.terms[:order]))
+        found = each(start, lambda entry: entry.first(order))
         known = order
         while known < self.terms:
             begun = {**self.begun, symbol: found}
@@ -193,7 +202,7 @@ class ValuesInMotion(Interpreter):
             if reached <= known:
                 break
             found, known = longer, reached
-        return each(found, lambda entry: TimeSeries(entry.terms[: self.terms]))
+        return each(found, lambda entry: entry.first(self.terms))
 
 
 def _rate(series: TimeSeries) -> TimeSeries:

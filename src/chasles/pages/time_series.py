@@ -12,33 +12,49 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 
 
 class TimeSeries:
-    """The coefficients of 1, t, t^2, ...; arithmetic keeps as many as both sides have."""
+    """The coefficients of 1, t, t^2, ...; arithmetic keeps as many as both sides have.
 
-    __slots__ = ("terms",)
+    Those from `reach` on are known to vanish.
+    """
 
-    def __init__(self, terms: Array) -> None:
+    __slots__ = ("reach", "terms")
+
+    def __init__(self, terms: Array, reach: int | None = None) -> None:
         self.terms = terms
+        self.reach = len(terms) if reach is None else min(reach, len(terms))
+
+    def first(self, n: int) -> TimeSeries:
+        """The first n coefficients."""
+        return TimeSeries(self.terms[:n], self.reach)
 
     def __add__(self, other: TimeSeries) -> TimeSeries:
         n = min(len(self.terms), len(other.terms))
-        return TimeSeries(self.terms[:n] + other.terms[:n])
+        if not other.reach:
+            return self.first(n)
+        if not self.reach:
+            return other.first(n)
+        return TimeSeries(self.terms[:n] + other.terms[:n], max(self.reach, other.reach))
 
     def __sub__(self, other: TimeSeries) -> TimeSeries:
-        n = min(len(self.terms), len(other.terms))
-        return TimeSeries(self.terms[:n] - other.terms[:n])
+        return self + -other
 
     def __neg__(self) -> TimeSeries:
-        return TimeSeries(-self.terms)
+        return TimeSeries(-self.terms, self.reach) if self.reach else self
 
     def __mul__(self, other: TimeSeries) -> TimeSeries:
-        n = min(len(self.terms), len(other.terms))
-        found = self.terms[0] * other.terms[:n]
-        for k in range(1, n):
-            found[k:] += self.terms[k] * other.terms[: n - k]
-        return TimeSeries(found)
+        one, more = (self, other) if self.reach <= other.reach else (other, self)
+        n = min(len(one.terms), len(more.terms))
+        if not one.reach:
+            return one.first(n)
+        found = one.terms[0] * more.terms[:n]
+        for k in range(1, min(one.reach, n)):
+            found[k:] += one.terms[k] * more.terms[: n - k]
+        return TimeSeries(found, one.reach + more.reach - 1)
 
     def __truediv__(self, other: TimeSeries) -> TimeSeries:
         n = min(len(self.terms), len(other.terms))
+        if other.reach == 1:
+            return TimeSeries(self.terms[:n] / other.terms[0], self.reach)
         found: list[Array] = []
         for k in range(n):
             rest = self.terms[k] - sum((found[j] * other.terms[k - j] for j in range(k)), np.float64(0.0))
