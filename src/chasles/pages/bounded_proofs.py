@@ -24,10 +24,14 @@ from chasles.prover.sources import DeclaredPoints
 from chasles.statements import Claim, Hypothesis, Problem, problem_of
 from chasles.statements.spins import with_spins
 from chasles.verdict import Contradictory, Counterexample, Fails, Holds, HoldsUnder, Undecided, Verdict
-from chasles.vocabulary import Misfit
+from chasles.vocabulary import Misfit, Node
 
 MOST_TERMS = 500
 """Points are not drawn where hypotheses and sides have more terms than this: each point takes too long."""
+
+
+MOST_WORDS = 60
+"""Problems of functions that have no polynomial form are left where they have more words than this, entry by entry."""
 
 
 class _Unproved(Exception):
@@ -152,6 +156,8 @@ def _found(problem: Problem, own: tuple[Hypothesis, ...], budget: float, source:
 
 def _decided(problem: Problem, own: tuple[Hypothesis, ...], budget: float, source: DeclaredPoints) -> Verdict:
     """The verdict; one on rotations that move is proved for all spins."""
+    if problem.has_functions and _words_in(problem) > MOST_WORDS:
+        raise _Unproved("written out it is too long")
     if sizes_in(problem) or problem.has_functions:
         return decided(problem, own, budget)
     spun = with_spins(problem)
@@ -167,3 +173,19 @@ def _decided(problem: Problem, own: tuple[Hypothesis, ...], budget: float, sourc
     if isinstance(moved, Holds | HoldsUnder):
         return replace(moved, certificate={**moved.certificate, "spins": True})
     return verdict
+
+
+def _words_in(problem: Problem) -> int:
+    """The words of all that is claimed and assumed, what they stand for written out, for each entry."""
+    rules = dict(problem.rules)
+    known: dict[Node, int] = {}
+
+    def count(node: Node) -> int:
+        if node not in known:
+            known[node] = 1
+            known[node] = count(rules[node]) if node in rules else 1 + sum(map(count, node.below))
+        return known[node]
+
+    goals = [side for goal in (*problem.goals, *problem.conditions) for side in (goal.left, goal.right)]
+    assumed = [side for hypothesis in problem.hypotheses for pair in hypothesis.equations for side in pair]
+    return sum(count(side) * side.shape[0] * side.shape[1] for side in (*goals, *assumed))

@@ -10,7 +10,7 @@ from typing import Any
 from chasles.nearest import nearest
 from chasles.reading.glyphs import Glyph, letter_in, spelled
 from chasles.reading.grouping import Unread
-from chasles.reading.letter_table import BadNotation, LetterTable
+from chasles.reading.letter_table import BadNotation, LetterTable, require
 from chasles.reading.lexemes import BadPage
 from chasles.reading.page_notation import PageNotation
 from chasles.vocabulary import NO_DIMENSION, Dimension, Inverse, Misfit, Node, Symbol, Transpose, uniform
@@ -26,7 +26,11 @@ KINDS: dict[str, tuple[int, int]] = {
 """What a letter may be, and the shape that it then has unless the file says another."""
 TYPEFACE_NAMES = ("mathbf", "boldsymbol", "mathrm", "operatorname")
 OTHERS = ("component", "entry", "index")
-KNOWN_KEYS = ("is", "unit", "constant", "positive", "shape", "size", "of", "inverse", "stands_for", "meaning")
+KNOWN_KEYS: dict[str, type] = {
+    "is": str, "unit": str, "constant": bool, "positive": bool, "shape": object, "size": int, "of": str,
+    "inverse": str, "stands_for": str, "meaning": str,
+}  # fmt: skip
+"""What may be said of a letter, and of which type it is; the shape is checked where it is read."""
 UNITS = {"m": Dimension(1), "kg": Dimension(0, 1), "s": Dimension(0, 0, 1), "rad": NO_DIMENSION, "1": NO_DIMENSION,
          "N": Dimension(1, 1, -2), "J": Dimension(2, 1, -2), "W": Dimension(2, 1, -3), "Hz": Dimension(0, 0, -1),
          "Pa": Dimension(-1, 1, -2)}  # fmt: skip
@@ -40,7 +44,10 @@ def declare_letter(notation: PageNotation, table: LetterTable, text: str, said: 
         raise BadNotation(f"{where}: expected a table such as {{ is = 'vector' }}")
     for key in said:
         if key not in KNOWN_KEYS:
-            raise BadNotation(f"{where} has no {key!r}{nearest(key, KNOWN_KEYS)}: it takes {', '.join(KNOWN_KEYS)}")
+            raise BadNotation(
+                f"{where} has no {key!r}{nearest(key, list(KNOWN_KEYS))}: it takes {', '.join(KNOWN_KEYS)}"
+            )
+        require(said[key], KNOWN_KEYS[key], f"{where} {key}")
     try:
         letter = letter_in(text)
     except (Unread, BadPage) as problem:

@@ -18,6 +18,16 @@ class BadNotation(ValueError):
     """A notation that cannot be used: its text says in one line what is wrong and what is expected."""
 
 
+TYPES: dict[type, str] = {str: "text in quotes", bool: "true or false", int: "a whole number", dict: "a table"}
+"""How a type is told to who writes a notation."""
+
+
+def require(said: Any, kind: type, where: str) -> None:
+    """Raises `BadNotation` for what is not of a type."""
+    if not isinstance(said, kind) or (kind is int and isinstance(said, bool)):
+        raise BadNotation(f"{where}: expected {TYPES[kind]}, found {said!r:.60}")
+
+
 class LetterTable:
     """What letters mean: exact ones, and patterns of subscripts, superscripts and arguments.
 

@@ -19,7 +19,7 @@ from chasles.reading.declared_letters import declare_letter
 from chasles.reading.fits import own_quantity
 from chasles.reading.glyphs import letter_in
 from chasles.reading.grouping import Unread
-from chasles.reading.letter_table import BadNotation, LetterTable
+from chasles.reading.letter_table import BadNotation, LetterTable, require
 from chasles.reading.lexemes import BadPage
 from chasles.reading.one_meaning import one_meaning_each
 from chasles.reading.page_notation import CONVENTIONS, PageNotation, declared_in, known_words, usual_spellings
@@ -57,8 +57,10 @@ def load_notation(source: str | Path | ModuleType | Mapping[str, Any]) -> PageNo
     if isinstance(source, Path):
         try:
             text = source.read_text(encoding="utf-8")
-        except (OSError, UnicodeDecodeError) as error:
-            raise BadNotation(f"{source}: {error}") from None
+        except OSError as error:
+            raise BadNotation(f"{source}: {error.strerror}") from None
+        except UnicodeDecodeError:
+            raise BadNotation(f"{source}: it is not UTF-8 text") from None
         try:
             return load_notation(text)
         except BadNotation as error:
@@ -68,24 +70,34 @@ def load_notation(source: str | Path | ModuleType | Mapping[str, Any]) -> PageNo
     except tomllib.TOMLDecodeError as error:
         raise BadNotation(f"the notation is no TOML: {error}") from None
     _known(tables, TABLES, "the notation")
+    for name, said in tables.items():
+        require(said, dict, f"[{name}]")
     return _of_module(tables) if "notation" in tables.get("page", {}) else _Loading(tables).notation
 
 
 def _of_module(tables: Mapping[str, Any]) -> PageNotation:
     """The notation of a Python module, with what the tables say of the page and its equations."""
     page = tables["page"]
+    require(page["notation"], str, "[page] notation")
     _known(dict.fromkeys((*tables, *page)), ("page", "equations", "notation", "assuming"), "a file on a module")
     try:
         found = load_notation(import_module(page["notation"]))
     except (ImportError, AttributeError, TypeError, ValueError):
         raise BadNotation(f"[page] notation: there is no module {page['notation']!r}") from None
     notes = noted(tables.get("equations", {}), "[equations] ")
-    return replace(found, assuming=tuple(page.get("assuming", ())), notes=notes)
+    return replace(found, assuming=_assumed(page), notes=notes)
+
+
+def _assumed(page: Mapping[str, Any]) -> tuple[str, ...]:
+    said = page.get("assuming", [])
+    if not isinstance(said, list | tuple) or not all(isinstance(each, str) for each in said):
+        raise BadNotation("[page] assuming: expected a list of equations in LaTeX")
+    return tuple(said)
 
 
 def _line_of(message: str, text: str) -> str:
     """Where the text has the entry that the message names, as in ":12"."""
-    entry = re.search(r"\[\w+\] '?(.*?)'?(?::| has| is|$)", message)
+    entry = re.search(r"\[\w+\] '?(.*?)(?:'|:| has| is|$)", message)
     places = [number for number, line in enumerate(text.splitlines(), 1) if entry and entry[1] in line]
     return f":{places[-1]}" if entry and places else ""
 
@@ -114,13 +126,12 @@ def noted(said: Mapping[str, Any], where: str) -> dict[str, dict[str, Any]]:
         if not isinstance(note, Mapping):
             raise BadNotation(f"{where}'{name}': expected a table, such as {{ role = 'law' }}")
         _known(note, NOTES, f"{where}'{name}'")
+        for key in ("role", "reading", "of"):
+            require(note.get(key, ""), str, f"{where}'{name}' {key}")
         _known(dict.fromkeys([note["role"]] if note.get("role") else []), ROLES, f"{where}'{name}' role")
         texts = note.get("given", [])
         if not isinstance(texts, list) or not all(isinstance(each, str) for each in texts):
             raise BadNotation(f"{where}'{name}' given: expected a list of numbers, or of equations in LaTeX")
-        for key in ("reading", "of"):
-            if not isinstance(note.get(key, ""), str):
-                raise BadNotation(f"{where}'{name}' {key}: expected LaTeX in quotes")
     return {name: dict(note) for name, note in said.items()}
 
 
@@ -130,9 +141,11 @@ class _Loading:
     def __init__(self, tables: Mapping[str, Any]) -> None:
         page = tables.get("page", {})
         _known(page, PAGE, "[page]")
+        for name in ("units", *CONVENTIONS):
+            require(page.get(name, False), bool, f"[page] {name}")
         self.notation = PageNotation()
         self.notation.home = _home(tables, bool(page.get("units", False)))
-        self.notation.assuming = tuple(page.get("assuming", ()))
+        self.notation.assuming = _assumed(page)
         self.notation.notes = noted(tables.get("equations", {}), "[equations] ")
         self.conventions = {name: bool(page[name]) for name in CONVENTIONS if name in page}
         usual_spellings(self.notation)
@@ -145,6 +158,8 @@ class _Loading:
             for letter in _alternatives(letters):
                 declare_letter(self.notation, self.notation.letters, letter, said)
         for name, section in tables.get("section", {}).items():
+            require(section, dict, f"[section] '{name}'")
+            require(section.get("symbols", {}), dict, f"[section] '{name}' symbols")
             table = LetterTable()
             for letters, said in section.get("symbols", {}).items():
                 for letter in _alternatives(letters):
@@ -157,11 +172,13 @@ class _Loading:
     def _operator(self, name: str, spelled: Any, forms: dict[Any, str]) -> None:
         """Each spelling of a word; the first is the one in which it is printed."""
         if name == "function":
+            require(spelled, dict, "[operators] function")
             for latex, called in spelled.items():
+                require(called, str, f"[operators] function '{latex}'")
                 self._operator(called, [f"{latex}(#)"], forms)
             return
         every = [spelled] if isinstance(spelled, str) else spelled
-        if not every or not all(isinstance(each, str) for each in every):
+        if not isinstance(every, list | tuple) or not every or not all(isinstance(each, str) for each in every):
             raise BadNotation(f"[operators] {name}: expected a spelling such as '\\tilde{{#}}', or a list of them")
         for place, form in enumerate(every):
             if name in ("identity", "zero"):
