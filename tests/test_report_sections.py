@@ -6,6 +6,7 @@ import json
 import re
 from math import inf
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -16,12 +17,14 @@ from chasles.exercises.solution import Solution
 from chasles.exercises.solving import solve_with
 from chasles.report.html.certificates import proof_in_words
 from chasles.report.html.citing import Book
+from chasles.report.html.derivations import derivation_view
 from chasles.report.html.error_plots import plotted
 from chasles.report.html.exercises import worked_exercises, worked_view
 from chasles.report.html.formulas import displayed
 from chasles.report.html.measured import DamagedEvidence, ErrorAtAngle, ErrorCurve, measured
 from chasles.report.html.page import PageContents, page
 from chasles.report.html.trusted import Trusted
+from chasles.report.words import counted
 from chasles.statements import Chapter, Claim, Entry, Section, load
 from chasles.statements.exercises import exercise_numbers
 from chasles.vocabulary import vector
@@ -213,3 +216,16 @@ def test_an_answer_says_what_was_found(number: str, outcome: str) -> None:
     assert solution.outcome == outcome
     assert f"Answer: {outcome}" in solution._repr_mimebundle_()["text/plain"]
     assert all(f"Answer: {outcome}" in solution._repr_mimebundle_()[f"text/{kind}"] for kind in ("html", "latex"))
+
+
+def test_the_steps_of_a_derivation_say_formulas() -> None:
+    said = {step.kind: step.reason for step in derivation_view("", chasles.derive("3.18")).steps}
+    assert re.sub("<math.*?</math>", "M", said["ansatz"], flags=re.DOTALL) == "M is sought as M"
+    assert re.sub("<math.*?</math>", "M", said["solve"], flags=re.DOTALL) == "for M, multiplied by (3.16)"
+
+
+@pytest.mark.parametrize(
+    ("names", "told"), [(["holds-under"], "1 holds under hypotheses"), (["fails", "fails", "holds"], "1 holds, 2 fail")]
+)
+def test_totals(names: list[str], told: str) -> None:
+    assert counted([SimpleNamespace(name=name) for name in names]) == told  # type: ignore[misc]

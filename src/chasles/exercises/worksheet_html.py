@@ -15,15 +15,18 @@ from chasles.exact.spelling import decimal_text, latex_of
 from chasles.exercises.formulas import Proofs
 from chasles.exercises.solution import Formula, Solution, SolutionStep, SubstitutionCheck, cited
 
-_STYLE = """
+_PAGE = """
 :root { color-scheme: light dark; }
 body { font: 1rem/1.5 system-ui, sans-serif; max-width: 46rem; margin: 2rem auto; padding: 0 1rem; }
+"""
+_WORKED = """
 .worked li { margin: 0.8rem 0; }
 .worked math { font-size: 1.05rem; }
-.worked .line { overflow: auto hidden; margin: 0.1rem 0; padding: 0.2rem 0; }
+.worked .line { overflow: auto hidden; margin: 0.1rem 0; padding: 0.3rem 0; }
 .worked .cites, .worked .decimals { opacity: 0.75; font-size: 0.9rem; }
 .worked table { border-collapse: collapse; display: block; overflow: auto hidden; }
-.worked th { text-align: left; padding: 0.2rem 1rem 0.2rem 0; font-weight: 600; vertical-align: top; }
+.worked .answers th { text-align: left; padding: 0.3rem 1rem 0.3rem 0; font-weight: 600; vertical-align: top; }
+.worked .answers td { text-align: left; padding: 0.3rem 0; }
 .worked svg { max-width: 100%; height: auto; background: white; }
 """
 
@@ -33,7 +36,7 @@ def as_page(solution: Solution) -> str:
     title = escape(f"Exercise {solution.exercise}: {solution.title}")
     return (
         f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
-        f'<meta name="viewport" content="width=device-width">\n<title>{title}</title>\n<style>{_STYLE}</style>\n'
+        f'<meta name="viewport" content="width=device-width">\n<title>{title}</title>\n<style>{_PAGE}</style>\n'
         f"</head>\n<body>\n{as_html(solution)}</body>\n</html>\n"
     )
 
@@ -44,13 +47,14 @@ def as_html(solution: Solution) -> str:
 
 
 def _parts(solution: Solution) -> Iterator[str]:
-    yield f'<section class="worked">\n<h1>Exercise {escape(solution.exercise)}: {escape(solution.title)}</h1>'
+    yield f'<section class="worked">\n<style>{_WORKED}</style>'
+    yield f"<h1>Exercise {escape(solution.exercise)}: {escape(solution.title)}</h1>"
     yield "<ol class='asked'>" + "".join(f"<li>{escape(text)}</li>" for text in solution.asked) + "</ol>"
     if solution.assumptions:
         yield "<p>Assumed: " + " ".join(escape(text) for text in solution.assumptions) + "</p>"
     yield "<h2>Solution</h2>\n<ol>"
     yield from map(_step, solution.steps)
-    yield f"</ol>\n<h2>Answer: {escape(solution.outcome)}</h2>\n<table>"
+    yield f"</ol>\n<h2>Answer: {escape(solution.outcome)}</h2>\n<table class='answers'>"
     for name, value in solution.answers.items():
         says = escape(solution.means.get(name, ""))
         yield f"<tr><th>{escape(name)}</th><td>{_answer(value)}<div>{says}</div></td></tr>"

@@ -43,11 +43,15 @@ def reason(verdict: Verdict) -> str:
 
 
 def counted(verdicts: Iterable[Verdict]) -> str:
-    """How many there are of each: "36 hold, 52 hold under hypotheses, 5 ill-formed"."""
-    plurals = {"holds": "hold", "holds-under": "hold under hypotheses", "fails": "fail"}
+    """How many there are of each: "36 hold, 1 holds under hypotheses, 5 ill-formed"."""
     names = [verdict.name for verdict in verdicts]
-    found = ((names.count(name), plurals.get(name, word)) for name, (_, _, word, _) in VERDICTS.items())
-    return ", ".join(f"{count} {word}" for count, word in found if count)
+    found = ((names.count(name), word) for name, (_, _, word, _) in VERDICTS.items())
+    return ", ".join(f"{count} {_of_so_many(word, count)}" for count, word in found if count)
+
+
+def _of_so_many(word: str, count: int) -> str:
+    words = word.replace("under", "under hypotheses")
+    return re.sub(r"^(hold|fail)s", r"\1", words) if count != 1 else words
 
 
 def number_of(count: int, noun: str) -> str:

@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from dataclasses import fields
+from itertools import chain
+from typing import Any
+
+from markupsafe import Markup
 
 from chasles.decisions.processes import spread
 from chasles.decisions.session import Session
@@ -12,7 +17,8 @@ from chasles.report.details import number_in_words
 from chasles.report.html.formulas import latex_for_mathml, markup, tree_of
 from chasles.report.html.shown import DerivationView, Equation, StepShown, badge_of
 from chasles.report.html.statements import equation
-from chasles.statements.derivation import Consider, Derivation
+from chasles.report.html.words import with_formulas
+from chasles.statements.derivation import Consider, Derivation, Step
 from chasles.vocabulary import Node, plain
 
 A_DERIVATION = 0.3
@@ -35,22 +41,30 @@ def derivation_view(name: str, road: CheckedDerivation) -> DerivationView:
         outcome=_outcome(road),
         arrives=road.arrives,
         assuming=tuple(hypothesis.text for hypothesis in derivation.assuming),
-        steps=tuple(_step(checked, isinstance(step, Consider)) for step, checked in made),
+        steps=tuple(_step(checked, step) for step, checked in made),
     )
 
 
-def _step(step: CheckedStep, considers: bool) -> StepShown:
+def _step(step: CheckedStep, declared: Step) -> StepShown:
     """A step; of an expression that is only considered, nothing is said twice."""
+    considers = isinstance(declared, Consider)
     shown = tuple(equation(left, right, label=label) for label, left, right in equations_of(step))
     if considers:
         shown = tuple(_expression(right) for _, right in step.equations)
     return StepShown(
         kind=step.kind,
-        reason="" if considers else step.reason,
+        reason=Markup() if considers else with_formulas(step.reason, _spoken_of(step, declared)),
         badges=() if step.comparison is not None else (badge_of(step.verdict.name),),
         equations=shown,
         objections=tuple(objections_of(step)),
     )
+
+
+def _spoken_of(step: CheckedStep, declared: Any) -> Iterator[Node]:
+    """The expressions that a step is declared with, and those that it comes to."""
+    held = (getattr(declared, each.name) for each in fields(declared))
+    parts = (part for value in held for part in (value if isinstance(value, tuple) else (value,)))
+    yield from (part for part in chain(parts, *step.equations) if isinstance(part, Node))
 
 
 def _expression(node: Node) -> Equation:

@@ -69,7 +69,7 @@ class StepShown:
     """A step of a derivation: what is done, by what, the verdict, its result, the objections to it."""
 
     kind: str
-    reason: str
+    reason: Markup
     badges: tuple[Badge, ...]
     equations: tuple[Equation, ...]
     objections: tuple[str, ...]

@@ -22,6 +22,7 @@ from chasles.report.html.derivations import derivation_view
 from chasles.report.html.formulas import latex_for_mathml, markup, tree_of
 from chasles.report.html.shown import Equation, Fact, badge_of
 from chasles.report.html.statements import CODE, as_printed, equation, part_of
+from chasles.report.html.words import with_formulas
 from chasles.report.notebook.alone import Alone, cited, entry_of, needs_of, rests_on, sections_of
 from chasles.report.notebook.shown import Card
 from chasles.report.records import certificate_hash
@@ -126,7 +127,9 @@ def _(value: Certificate) -> Card:
 
 @card_of.register
 def _(value: Repair) -> Card:
-    facts = {"changed": escape("; ".join(value.changes)), "where": escape(value.modulo or "")}
+    sides = value.left, value.right
+    facts = {term: with_formulas(words, sides) for term, words in
+             (("changed", "; ".join(value.changes)), ("where", value.modulo or ""))}  # fmt: skip
     return Card(
         title="A repair",
         badges=(badge_of(value.verdict.name),),
