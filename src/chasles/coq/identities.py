@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from functools import reduce
 from operator import mul
 from typing import Any
@@ -56,12 +57,10 @@ def as_theorem(
         said = statement.holding(name)
         proof = theorem(name, BY_CASES if statement.has_cases else _ScalarProof(statement, verdict.certificate).steps())
     except (Rejected, Unsaid) as reason:
-        return Claimed(name, "asked", name, claim.says, said, why_not=str(reason))
-    except (ArithmeticError, LookupError, TypeError, ValueError, sympy.PolynomialError):
-        return Claimed(
-            name, "asked", name, claim.says, said, why_not="no proof is written of what is shown in this way"
-        )
-    return Claimed(name, "asked", name, claim.says, said, proof)
+        return replace(claim, said=said, why_not=str(reason))
+    except (ArithmeticError, LookupError, ValueError, sympy.PolynomialError):
+        return replace(claim, said=said, why_not="no proof is written of what is shown in this way")
+    return replace(claim, said=said, proof=proof)
 
 
 class _ScalarProof:
@@ -126,7 +125,7 @@ class _ScalarProof:
         """What is given, or its rate, as a polynomial that vanishes, and how it is spelled."""
         found = GIVEN.fullmatch(label)
         if found is None or int(found[1]) >= len(self.statement.asked.given):
-            raise Unsaid(f"no proof is written with {label}")
+            raise Unsaid("no proof is written with all that follows from what is given")
         count, i, j = (int(found[k]) for k in (1, 2, 3))
         left, right = self.statement.asked.given[count].pairs[i - 1, j - 1]
         name = f"given'{count}_{i}_{j}"

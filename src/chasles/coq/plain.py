@@ -56,9 +56,8 @@ class PlainExpressions:
 
     def _plain(self, e: Any) -> Any:
         if e in self.statement.names or e is sympy.pi:
-            return self.symbol(
-                self.statement.side(e, ATOM), next((kind for kind in SIGNS if getattr(e, f"is_{kind}")), "")
-            )
+            sign = next((kind for kind in SIGNS if getattr(e, f"is_{kind}")), "real")
+            return self.symbol(self.statement.side(e, ATOM), sign)
         if e.is_Rational:
             return e
         if e.is_Add or e.is_Mul:
@@ -81,9 +80,9 @@ class PlainExpressions:
             return logarithm(self, e)
         raise Unsaid(f"no proof is written of what {e.func if e.is_Function else e} is")
 
-    def symbol(self, text: str, sign: str = "") -> Any:
+    def symbol(self, text: str, sign: str = "real") -> Any:
         """A symbol by its name in Coq; what is known of its sign is told where it first occurs."""
-        return self._symbols.setdefault(text, sympy.Symbol(text, **({sign: True} if sign else {"real": True})))
+        return self._symbols.setdefault(text, sympy.Symbol(text, **{"real": True, sign: True}))
 
     def parsed(self, text: str) -> Any:
         """A polynomial of the certificate."""
