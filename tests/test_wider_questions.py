@@ -89,3 +89,59 @@ def test_a_forged_definition_is_rejected(lhs: Any, rhs: Any, given: list[Any]) -
 )
 def test_what_a_sign_decides_does_not_hold(lhs: Any, rhs: Any, given: list[Any]) -> None:
     assert not isinstance(prove(lhs, rhs, given), Holds | HoldsUnder)
+
+
+w, m, k, c = sp.symbols("omega m k c", positive=True)
+A, B = sp.symbols("A B")
+zeta = sp.Symbol("zeta", positive=True)
+SOLUTIONS: list[tuple[Any, Any, Any, bool]] = [
+    (f.diff(t, 2) + w**2 * f, 0, A * cos(w * t) + B * sin(w * t), True),
+    (m * f.diff(t, 2) + k * f, 0, A * cos(sqrt(k / m) * t) + B * sin(sqrt(k / m) * t), True),
+    (m * f.diff(t, 2) + k * f, 0, A * cos(sqrt(m / k) * t) + B * sin(sqrt(k / m) * t), False),
+    (
+        f.diff(t, 2) + 2 * zeta * w * f.diff(t) + w**2 * f,
+        0,
+        A * sp.exp(-zeta * w * t) * cos(w * sqrt(1 - zeta**2) * t),
+        True,
+    ),
+    (
+        f.diff(t, 2) + 2 * zeta * w * f.diff(t) + w**2 * f,
+        0,
+        A * sp.exp(-zeta * w * t) * cos(w * sqrt(1 + zeta**2) * t),
+        False,
+    ),
+    (f.diff(t, 2) + 2 * w * f.diff(t) + w**2 * f, 0, (A + B * t) * sp.exp(-w * t), True),
+    (f.diff(t, 2) + 2 * w * f.diff(t) + w**2 * f, 0, (A + B * t**2) * sp.exp(-w * t), False),
+    (f.diff(t, 2), w**2 * f, A * sp.cosh(w * t) + B * sp.sinh(w * t), True),
+    (m * f.diff(t, 2) + c * f.diff(t), m * p, m * p / c * (t + m / c * (sp.exp(-c * t / m) - 1)), True),
+    (m * f.diff(t, 2) + c * f.diff(t), m * p, m * p / c * (t + m / c * (sp.exp(-2 * c * t / m) - 1)), False),
+    (f.diff(t), 1 - f**2, sp.tanh(t), True),
+]
+
+
+@pytest.mark.parametrize(("lhs", "rhs", "value", "true"), SOLUTIONS, ids=name)
+def test_solutions_of_differential_equations(lhs: Any, rhs: Any, value: Any, true: bool) -> None:
+    verdict = prove(lhs, rhs, Eq(f, value))
+    assert isinstance(verdict, (Holds | HoldsUnder) if true else Fails), verdict
+    recheck(verdict, lhs, rhs, Eq(f, value))
+    if isinstance(verdict, Fails):
+        with pytest.raises(Rejected):
+            recheck(verdict, value, f, Eq(f, value))
+        with pytest.raises(Rejected):
+            recheck(verdict, lhs, rhs, [Eq(f, value), Eq(t * A, B)])
+
+
+@pytest.mark.parametrize(
+    ("lhs", "rhs"),
+    [
+        (sp.exp(-p * x) * cos(sqrt(p) * x) ** 2, sp.exp(-p * x) * (1 - sin(sqrt(p) * x) ** 2)),
+        (sp.exp(2) * sin(2) * sp.cot(2), sp.exp(2) * cos(2)),
+        (sp.tanh(x) * cos(x**2) ** 2, sp.tanh(x) - sp.tanh(x) * sin(x**2) ** 2),
+        (cos(sp.pi / 7) * sp.cosh(x), (sp.exp(x) + sp.exp(-x)) / 2 * cos(sp.pi / 7)),
+    ],
+    ids=name,
+)
+def test_exponentials_beside_angles_that_are_no_products(lhs: Any, rhs: Any) -> None:
+    verdict = prove(lhs, rhs)
+    assert isinstance(verdict, Holds), verdict
+    recheck(verdict, lhs, rhs)

@@ -48,7 +48,7 @@ def generalised(
         vanishing = [*general.roots, *((fact, sympy.S.Zero) for fact in facts)]
         known = [*equations, *(sympy.Eq(one, other, evaluate=False) for one, other in vanishing)]
         question = ask(columns[0], columns[1], known, declared)
-        if not isinstance(question, Question) or question.formal:
+        if not isinstance(question, Question):
             return None
         more = relations(question, general.meanings) if len(facts) == len(general.facts) else []
         if not more:
@@ -57,7 +57,7 @@ def generalised(
     question.sampling = None
     question.search.blind = question.search.unseen = True
     verdict = decide(question)
-    if not isinstance(verdict, Holds | HoldsUnder):
+    if not isinstance(verdict, Holds | HoldsUnder) or "unread" in verdict.certificate:
         return None
     said = {text for item in question.sources.values() for text in item}
     needs = tuple(text for text in verdict.needs if text not in said)

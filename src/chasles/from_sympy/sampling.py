@@ -105,7 +105,7 @@ class Sampling:
 
     def _coordinates(self, enclosures: Enclosures) -> dict[str, Any]:
         """The exact values of the atoms."""
-        found = {str(atom): _plain(self._exact(enclosures, dummy)) for atom, dummy in self._dummies.items()}
+        found = {str(atom): exactly(self._exact(enclosures, dummy)) for atom, dummy in self._dummies.items()}
         return dict(sorted(found.items()))
 
     def _exact(self, enclosures: Enclosures, expression: Any) -> Any:
@@ -174,6 +174,6 @@ def _agrees(atom: Any, value: Any) -> bool:
     return all(getattr(sign, f"is_{key}") is known for key, known in wanted.items())
 
 
-def _plain(value: Any) -> Any:
-    """A rational number as a fraction."""
+def exactly(value: Any) -> Any:
+    """A number, as a fraction if it is rational."""
     return Fraction(int(value.p), int(value.q)) if isinstance(value, sympy.Rational) else value

@@ -7,20 +7,21 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import sympy
+from sympy.core.function import AppliedUndef
 
 from chasles.from_sympy.atoms import QuantityNames
 from chasles.from_sympy.cases import SplitCase
 from chasles.from_sympy.complexes import OF_COMPLEX
-from chasles.from_sympy.defined import Pairs, without_defined
+from chasles.from_sympy.defined import Pairs, WithoutDefined, put, without_defined
 from chasles.from_sympy.divisors import divisor_of
 from chasles.from_sympy.general import is_numeric, is_root_of_number
 from chasles.from_sympy.generalising import Decide, generalised
 from chasles.from_sympy.opening import Entries, atoms_of, opened, sides
-from chasles.from_sympy.sampling import Sampling
+from chasles.from_sympy.sampling import Sampling, exactly
 from chasles.from_sympy.side_conditions import listed, nonvanishing
 from chasles.from_sympy.switches import powers_in, switches_in
 from chasles.problems.variables import Untreatable
-from chasles.verdict import Fails, Holds, HoldsUnder, Undecided, Verdict
+from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, Undecided, Verdict
 
 MOST = 100
 UNREADABLE = (sympy.Max, sympy.Min, sympy.Piecewise, sympy.Heaviside, sympy.sign)
@@ -44,6 +45,7 @@ class Splitting:
     _texts: list[str] = field(init=False)
     _cases: int = 0
     _refused: Untreatable | None = None
+    _less: WithoutDefined | None = None
 
     def __post_init__(self) -> None:
         self._left, self._right = opened(self.lhs, "the left side"), opened(self.rhs, "the right side")
@@ -84,7 +86,8 @@ class Splitting:
 
     def verdict(self) -> Verdict:
         """`Holds` or `HoldsUnder` if it is proved as a whole or in every case, `Fails` with a point, or `Undecided`."""
-        sampling = Sampling(self._left, self._right, self._left.shape[0], self._pairs, self._declared)
+        still = not any(e.has(AppliedUndef) for pair in self._pairs for e in pair)
+        sampling = Sampling(self._left, self._right, self._left.shape[0], self._pairs, self._declared, still=still)
         whole = SplitCase(self.spoken)
         self._require(whole, within=False)
         signed = switches_in(self.spoken)
@@ -92,11 +95,11 @@ class Splitting:
         if tree is None and signed and not switches_in(self.spoken, *UNREADABLE):
             tree = self._proved(whole)
         if tree is None:
-            found = sampling.counterexample()
+            found = sampling.counterexample() or self._refuted()
             if found is None and self._refused is not None:
                 raise self._refused
             return Fails(found) if found else Undecided("a remainder is left, and no counterexample was found")
-        witness = sampling.point()
+        witness = self._witness(sampling)
         if witness is None:
             return Undecided("it follows from its hypotheses, but no point was found that satisfies them all")
         needs = (*self._texts, *self.needs)
@@ -166,11 +169,42 @@ class Splitting:
         given = [*zip(flat, flat, strict=True), *((e, sympy.S.Zero) for e in case.equations)]
         spoken = [*case.spoken[:size], *case.spoken[size + 2 * pairs :]]
         found = self._generalised(case, spoken, given)
-        if found is None:
-            places, spoken, given = without_defined(spoken, given)
-            found = self._generalised(case, spoken, given) if places else None
-            found = {**found, "defined": [list(place) for place in places]} if found else None
+        if found is None and (less := without_defined(spoken, given)).values:
+            found = self._generalised(case, less.spoken, less.given)
+            if found is not None:
+                found["defined"] = [list(place) for place in less.places]
+                self._less = less if not case.path else None
         return found
+
+    def _witness(self, sampling: Sampling) -> Mapping[str, Any] | None:
+        """A point at which all conditions hold; what is defined has its value there, and so have its rates."""
+        less = self._less
+        if less is None:
+            return sampling.point()
+        everything = {atom: atom for e in self.spoken for atom in atoms_of(e)}
+        for defined, value in less.values.items():
+            everything = {atom: put(e, defined, value) for atom, e in everything.items()}
+        nothing = Entries(((sympy.S.Zero,),), is_matrix=False)
+        found = Sampling(nothing, nothing, 1, less.given, (), [*less.spoken, *everything.values()]).point()
+        if found is None:
+            return None
+        known = {atom: sympy.sympify(found[str(atom)]) for e in everything.values() for atom in atoms_of(e)}
+        return {str(atom): exactly(e.xreplace(known)) for atom, e in everything.items()}
+
+    def _refuted(self) -> Counterexample | None:
+        """A point at which the sides differ where every function of which something is given has its value."""
+        size, pairs = 2 * self._left.shape[0] * self._left.shape[1], 2 * len(self._pairs)
+        spoken = [*self.spoken[:size], *self.spoken[size + pairs :]]
+        less = without_defined(spoken, self._pairs, AppliedUndef)
+        times = {t for pair in self._pairs for e in pair for call in e.atoms(AppliedUndef) for t in call.args}
+        if not less.values or any(e.has(AppliedUndef) or e.free_symbols & times for pair in less.given for e in pair):
+            return None
+        width = self._left.shape[1]
+        rows = [tuple(less.spoken[k : k + width]) for k in range(0, size, width)]
+        left, right = (
+            Entries(tuple(part), self._left.is_matrix) for part in (rows[: len(rows) // 2], rows[len(rows) // 2 :])
+        )
+        return Sampling(left, right, left.shape[0], less.given, less.spoken[size:]).counterexample()
 
     def _generalised(self, case: SplitCase, spoken: list[Any], given: Pairs) -> dict[str, Any] | None:
         """The certificate of a case with these sides and scalars that do not vanish, and this given."""

@@ -8,8 +8,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
+from itertools import product
 from typing import Any
 
 import sympy
@@ -134,6 +136,19 @@ def _without_defined(case: CheckedCase, pair: tuple[Any, Any], side: int) -> Che
     return replace(case, sides=sides, pairs=pairs, nonzero=tuple(_put(e, atom, value) for e in case.nonzero))
 
 
+def _without_motions(case: CheckedCase, times: set[Any]) -> CheckedCase:
+    """The case with the value of every function of which something is given; raises `Rejected` if one has none."""
+    for place, side in product(range(len(case.pairs)), (0, 1)):
+        pair = case.pairs[place]
+        if pair and isinstance(pair[side], AppliedUndef):
+            with suppress(Rejected):
+                case = _without_defined(case, pair, side)
+    pairs = tuple(filter(None, case.pairs))
+    if any(e.has(AppliedUndef) or e.free_symbols & times for pair in pairs for e in pair):
+        raise Rejected("a function is given that has no value")
+    return replace(case, pairs=pairs)
+
+
 def _put(e: Any, atom: Any, value: Any) -> Any:
     e = e.xreplace({atom: value})
     return e.doit() if e.has(sympy.Derivative) else e
@@ -159,6 +174,10 @@ def check_enclosed(
     """Raises `Rejected` unless the point satisfies everything, and the entries in a place differ and are as said."""
     pairs = tuple(pair for _, item in given for pair in item)
     case = CheckedCase(tuple(map(tuple, sides)), pairs, tuple(nonzero))
+    if times := {t for pair in pairs for e in pair for call in e.atoms(AppliedUndef) for t in call.args}:
+        case = _without_motions(case, times)
+        if unknown := at.keys() - {str(atom) for e in case.spoken for atom in atoms_of(e)}:
+            raise Rejected(f"a value is told for {min(unknown)}, which follows from others")
     values = _values(case, at)
     spoken = {e: _parts(values, e) for e in case.spoken}
     one, other = (spoken[side[place]] for side in case.sides)
