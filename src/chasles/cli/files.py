@@ -22,6 +22,8 @@ def text_of_file(file: Path) -> str:
 
 def write_whole(file: Path, text: str) -> None:
     """The file is whole, or as it was. Raises Failure."""
+    if not file.name:
+        raise Failure("cannot write a file without a name", BAD_INPUT)
     try:
         replace_whole({file: text})
     except OSError as error:

@@ -70,6 +70,9 @@ def command(
         _propose([_printed(page, macros, inline, follow) for page in pages])
         return 0
     if notation is None:
+        for page in pages:
+            if str(page) != "-":
+                text_of_file(page)  # A page that is not there is told before what is missing besides.
         raise click.UsageError("say what the letters are with --notation; --propose prints a first notation")
     if out is not None and len(pages) > 1:
         raise click.UsageError("--out takes one page at a time")

@@ -34,6 +34,8 @@ def command(out: Path, site: Path | None, address: str, json: bool) -> int:
     from chasles.cli.files import write_files
     from chasles.cli.reporting import reported
 
+    if address and site is None:
+        raise click.UsageError("--address says where a site will lie: give --site too")
     folder = site or out
     made = reported(chapter(), site is not None, address)
     write_files(folder, made.files)
