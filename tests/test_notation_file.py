@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 import chasles
+from chasles.pages.findings_told import line_of
 from chasles.reading.equations import read_equations
 from chasles.reading.letter_table import BadNotation
 from chasles.reading.notation_file import load_notation
@@ -405,3 +406,13 @@ def test_entries_of_a_matrix_are_proposed_as_such() -> None:
     assert "A_{" not in text
     assert "Tr" not in text
     assert [each.verdict for each in chasles.read(page, text).equations] == ["defined", "defined", "open"]
+
+
+def test_what_does_not_fit_with_a_proposed_notation_is_open() -> None:
+    page = r"$$\mathbf{a} = \mathbf{b} + c$$ $$c = \cos d$$ $$c = 3$$"
+    text = proposed(displayed(page, "md"))
+    first, *_ = chasles.read(page, text).equations
+    assert first.verdict == "open"
+    assert "if the letters are what is proposed: cannot add" in line_of(first, "page.md")
+    first, *_ = chasles.read(page, text.replace("proposed = true", "")).equations
+    assert first.verdict == "ill-formed"

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 from sympy import Derivative, Eq, Function, Symbol, cosh, exp, log, symbols
 
+from chasles.from_sympy.real_zeros import squares_in
 from chasles.prove import Rejected, prove, recheck
 from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided
 
@@ -106,3 +107,8 @@ def test_no_logarithm_is_taken_of_what_may_be_negative() -> None:
     for given in (Eq(x**2, exp(2 * y)), Eq(x * y, exp(2 * x) * y), Eq(cosh(x), cosh(y))):
         assert not isinstance(prove(x, exp(y), given=given), Holds | HoldsUnder)
         assert not isinstance(prove(x, y, given=given), Holds | HoldsUnder)
+
+
+def test_what_is_zero_once_it_is_multiplied_out_has_no_squares() -> None:
+    x = Symbol("x", real=True)
+    assert list(squares_in("a", (x + 1) ** 2 - x**2 - 2 * x - 1)) == []

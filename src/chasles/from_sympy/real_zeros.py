@@ -31,6 +31,8 @@ def squares_in(label: str, difference: Any) -> Iterator[SquaresGiven]:
     if not atoms or not difference.is_polynomial(*atoms) or len(sympy.Add.make_args(difference)) > MOST_TERMS:
         return
     polynomial = sympy.Poly(difference, *atoms)
+    if polynomial.is_zero:
+        return
     if not polynomial.get_domain().is_QQ and not polynomial.get_domain().is_ZZ:
         return
     positive = [place for place, atom in enumerate(atoms) if atom.is_positive]

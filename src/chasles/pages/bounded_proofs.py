@@ -73,9 +73,10 @@ def _require_few_terms(context: Context, suspects: Sequence[UnprovedPart]) -> No
 
 
 class _Likely(DeclaredPoints):
-    """Points that satisfy what a proof rests on, and no others."""
+    """Points that satisfy what a proof rests on, and no others; few rates of hypotheses may do."""
 
     attempts = ATTEMPTS
+    closed = False
 
     def refute(self, context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnprovedPart]) -> None:
         raise _Unproved
@@ -87,13 +88,7 @@ class _Likely(DeclaredPoints):
         return None
 
 
-class _FewRates(_Likely):
-    """The same, where few rates of hypotheses may do."""
-
-    closed = False
-
-
-class _NoCounterexamples(_FewRates, _FewTerms):
+class _NoCounterexamples(_Likely, _FewTerms):
     """Points at which a problem is looked at before a proof is tried, and one that satisfies what a proof rests on."""
 
     def refute_soon(self, context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnprovedPart]) -> None:
@@ -101,7 +96,7 @@ class _NoCounterexamples(_FewRates, _FewTerms):
             raise _Unproved
 
 
-FEW_TERMS, NO_COUNTEREXAMPLES, LIKELY, FEW_RATES = _FewTerms(), _NoCounterexamples(), _Likely(), _FewRates()
+FEW_TERMS, NO_COUNTEREXAMPLES, LIKELY = _FewTerms(), _NoCounterexamples(), _Likely()
 
 
 def proof_of(claim: Claim, session: Session, likely: bool = False) -> Verdict | None:
@@ -109,9 +104,8 @@ def proof_of(claim: Claim, session: Session, likely: bool = False) -> Verdict | 
 
     More work is taken where it is likely to follow than where that is not known.
     """
-    tries = ((FEW_RATES, 1.0), (LIKELY, 1.0)) if likely else ((NO_COUNTEREXAMPLES, LEAST_WORK),)
-    found = (_answer(claim, session, source, work) for source, work in tries)
-    return next((verdict for verdict in found if verdict.true), None)
+    verdict = _answer(claim, session, *((LIKELY, 1.0) if likely else (NO_COUNTEREXAMPLES, LEAST_WORK)))
+    return verdict if verdict.true else None
 
 
 def verdict_on(claim: Claim, session: Session) -> Verdict:
@@ -141,7 +135,7 @@ def _answer(claim: Claim, session: Session, source: DeclaredPoints, work: float 
     find = partial(_found, problem, claim.assuming, work * session.budget, source)
     try:
         found: Verdict = session.memory.answer(key, partial(verdict_stands, problem), find)
-    except (_Unproved, Misfit, TypeError) as error:
+    except (_Unproved, Misfit, TypeError, ArithmeticError, RecursionError) as error:
         found = Undecided(str(error))
         session.memory.remember(tried, found)
     return found

@@ -49,10 +49,14 @@ WORK = 1e6
 
 @dataclass
 class Deduction:
-    """Decides the equations of a page in the order in which it states them."""
+    """Decides the equations of a page in the order in which it states them.
+
+    Where what the letters are `is_proposed` only, what does not fit together is open.
+    """
 
     premises: Premises
     session: Session = field(default_factory=lambda: Session(WORK))
+    is_proposed: bool = False
     _foretold: dict[tuple[str, int], PageFinding] = field(default_factory=dict)
 
     @cached_property
@@ -62,7 +66,7 @@ class Deduction:
 
     def fork(self) -> Deduction:
         """A deduction that goes on from here by itself."""
-        other = Deduction(self.premises.copy(), self.session, dict(self._foretold))
+        other = Deduction(self.premises.copy(), self.session, self.is_proposed, dict(self._foretold))
         other.consequences = self.consequences
         return other
 
@@ -121,7 +125,7 @@ class Deduction:
         if claim.sign not in ("=", *DEFINING):
             return PageFinding("claim", Undecided(f"relations such as {claim.sign} are not decided"), claim, open=True)
         if claim.fault:
-            return PageFinding("claim", IllFormed(claim.fault), claim)
+            return PageFinding("claim", IllFormed(claim.fault), claim, open=self.is_proposed)
         if any(part.expands for side in claim.printed for part in walk(side)):
             return expanded(claim, self.premises, self.session)
         if role in ("condition", "law"):

@@ -149,7 +149,9 @@ def read(text: str, notation: str | Path | ModuleType | Chapter | Mapping[str, A
 
 def read_page(printed: tuple[PrintedEquation, ...], notation: PageNotation, file: str = "") -> Page:
     """The page of these equations, decided in their order; raises `BadNotation` for what it cannot assume."""
-    deduction = Deduction(Premises(cache(lambda symbol: facts_of(symbol, kind_in_meaning(symbol)))))
+    deduction = Deduction(
+        Premises(cache(lambda symbol: facts_of(symbol, kind_in_meaning(symbol)))), is_proposed=notation.proposed
+    )
     for said in notation.assuming:
         for part in parts_of(said, notation, f"[page] assuming '{said}'"):
             deduction.assume(part.left, part.right)

@@ -31,7 +31,7 @@ from chasles.vocabulary.nodes import node_fields
 from chasles.vocabulary.notation import Notation
 
 TABLES = ("operators", "symbols", "page", "equations", "section")
-PAGE = ("units", "assuming", "notation", *CONVENTIONS)
+PAGE = ("units", "proposed", "assuming", "notation", *CONVENTIONS)
 NOTES = ("role", "of", "given", "reading")
 ROLES = ("claim", "condition", "law", "definition")
 SHORT = {"exp": "rotation_by_vector", "vee": "vect", "abs": "norm", "adjoint": "adjoint_of_motion"}
@@ -141,10 +141,11 @@ class _Loading:
     def __init__(self, tables: Mapping[str, Any]) -> None:
         page = tables.get("page", {})
         _known(page, PAGE, "[page]")
-        for name in ("units", *CONVENTIONS):
+        for name in ("units", "proposed", *CONVENTIONS):
             require(page.get(name, False), bool, f"[page] {name}")
         self.notation = PageNotation()
         self.notation.home = _home(tables, bool(page.get("units", False)))
+        self.notation.proposed = page.get("proposed", False)
         self.notation.assuming = _assumed(page)
         self.notation.notes = noted(tables.get("equations", {}), "[equations] ")
         self.conventions = {name: bool(page[name]) for name in CONVENTIONS if name in page}

@@ -54,10 +54,11 @@ CONVENTIONS = ("scalar_last", "linear_first")
 class PageNotation:
     """Letters, spellings, families of letters, and the `forms` in which words are printed.
 
-    `home` is the module that stands for the page, `assuming` what holds on all of it, in LaTeX, and `notes` are what
-    is said of single equations; `checks` raise where something that is declared cannot be read. `functions` are the
-    letters that the page has with arguments, and `matched` says which entries of a file some letter has matched. Of one
-    equation so many nodes are printed again, at `most_work`.
+    `home` is the module that stands for the page. If it is `proposed`, what the letters are is not known for sure.
+    `assuming` is what holds on all of the page, in LaTeX; `notes` are what is said of single equations; `checks` raise
+    where something that is declared cannot be read. `functions` are the letters that the page has with arguments, and
+    `matched` says which entries of a file some letter has matched. Of one equation so many nodes are printed again, at
+    `most_work`.
     """
 
     letters: LetterTable = field(default_factory=LetterTable)
@@ -69,6 +70,7 @@ class PageNotation:
     integral: Make | None = None
     quaternions: bool = False
     home: str = ""
+    proposed: bool = False
     assuming: tuple[str, ...] = ()
     notes: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     sections: dict[str, LetterTable] = field(default_factory=dict)

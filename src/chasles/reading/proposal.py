@@ -23,6 +23,10 @@ ENTRY = re.compile(r"[1-9] ?,? ?[1-9]")
 PRIMED = re.compile(r"[])] ('(?: ')*)")
 
 
+PROPOSED = """\
+proposed = true  # what does not fit together is left open; delete this line once it says what the letters are"""
+
+
 def proposed(equations: Sequence[PrintedEquation]) -> str:
     """A notation in TOML for the letters of these equations; where two meanings are likely, a question mark says so.
 
@@ -53,7 +57,7 @@ def proposed(equations: Sequence[PrintedEquation]) -> str:
             known = _is_one_letter(glyph)
             entry = f'{_quoted(spelled(glyph))} = {{ is = "{said["is"]}"{of} }}{"" if of else question}'
             lines.append(entry if known else f"# {spelled(glyph)}: several letters in one; say what it is")
-    return "\n".join(lines) + "\n"
+    return "\n".join([*lines, "", "[page]", PROPOSED]) + "\n"
 
 
 def _text_of(equation: PrintedEquation) -> str:
