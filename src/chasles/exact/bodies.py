@@ -35,16 +35,6 @@ class Body:
         """The integral of |x|^2 1 - x x^T about the origin."""
         return _inertia(self.second)
 
-    def stretched(self, *factors: Any) -> Body:
-        """The body with its coordinates multiplied by positive factors, one for each axis."""
-        scale = sp.diag(*factors)
-        size = sp.prod(factors)
-        return Body(
-            normal(size * self.mass),
-            matrix_of(size * scale * self.first),
-            matrix_of(size * scale * self.second * scale),
-        )
-
     @property
     def centroidal_inertia(self) -> Any:
         """The same about the center of mass."""
@@ -68,13 +58,19 @@ def whole_prism(polygon: Sequence[Any], height: Any) -> Body:
     return _body(field, prism(corners, field(height), field.sign).moments())
 
 
-def cut_prism(polygon: Sequence[Any], height: Any, normal_of_plane: Any, offset: Any) -> tuple[Body, Body]:
-    """The parts of the prism with normal . x below the offset and above it; raises as `whole_prism` does."""
-    field = SurdField(height, offset, *normal_of_plane, *chain(*polygon))
+def cut_prism(
+    polygon: Sequence[Any], height: Any, normal_of_plane: Any, offset: Any, factors: Sequence[Any] = (1, 1, 1)
+) -> tuple[Body, Body]:
+    """The parts of the prism with normal . x below the offset and above it; raises as `whole_prism` does.
+
+    Their coordinates are multiplied by positive factors afterwards, one for each axis.
+    """
+    field = SurdField(height, offset, *normal_of_plane, *chain(*polygon), *map(sp.sympify, factors))
     corners = [tuple(map(field, corner)) for corner in polygon]
     plane = Plane(tuple(map(field, normal_of_plane)), field(offset))
     below, above = prism(corners, field(height), field.sign).cut(plane, field.sign)
-    return _body(field, below), _body(field, above)
+    scale = tuple(field(sp.sympify(factor)) for factor in factors)
+    return _body(field, below.stretched(scale)), _body(field, above.stretched(scale))
 
 
 def cut_hexagonal_prism(side: Any, height: Any, slope: Any) -> tuple[Body, Body]:
@@ -97,9 +93,8 @@ def cut_hexagonal_prism(side: Any, height: Any, slope: Any) -> tuple[Body, Body]
         raise NotDecided("the sizes and the angle have too many different square roots in them")
     hexagon = [column_of(*corner) for corner in ((2, 0), (1, 1), (-1, 1), (-2, 0), (-1, -1), (1, -1))]
     steep = normal(sp.sqrt(3) * slope * side / (2 * height))
-    parts = cut_prism(hexagon, sp.Integer(1), column_of(0, -steep, 1), steep)
-    below, above = (part.stretched(side / 2, sp.sqrt(3) * side / 2, height) for part in parts)
-    return below, above
+    scale = (side / 2, sp.sqrt(3) * side / 2, height)
+    return cut_prism(hexagon, sp.Integer(1), column_of(0, -steep, 1), steep, scale)
 
 
 def point_masses(mass: Any, points: Sequence[Any]) -> Body:

@@ -33,12 +33,6 @@ class Moments:
             ),
         )
 
-    def __neg__(self) -> Moments:
-        return Moments(-self.volume, tuple(-x for x in self.first), tuple(tuple(-x for x in r) for r in self.second))
-
-    def __sub__(self, other: Moments) -> Moments:
-        return self + (-other)
-
     def moved(self, by: Vector) -> Moments:
         """The moments, about the same origin, of the body after the translation `by` (m)."""
         return Moments(
@@ -61,24 +55,6 @@ class Moments:
             tuple(volume * factors[i] * self.first[i] for i in AXES),
             tuple(tuple(volume * factors[i] * factors[j] * self.second[i][j] for j in AXES) for i in AXES),
         )
-
-    @property
-    def centroid(self) -> Vector:
-        """The center of mass (m); ZeroDivisionError where the volume is zero."""
-        return tuple(x / self.volume for x in self.first)
-
-    @property
-    def centroidal(self) -> Moments:
-        """The same body's moments about its center of mass."""
-        center = self.centroid
-        second = tuple(tuple(self.second[i][j] - self.first[i] * center[j] for j in AXES) for i in AXES)
-        return Moments(self.volume, tuple(x - x for x in self.first), second)
-
-    @property
-    def inertia(self) -> Square:
-        """The integral of |x|^2 1 - x x^T: the moment of inertia about the origin, over the density (m^5)."""
-        trace = self.second[0][0] + self.second[1][1] + self.second[2][2]
-        return tuple(tuple((trace - self.second[i][j]) if i == j else -self.second[i][j] for j in AXES) for i in AXES)
 
 
 def of_tetrahedron(a: Vector, b: Vector, c: Vector) -> Moments:
