@@ -28,7 +28,8 @@ class Memory:
     """Answers by the hash of the question; those `kept` and `shipped` are plain data from another time.
 
     What is shipped is there for everyone, and is not among what is to be kept. `asked` are the questions, in order;
-    `seconds` is how long it took to check what came from another time.
+    `seconds` is how long it took to check what came from another time. `reasons` are why something was not decided, by
+    the question and the bounds within which it was asked.
     """
 
     def __init__(self, kept: Mapping[str, Any] | None = None, shipped: Mapping[str, Any] | None = None) -> None:
@@ -39,6 +40,7 @@ class Memory:
         self._conjectures: set[str] = set()
         self._fingerprints = Fingerprints()
         self.asked: dict[str, None] = {}
+        self.reasons: dict[str, str] = {}
         self.seconds = 0.0
 
     def key_of_verdict(self, problem: Problem, own: Iterable[Hypothesis]) -> str:

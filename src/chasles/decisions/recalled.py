@@ -9,6 +9,7 @@ is checked again like everything else.
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from hashlib import sha256
 from importlib.metadata import PackageNotFoundError, version
@@ -44,7 +45,11 @@ def session_of(book: Chapter, anew: bool = False) -> Session:
 
 def _recalled() -> dict[str, Any]:
     """What was decided in earlier runs by this engine; nothing where nothing can be read."""
-    path = _path()
+    return read_kept(_path())
+
+
+def read_kept(path: Path | None) -> dict[str, Any]:
+    """The tables that a file has; none where it cannot be read."""
     kept: Any = {}
     if path is not None:
         with suppress(OSError, ValueError):
@@ -54,13 +59,18 @@ def _recalled() -> dict[str, Any]:
 
 def retained(memory: Memory) -> None:
     """Keep what was decided for the next run. A cache that cannot be written is none: nothing is said."""
-    path = _path()
-    if path is None or not memory.has_learned:
+    if memory.has_learned:
+        write_kept(_path(), memory.as_data(MOST))
+
+
+def write_kept(path: Path | None, tables: Mapping[str, Any]) -> None:
+    """Keep tables in the file of this engine, in place of those of other engines."""
+    if path is None:
         return
     with suppress(OSError):
         path.parent.mkdir(parents=True, exist_ok=True)
-        cache.keep(path, json.dumps(memory.as_data(MOST), separators=(",", ":")).encode())
-        for other in path.parent.glob("verdicts-*.json"):
+        cache.keep(path, json.dumps(tables, separators=(",", ":")).encode())
+        for other in path.parent.glob(f"{path.stem.partition('-')[0]}-*.json"):
             if other != path:
                 other.unlink()
 
@@ -73,16 +83,20 @@ def forget() -> None:
 
 
 def _path() -> Path | None:
-    """The file of this engine; None where nothing is to be kept."""
+    return path_of("verdicts", ENGINE)
+
+
+def path_of(name: str, parts: Sequence[str]) -> Path | None:
+    """The file of the engine that has these parts; None where nothing is to be kept."""
     folder = cache.folder()
-    return None if folder is None else folder / f"verdicts-{_engine()[:16]}.json"
+    return None if folder is None else folder / f"{name}-{_engine(parts)[:16]}.json"
 
 
-def _engine() -> str:
+def _engine(parts: Sequence[str]) -> str:
     """The hash of the engine: its source, and the libraries that it computes with."""
     found = sha256()
     root = Path(__file__).parents[1]
-    for name in ENGINE:
+    for name in parts:
         for source in sorted((root / name).rglob("*.py")) or [root / f"{name}.py"]:
             found.update(source.relative_to(root).as_posix().encode())
             found.update(source.read_bytes())

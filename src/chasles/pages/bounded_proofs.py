@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
-from typing import cast
 
 from chasles.algebra.work_limit import OutOfTime, within
 from chasles.checker.any_size.at_sizes import sizes_in
@@ -130,14 +129,14 @@ def _answer(claim: Claim, session: Session, source: DeclaredPoints, work: float 
         return Undecided(str(error))
     key = session.memory.key_of_verdict(problem, claim.assuming)
     tried = f"{key} {type(source).__name__} {work}"
-    if session.memory.knows(tried):
-        return cast(Verdict, session.memory.recalled(tried))
+    if tried in session.memory.reasons:
+        return Undecided(session.memory.reasons[tried])
     find = partial(_found, problem, claim.assuming, work * session.budget, source)
     try:
         found: Verdict = session.memory.answer(key, partial(verdict_stands, problem), find)
     except (_Unproved, Misfit, TypeError, ArithmeticError, RecursionError) as error:
         found = Undecided(str(error))
-        session.memory.remember(tried, found)
+        session.memory.reasons[tried] = found.reason
     return found
 
 

@@ -6,15 +6,18 @@ What agrees there is a conjecture, which the prover then decides.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from hashlib import sha256
 from itertools import chain
 
 import numpy as np
 
 from chasles.evaluation.matrices import Matrix
 from chasles.pages.premises import PosedEquation, Rules, chosen_rules
+from chasles.pages.quantities import symbols_in
 from chasles.pages.random_motion import TERMS, Key, NotInMotion, RandomMotion, TooFewTerms, ValuesInMotion, dotted
 from chasles.pages.time_series import Array
 from chasles.statements import Hypothesis
+from chasles.statements.fingerprint import Fingerprints
 from chasles.vocabulary import Integral, Node, Symbol, walk
 
 FIRST_TERMS = 3
@@ -42,8 +45,13 @@ Running = Mapping[Symbol, bool]
 class Consequences:
     """Tells what may follow at one random motion; what satisfies the same equations is found once."""
 
-    def __init__(self, facts: Callable[[Symbol], tuple[Hypothesis, ...]]) -> None:
+    def __init__(
+        self, facts: Callable[[Symbol], tuple[Hypothesis, ...]], known: dict[str, bool | None] | None = None
+    ) -> None:
         self.motion = RandomMotion(facts)
+        self._known = {} if known is None else known
+        self._keys: dict[int, tuple[Node, str]] = {}
+        self._fingerprints = Fingerprints()
         self._found: dict[tuple[frozenset[int], frozenset[int], int], RandomMotion | None] = {}
         self._kept: list[object] = []
         self._last: ValuesInMotion | None = None
@@ -53,6 +61,21 @@ class Consequences:
 
         What two rules say of one quantity and its rate holds too. Nothing follows where no motion satisfies all of it.
         """
+        sides = (left, right, *(side for each in posed for side in (each.left, each.right)))
+        told = (f"{self._key(symbol)}{'.' * order} {self._key(rule.right)}" for (symbol, order), rule in rules.items())
+        key = sha256("\n".join([*map(self._key, sides), *sorted(told)]).encode()).hexdigest()
+        if key not in self._known:
+            self._known[key] = self._may_follow(left, right, rules, posed)
+        return self._known[key]
+
+    def _key(self, node: Node) -> str:
+        """What an expression is, and of which kinds its symbols are."""
+        if id(node) not in self._keys:
+            meanings = sorted({f"{symbol.name} {symbol.meaning}" for symbol in symbols_in((node,))})
+            self._keys[id(node)] = node, f"{self._fingerprints.of(node)} {meanings}"
+        return self._keys[id(node)][1]
+
+    def _may_follow(self, left: Node, right: Node, rules: Rules, posed: Sequence[PosedEquation]) -> bool | None:
         pairs = (*((each.left, each.right) for each in posed), *_agreements(rules))
         running = _running((left, right, *(s for pair in pairs for s in pair), *(r.right for r in rules.values())))
         for terms in range(FIRST_TERMS, TERMS + 1):

@@ -57,16 +57,17 @@ class Deduction:
     premises: Premises
     session: Session = field(default_factory=lambda: Session(WORK))
     is_proposed: bool = False
+    may_follow: dict[str, bool | None] = field(default_factory=dict)
     _foretold: dict[tuple[str, int], PageFinding] = field(default_factory=dict)
 
     @cached_property
     def consequences(self) -> Consequences:
         """Tells what may follow from premises."""
-        return Consequences(self.premises.facts)
+        return Consequences(self.premises.facts, self.may_follow)
 
     def fork(self) -> Deduction:
         """A deduction that goes on from here by itself."""
-        other = Deduction(self.premises.copy(), self.session, self.is_proposed, dict(self._foretold))
+        other = Deduction(self.premises.copy(), self.session, self.is_proposed, self.may_follow, dict(self._foretold))
         other.consequences = self.consequences
         return other
 

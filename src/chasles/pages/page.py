@@ -10,11 +10,13 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+from chasles.decisions.session import Session
 from chasles.display import Displayed
 from chasles.pages.chapter_notation import notation_of_chapter
-from chasles.pages.deduction import Deduction
+from chasles.pages.deduction import WORK, Deduction
 from chasles.pages.facts import facts_of, kind_in_meaning
 from chasles.pages.finding import PageFinding
+from chasles.pages.known_answers import KnownAnswers
 from chasles.pages.notes import DEFINING, NOTHING, EquationNote, notes_of, parts_of
 from chasles.pages.premises import Premises
 from chasles.reading.equations import read_equations
@@ -147,11 +149,16 @@ def read(text: str, notation: str | Path | ModuleType | Chapter | Mapping[str, A
     return read_page(displayed(text, kind or looks) or (() if kind else displayed(text, "equation")), known)
 
 
-def read_page(printed: tuple[PrintedEquation, ...], notation: PageNotation, file: str = "") -> Page:
-    """The page of these equations, decided in their order; raises `BadNotation` for what it cannot assume."""
-    deduction = Deduction(
-        Premises(cache(lambda symbol: facts_of(symbol, kind_in_meaning(symbol)))), is_proposed=notation.proposed
-    )
+def read_page(
+    printed: tuple[PrintedEquation, ...], notation: PageNotation, file: str = "", known: KnownAnswers | None = None
+) -> Page:
+    """The page of these equations, decided in their order; raises `BadNotation` for what it cannot assume.
+
+    What is found out is added to the answers that are `known`.
+    """
+    known = known or KnownAnswers()
+    premises = Premises(cache(lambda symbol: facts_of(symbol, kind_in_meaning(symbol))))
+    deduction = Deduction(premises, Session(WORK, memory=known.memory), notation.proposed, known.may_follow)
     for said in notation.assuming:
         for part in parts_of(said, notation, f"[page] assuming '{said}'"):
             deduction.assume(part.left, part.right)

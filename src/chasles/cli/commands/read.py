@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
+from time import sleep
 from typing import TYPE_CHECKING
 
 import click
@@ -16,11 +18,15 @@ from chasles.cli.files import replace_whole, text_of_file, write_whole
 from chasles.cli.quiet import is_quiet
 
 if TYPE_CHECKING:
+    from chasles.pages.known_answers import KnownAnswers
     from chasles.pages.page import Page
     from chasles.reading.page_notation import PageNotation
     from chasles.reading.printed import PrintedEquation
 
 MOST_NAMED = 8
+POLLED = 0.5
+"""Seconds between two looks at the files that are watched."""
+_Read = tuple["Page", tuple[str, ...], tuple[str, ...]]
 
 
 @click.command(
@@ -41,6 +47,7 @@ MOST_NAMED = 8
     "--html", metavar="FILE", type=click.Path(path_type=Path), help="Write what is found beside each equation."
 )
 @click.option("--strict", is_flag=True, help="Status 1 for a wrong equation too.")
+@click.option("--watch", is_flag=True, help="Read again whenever a page, its macros or the notation changes.")
 @as_data
 def command(
     pages: tuple[Path, ...],
@@ -54,15 +61,18 @@ def command(
     github: bool,
     html: Path | None,
     strict: bool,
+    watch: bool,
     json: bool,
 ) -> int:
     """Read the displayed equations of a page (LaTeX, Markdown or reStructuredText) and decide them.
 
     Each finding is a line, FILE:LINE: (NUMBER) verdict: reason. A wrong equation is a finding, not a failure, unless
     --strict is given; status 1 means that something is open, ambiguous or unread. With --out, questions.toml asks for
-    the role of what is open: fill it in, and run the command again.
+    the role of what is open: fill it in, and run the command again. With --watch, Control-C ends it.
     """
     from chasles.pages.findings_told import is_fine
+    from chasles.pages.folder import QUESTIONS
+    from chasles.pages.known_answers import recalled, retained
 
     if html and len(pages) > 1:
         raise Failure("--html writes the findings on one page: name one page", BAD_INPUT)
@@ -76,7 +86,42 @@ def command(
         raise click.UsageError("say what the letters are with --notation; --propose prints a first notation")
     if out is not None and len(pages) > 1:
         raise click.UsageError("--out takes one page at a time")
-    read = [_read(page, _printed(page, macros, inline, follow), notation, out) for page in pages]
+    if watch and Path("-") in pages:
+        raise click.UsageError("--watch takes files: what is piped in is read once")
+    known = recalled()
+
+    def once() -> int:
+        read = [_read(page, _printed(page, macros, inline, follow), notation, out, known) for page in pages]
+        retained(known)
+        _tell(read, notation, html, quiet or github or is_quiet(), github, json)
+        equations = [each for page, _, _ in read for each in page.equations]
+        return 0 if all(is_fine(each) if strict else each.is_decided for each in equations) else FAILED
+
+    if not watch:
+        return once()
+    asked = [] if out is None else [out / QUESTIONS]
+    for _ in changes([*pages, *filter(None, [macros]), Path(notation), *asked], sleep):
+        try:
+            once()
+        except Failure as failure:
+            complain([str(failure)])
+    return 0
+
+
+def changes(files: Sequence[Path], wait: Callable[[float], None]) -> Iterator[None]:
+    """Something to do now, and again whenever one of the files was written, made or removed, until interrupted."""
+    before: list[int] | None = None
+    with suppress(KeyboardInterrupt):
+        while True:
+            now = [each.stat().st_mtime_ns if each.exists() else 0 for each in files]
+            if now != before:
+                yield
+            before = now
+            wait(POLLED)
+
+
+def _tell(read: Sequence[_Read], notation: str, html: Path | None, is_short: bool, github: bool, json: bool) -> None:
+    """Tell the findings, and which entries of the notation are of no page."""
     found = [page for page, _, _ in read]
     _tell_unmatched(f"{notation}: no letter of the page matches", [entries for _, entries, _ in read])
     _tell_unmatched(f"{notation}: the page has no equation with the number", [numbers for _, _, numbers in read])
@@ -88,9 +133,7 @@ def command(
         from chasles.report.read_page import read_page_as_html
 
         write_whole(html, read_page_as_html(found[0]))
-    _show(found, quiet or github or is_quiet(), github, json)
-    equations = [each for page in found for each in page.equations]
-    return 0 if all(is_fine(each) if strict else each.is_decided for each in equations) else FAILED
+    _show(found, is_short, github, json)
 
 
 def _tell_unmatched(said: str, entries: Sequence[Sequence[str]]) -> None:
@@ -141,9 +184,7 @@ def _printed(page: Path, macros: Path | None, inline: bool, follow: bool) -> tup
         raise Failure(f"{page}:{error.line}: {error}", BAD_INPUT) from error
 
 
-def _read(
-    page: Path, printed: tuple[PrintedEquation, ...], name: str, out: Path | None
-) -> tuple[Page, tuple[str, ...], tuple[str, ...]]:
+def _read(page: Path, printed: tuple[PrintedEquation, ...], name: str, out: Path | None, known: KnownAnswers) -> _Read:
     """The page decided, with what a person has answered, and the letters and numbers of the notation that it lacks.
 
     What came of it is written to the folder.
@@ -156,12 +197,12 @@ def _read(
     try:
         notation = _notation(name)
         if out is None:
-            return _with_what_it_lacks(read_page(printed, notation, str(page)), notation)
+            return _with_what_it_lacks(read_page(printed, notation, str(page), known), notation)
         asked = out / QUESTIONS
         given = answers(text_of_file(asked)) if asked.exists() else {}
         told = noted(given, f"{asked}: ")
         notes = {each: {**notation.notes.get(each, {}), **told.get(each, {})} for each in {**notation.notes, **told}}
-        found = read_page(printed, replace(notation, notes=notes), str(page))
+        found = read_page(printed, replace(notation, notes=notes), str(page), known)
         out.mkdir(parents=True, exist_ok=True)
         replace_whole({out / file: text for file, text in files_of(found, given).items()})
     except BadNotation as error:
@@ -173,7 +214,7 @@ def _read(
     return _with_what_it_lacks(found, notation)
 
 
-def _with_what_it_lacks(page: Page, notation: PageNotation) -> tuple[Page, tuple[str, ...], tuple[str, ...]]:
+def _with_what_it_lacks(page: Page, notation: PageNotation) -> _Read:
     names = {name for each in page.equations for name in (each.number, f"{each.number}/{each.place}")}
     return page, notation.unmatched, tuple(name for name in notation.notes if name not in names)
 
