@@ -43,7 +43,8 @@ class Root:
 
     def as_text(self) -> str:
         """The polynomial and the place of the root, and its first digits."""
-        return f"root {self.index} of {Poly(self.coefficients, X).as_expr()} = {self.value.evalf(10)}..."
+        polynomial = str(Poly(self.coefficients, X).as_expr()).replace("**", "^")
+        return f"root {self.index} of {polynomial} = {self.value.evalf(10)}..."
 
     def as_latex(self) -> str:
         """The first digits, and the polynomial that has the root."""

@@ -80,9 +80,9 @@ def in_lines(text: str) -> str:
 
 
 def _rows(line: str) -> str:
-    """The line with each row of the matrix at its end, or each entry of the column, below the other."""
+    """The line with each row of the matrix at its end, or each entry of the column or list, below the other."""
     found = re.fullmatch(r"(|.*= |[≈~] )(\[.*\]|\(.*\))", line)
-    mark = "; " if line.endswith("]") else ", "
+    mark = "; " if len(_parted(line, "; ", 1)) > 1 else ", "
     return line if found is None else (f"{mark[0]}\n" + " " * (found.end(1) + 1)).join(_parted(line, mark, 1))
 
 
