@@ -132,6 +132,22 @@ def test_solutions_of_differential_equations(lhs: Any, rhs: Any, value: Any, tru
 
 
 @pytest.mark.parametrize(
+    ("lhs", "rhs", "given"),
+    [
+        (g.diff(t), w * cos(A + sp.atan(w * t)) / (1 + w**2 * t**2), [Eq(f, A + sp.atan(w * t)), Eq(g, sin(f))]),
+        (g.diff(t), cos(sp.log(c + t**2)) * 2 * t / (c + t**2), [Eq(g, sin(f)), Eq(sp.log(c + t**2), f)]),
+        (f * f.diff(t), (A * sp.tanh(t) + t) * (1 + A * (1 - sp.tanh(t) ** 2)), [Eq(f, A * sp.tanh(t) + t)]),
+    ],
+    ids=name,
+)
+def test_functions_of_functions_that_are_given(lhs: Any, rhs: Any, given: list[Any]) -> None:
+    verdict = prove(lhs, rhs, given)
+    assert isinstance(verdict, HoldsUnder), verdict
+    recheck(verdict, lhs, rhs, given)
+    assert isinstance(prove(lhs, rhs + c, given), Fails)
+
+
+@pytest.mark.parametrize(
     ("lhs", "rhs"),
     [
         (sp.exp(-p * x) * cos(sqrt(p) * x) ** 2, sp.exp(-p * x) * (1 - sin(sqrt(p) * x) ** 2)),

@@ -110,7 +110,11 @@ class General:
         return parts
 
     def _symbol(self, meaning: Any, **assumed: bool) -> Any:
-        name = str(meaning)
+        name = (
+            f"({meaning})"
+            if isinstance(meaning, sympy.Function) and not isinstance(meaning, sympy.cos)
+            else str(meaning)
+        )
         symbol = sympy.Symbol(name, real=True, **assumed)
         if name in self._taken:
             raise Untreatable(f"a symbol is called as {excerpt(meaning)} is written: rename it")

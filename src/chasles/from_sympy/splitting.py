@@ -168,13 +168,16 @@ class Splitting:
         flat = iter(case.spoken[size : size + 2 * pairs])
         given = [*zip(flat, flat, strict=True), *((e, sympy.S.Zero) for e in case.equations)]
         spoken = [*case.spoken[:size], *case.spoken[size + 2 * pairs :]]
-        found = self._generalised(case, spoken, given)
-        if found is None and (less := without_defined(spoken, given)).values:
+        less = without_defined(spoken, given)
+        moving = any(isinstance(atom, AppliedUndef) for atom in less.values)
+        # What moves is proved where it has its value first: the witness is then a point of a motion.
+        found = None if moving else self._generalised(case, spoken, given)
+        if found is None and less.values:
             found = self._generalised(case, less.spoken, less.given)
             if found is not None:
                 found["defined"] = [list(place) for place in less.places]
                 self._less = less if not case.path else None
-        return found
+        return self._generalised(case, spoken, given) if found is None and moving else found
 
     def _witness(self, sampling: Sampling) -> Mapping[str, Any] | None:
         """A point at which all conditions hold; what is defined has its value there, and so have its rates."""

@@ -72,7 +72,8 @@ class Generalised:
     def _symbol(self, e: Any, **assumed: bool) -> Any:
         if str(e) in self.taken:
             raise Rejected(f"a symbol is called {e}, as something else is written")
-        return self.symbols.setdefault(e, sympy.Symbol(str(e), real=True, **assumed))
+        name = f"({e})" if isinstance(e, sympy.Function) and not isinstance(e, sympy.cos) else str(e)
+        return self.symbols.setdefault(e, sympy.Symbol(name, real=True, **assumed))
 
     def _root(self, base: Any, degree: int) -> Any:
         """The positive root of a positive number, whose power is known."""
