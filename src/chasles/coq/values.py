@@ -91,8 +91,9 @@ class PointValues:
 
     @property
     def has_pi(self) -> bool:
-        """Whether angles are given in units of pi."""
-        return self.reading.places.get("pi") in self.point
+        """Whether angles are given in units of pi: beside pi, or where there are several."""
+        bare = [self.reading.places.get(symbol.name) in self.point for symbol, *_ in self.angles.values()]
+        return self.reading.places.get("pi") in self.point or sum(bare) > 1
 
     def number(self, value: Value) -> str:
         """A value: a rational number, or a polynomial in pi or in an angle."""
