@@ -416,3 +416,15 @@ def test_what_does_not_fit_with_a_proposed_notation_is_open() -> None:
     assert "if the letters are what is proposed: cannot add" in line_of(first, "page.md")
     first, *_ = chasles.read(page, text.replace("proposed = true", "")).equations
     assert first.verdict == "ill-formed"
+
+
+def test_what_is_divided_by_pi_is_decided() -> None:
+    letters = {"symbols": {"a": "scalar", "b": "scalar"}}
+    page = chasles.read(r"$$b = \frac{a}{2\pi} \tag{1}$$" + "\n" + r"$$2\pi b = a \tag{2}$$", letters)
+    assert [each.verdict for each in page.equations] == ["defined", "holds"]
+
+
+def test_an_i_with_the_subscript_one_is_no_identity_in_a_proposal() -> None:
+    page = r"$$I_1 \dot\omega_1 - (I_2 - I_3) \omega_2 \omega_3 = 0$$ $$I_3 \dot\omega_3 = 0$$"
+    assert "'I_{3}' = " in proposed(displayed(page, "md"))
+    assert "'I_{3}'" not in proposed(displayed(r"$$\mathbf{Q} \mathbf{Q}^T = I_3$$", "md"))

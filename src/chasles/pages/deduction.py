@@ -38,9 +38,9 @@ from chasles.pages.premises import (
 from chasles.pages.quantities import Quantity, quantities, quantity, symbols_in
 from chasles.pages.refutation import expanded, refuted
 from chasles.reading.reading import Part, Reading
-from chasles.statements import Claim, Statement
+from chasles.statements import Claim, Statement, nonzero
 from chasles.verdict import Assumed, Contradictory, Defined, Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
-from chasles.vocabulary import Node, plain, walk
+from chasles.vocabulary import PI, Node, plain, walk
 from chasles.vocabulary.families import indices_of
 
 WORK = 1e6
@@ -236,6 +236,8 @@ class Deduction:
     def _proved(self, claim: Claim, verdict: Verdict) -> PageFinding:
         unused = getattr(verdict, "unused", ())
         least = with_fields(claim, assuming=tuple(h for h in claim.assuming if h.text not in unused))
+        sides = (*claim.printed, *(side for each in claim.given for side in each.printed))
+        verdict = _given_freely((nonzero(PI).text,), verdict) if PI in symbols_in(sides) else verdict
         key = quantity(claim.left)
         behind = free_quantities((claim.right,), chosen_rules((claim.right,), self.premises.defined()))
         if key is not None and not any(symbol == key[0] for symbol, _ in behind):
@@ -253,7 +255,7 @@ def _resting_on(opened: tuple[str, ...], verdict: Verdict) -> Verdict:
 
 
 def _given_freely(given: tuple[str, ...], verdict: Verdict) -> Verdict:
-    """The verdict without what a person has given among what it needs."""
+    """The verdict without what a person has given, or what is known of numbers, among what it needs."""
     if not isinstance(verdict, HoldsUnder):
         return verdict
     needs = tuple(need for need in verdict.needs if need not in given)

@@ -70,7 +70,5 @@ def _factors(node: Node) -> Iterator[Node]:
             yield from _factors(numerator)
         case Number():
             return
-        case Symbol(name="pi", constant=True, home=""):
-            return
         case Norm() | Node():
             yield node

@@ -75,7 +75,7 @@ def _open(each: PageEquation) -> str:
             return f"open: does not follow from what the page says before ({_point(counterexample)}); {ASKED}"
         case Undecided(reason):
             return f"open: not decided: {reason}"
-        case IllFormed(reason):
+        case IllFormed(reason) if each.part and each.part.fault:
             return f"open: ill-formed if the letters are what is proposed: {reason}"
         case _:
             return f"open: does not follow from what the page says before; {ASKED}"

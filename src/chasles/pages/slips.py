@@ -9,7 +9,7 @@ from collections import Counter
 from collections.abc import Iterable
 from dataclasses import replace as with_fields
 from fractions import Fraction
-from itertools import islice
+from itertools import count, islice
 
 from chasles.decisions.session import Session
 from chasles.pages.attempts import with_premises
@@ -25,6 +25,8 @@ from chasles.vocabulary import Group, Negative, Node, Number, Sum, Symbol, Zero,
 
 MOST_EDITS = 12
 """So many changes of one mark are proved or refuted; what does not agree at a random motion is no proof's matter."""
+MOST_UNKNOWN = 4
+"""So many of them of which a random motion does not tell whether they may be true."""
 MOST_TESTS = 600
 """So many are tried at a random motion."""
 
@@ -44,10 +46,11 @@ def true_but_for_a_slip(
     edits = one_mark_away(*claim.printed, spoken_of, lambda symbol: symbol in said_of or bool(premises.facts(symbol)))
     slips = (edit for edit in islice(edits, MOST_TESTS) if _is_slip(claim, edit[:2], premises))
     found = ((*edit, consequences.may_follow(*edit[:2], *known)) for edit in slips)
+    unknown = count()
     agreeing = (edit for edit in found if edit[-1] is not False)
     for left, right, said, likely in islice(agreeing, MOST_EDITS):
         meant = with_fields(claim, left=left, right=right, sic=True)
-        if meant.fault or _cancels(claim, (left, right)):
+        if meant.fault or _cancels(claim, (left, right)) or (likely is None and next(unknown) >= MOST_UNKNOWN):
             continue
         for chosen in (consequences.least(left, right, *known), known) if likely else (known,):
             verdict = proof_of(with_premises(meant, premises, *chosen), session, bool(likely))

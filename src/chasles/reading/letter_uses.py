@@ -31,9 +31,10 @@ IDENTITIES = (r"\mathbf 1", r"\mathbf I", "I")
 BARE = (r"\pi", "e", "0", r"\mathbf 0", r"\mathrm d", *IDENTITIES)
 """What is no letter of the page where it has no subscript."""
 INERTIA = re.compile(
-    r"(?:(\\mathbf) \{ I \}|(?<!\{ )\bI) (?:\\(?:[a-z]*dot|vec|mathbf|boldsymbol|omega|alpha) |[a-z] |\^ \{ - 1)"
+    r"(?:(\\mathbf) \{ I \}|(?<!\{ )\bI)"
+    r" (?:\\(?:[a-z]*dot|vec|mathbf|boldsymbol|omega|alpha) |[a-z] |\^ \{ - 1|_ \{? ?1 )"
 )
-"""An I before a letter, or inverted, is no identity: nobody writes that."""
+"""An I before a letter, or inverted, is no identity, nor is one of one row: nobody writes that."""
 WORDS = (*TRANSPOSES, *INVERSES, r"\wedge", r"\vee", r"\times")
 MANY = 3
 SKEW = frozenset({r"^\wedge", r"^\times", r"[]_\times"})
