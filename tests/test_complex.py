@@ -187,3 +187,9 @@ def test_cases_of_signs_are_of_real_symbols(symbol: Any, rule: str) -> None:
         prove(lhs, rhs)
     with pytest.raises(Rejected):
         recheck(Holds({"variant": 0, "names": {}, "witness": {}}, {}), lhs, rhs)
+
+
+def test_symbols_that_are_called_the_same_are_told_apart() -> None:
+    other = sp.Symbol("Z", complex=True, infinite=False, extended_real=None, prime=False)
+    with pytest.raises(Untreatable, match="two different symbols are both called Z"):
+        prove(Z * conjugate(Z), other * conjugate(other))

@@ -10,7 +10,7 @@ import sympy as sp
 from sympy import Abs, Eq, Max, Min, Rational, cbrt, cos, root, sin, sqrt
 
 from chasles.prove import Rejected, prove, recheck
-from chasles.verdict import Fails, Holds, HoldsUnder
+from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder
 
 x, y, z, a = sp.symbols("x y z a", real=True)
 p, r = sp.symbols("p r", positive=True)
@@ -161,3 +161,10 @@ def test_exponentials_beside_angles_that_are_no_products(lhs: Any, rhs: Any) -> 
     verdict = prove(lhs, rhs)
     assert isinstance(verdict, Holds), verdict
     recheck(verdict, lhs, rhs)
+
+
+def test_a_function_that_is_given_has_its_value_at_other_arguments_too() -> None:
+    s, q = sp.symbols("s t")
+    point = Counterexample({"f(s)": Rational(5), "s": Rational(1)}, (1, 1), "5", "1")
+    with pytest.raises(Rejected):
+        recheck(Fails(point), sp.Function("f")(s), s, Eq(sp.Function("f")(q), q))

@@ -3,29 +3,39 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from itertools import pairwise
 from typing import Any
 
 import sympy
 from sympy.matrices import MatrixBase
 
+from chasles.from_sympy.complexes import OF_COMPLEX
 from chasles.from_sympy.decimals import each_replaced
 from chasles.from_sympy.opening import atoms_of
-
-OF_PARTS = (sympy.re, sympy.im, sympy.conjugate, sympy.arg)
+from chasles.problems.variables import Untreatable
 
 
 def by_parts(said: tuple[Any, ...]) -> tuple[Any, ...]:
-    """What is said, with the parts of complex symbols as real symbols."""
+    """What is said, with the parts of complex symbols as real symbols.
+
+    Raises `Untreatable` for two symbols that are called the same, whose parts would be.
+    """
     spoken = list(_expressions(said))
-    found = {z for e in spoken for z in e.atoms(sympy.Symbol) if z.is_complex and z.is_real is None}
+    known = {z for e in spoken for z in e.atoms(sympy.Symbol) if z.is_complex and z.is_real is None}
+    found = {z for z in known if z.is_zero is None and z.is_commutative}
+    if not found:
+        return said
+    names = sorted(map(str, found))
+    if same := next((one for one, other in pairwise(names) if one == other), None):
+        raise Untreatable(f"two different symbols are both called {same}: rename one")
     taken = {str(z) for e in spoken for z in e.free_symbols}
-    values = {z: _parts(z, taken) for z in sorted(found, key=str) if z.is_zero is None and z.is_commutative}
-    return each_replaced(said, lambda _: values) if values else said
+    values = {z: _parts(z, taken) for z in found}
+    return tuple(each_replaced(each, lambda _: values) for each in said)
 
 
 def taken_as_real(said: tuple[Any, ...]) -> tuple[str, ...]:
     """What is read as real though nothing says so, where a conjugate or a part of it is taken."""
-    calls = {call for e in _expressions(said) for call in e.atoms(*OF_PARTS)}
+    calls = {call for e in _expressions(said) for call in e.atoms(*OF_COMPLEX)}
     return tuple(sorted({f"{atom} is real" for call in calls for atom in atoms_of(call) if atom.is_real is None}))
 
 

@@ -71,8 +71,7 @@ class Parts:
             re, im = self(e.expr)
             return re.diff(*e.variables), im.diff(*e.variables)
         if e.func in QUOTIENTS:
-            above, below = QUOTIENTS[e.func]
-            return self(above(*e.args) / below(*e.args))
+            return self(QUOTIENTS[e.func](*e.args))
         rule = RULES.get(e.func)
         parts = [self(argument) for argument in e.args]
         if rule is not None and len(parts) == 1:
@@ -154,13 +153,13 @@ RULES: Mapping[type, Callable[[Any, Any], Pair]] = {
     sympy.cosh: _cosh,
 }
 
-QUOTIENTS: Mapping[type, tuple[Callable[..., Any], Callable[..., Any]]] = {
-    sympy.tan: (sympy.sin, sympy.cos),
-    sympy.cot: (sympy.cos, sympy.sin),
-    sympy.sec: (lambda _: sympy.S.One, sympy.cos),
-    sympy.csc: (lambda _: sympy.S.One, sympy.sin),
-    sympy.tanh: (sympy.sinh, sympy.cosh),
-    sympy.coth: (sympy.cosh, sympy.sinh),
-    sympy.sech: (lambda _: sympy.S.One, sympy.cosh),
-    sympy.csch: (lambda _: sympy.S.One, sympy.sinh),
+QUOTIENTS: Mapping[type, Callable[[Any], Any]] = {
+    sympy.tan: lambda z: sympy.sin(z) / sympy.cos(z),
+    sympy.cot: lambda z: sympy.cos(z) / sympy.sin(z),
+    sympy.sec: lambda z: 1 / sympy.cos(z),
+    sympy.csc: lambda z: 1 / sympy.sin(z),
+    sympy.tanh: lambda z: sympy.sinh(z) / sympy.cosh(z),
+    sympy.coth: lambda z: sympy.cosh(z) / sympy.sinh(z),
+    sympy.sech: lambda z: 1 / sympy.cosh(z),
+    sympy.csch: lambda z: 1 / sympy.sinh(z),
 }

@@ -80,11 +80,3 @@ def is_nonnegative(e: Any) -> bool:
         return not e.free_symbols and ends_of(e, NEAR)[0] >= 0
     except NotEnclosed:
         return False
-
-
-def is_positive(e: Any) -> bool:
-    """Whether an expression is a number that is known to be positive."""
-    try:
-        return not e.free_symbols and ends_of(e, NEAR)[0] > 0
-    except NotEnclosed:
-        return False

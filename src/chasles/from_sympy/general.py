@@ -13,9 +13,10 @@ from typing import Any
 
 import sympy
 
-from chasles.from_sympy.constants import is_algebraic, is_positive
+from chasles.from_sympy.constants import is_algebraic
 from chasles.from_sympy.divisors import CIRCULAR
 from chasles.from_sympy.opening import excerpt, is_atom
+from chasles.from_sympy.switches import visible_sign
 from chasles.problems.variables import Untreatable
 
 LARGEST = 90
@@ -131,7 +132,7 @@ def is_root_of_number(e: Any) -> bool:
     """Whether an expression is a power of a positive number that is more than square roots of numbers."""
     if not (isinstance(e, sympy.Pow) and e.exp.is_Rational and e.exp.q > 1 and is_algebraic(e.base)):
         return False
-    return any(part.exp.q > 2 for part in e.atoms(sympy.Pow)) and is_positive(e.base)
+    return any(part.exp.q > 2 for part in e.atoms(sympy.Pow)) and visible_sign(e.base) == 1
 
 
 def _is_product(e: Any) -> bool:

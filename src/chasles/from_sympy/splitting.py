@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -164,10 +164,8 @@ class Splitting:
 
     def _decided(self, case: SplitCase) -> Mapping[str, Any] | None:
         self._require(case, within=True)
-        size, pairs = 2 * self._left.shape[0] * self._left.shape[1], len(self._pairs)
-        flat = iter(case.spoken[size : size + 2 * pairs])
-        given = [*zip(flat, flat, strict=True), *((e, sympy.S.Zero) for e in case.equations)]
-        spoken = [*case.spoken[:size], *case.spoken[size + 2 * pairs :]]
+        spoken, given = self._apart(case.spoken)
+        given += [(e, sympy.S.Zero) for e in case.equations]
         less = without_defined(spoken, given)
         moving = any(isinstance(atom, AppliedUndef) for atom in less.values)
         # What moves is proved where it has its value first: the witness is then a point of a motion.
@@ -196,18 +194,21 @@ class Splitting:
 
     def _refuted(self) -> Counterexample | None:
         """A point at which the sides differ where every function of which something is given has its value."""
-        size, pairs = 2 * self._left.shape[0] * self._left.shape[1], 2 * len(self._pairs)
-        spoken = [*self.spoken[:size], *self.spoken[size + pairs :]]
-        less = without_defined(spoken, self._pairs, AppliedUndef)
+        spoken, given = self._apart(self.spoken)
+        less = without_defined(spoken, given, AppliedUndef)
         times = {t for pair in self._pairs for e in pair for call in e.atoms(AppliedUndef) for t in call.args}
         if not less.values or any(e.has(AppliedUndef) or e.free_symbols & times for pair in less.given for e in pair):
             return None
-        width = self._left.shape[1]
-        rows = [tuple(less.spoken[k : k + width]) for k in range(0, size, width)]
-        left, right = (
-            Entries(tuple(part), self._left.is_matrix) for part in (rows[: len(rows) // 2], rows[len(rows) // 2 :])
-        )
-        return Sampling(left, right, left.shape[0], less.given, less.spoken[size:]).counterexample()
+        height, width = self._left.shape
+        rows = [tuple(less.spoken[k : k + width]) for k in range(0, 2 * height * width, width)]
+        left, right = (Entries(tuple(part), self._left.is_matrix) for part in (rows[:height], rows[height:]))
+        return Sampling(left, right, height, less.given, less.spoken[2 * height * width :]).counterexample()
+
+    def _apart(self, spoken: Sequence[Any]) -> tuple[list[Any], Pairs]:
+        """The sides and scalars that do not vanish, and the pairs of what is given, of all that is spoken of."""
+        size, pairs = 2 * self._left.shape[0] * self._left.shape[1], 2 * len(self._pairs)
+        flat = iter(spoken[size : size + pairs])
+        return [*spoken[:size], *spoken[size + pairs :]], list(zip(flat, flat, strict=True))
 
     def _generalised(self, case: SplitCase, spoken: list[Any], given: Pairs) -> dict[str, Any] | None:
         """The certificate of a case with these sides and scalars that do not vanish, and this given."""

@@ -12,10 +12,10 @@ from sympy.logic.boolalg import Boolean
 from sympy.matrices import MatrixBase, MatrixExpr
 from sympy.matrices.expressions.matexpr import MatrixElement
 
+from chasles.checker.expressions.complexes import OF_COMPLEX
 from chasles.checker.expressions.quantities import atoms_of, require_real
 from chasles.checker.sparse import Rejected
 
-OF_PARTS = (sympy.re, sympy.im, sympy.conjugate, sympy.arg)
 Entries = dict[tuple[int, int], Any]
 
 
@@ -48,7 +48,7 @@ class Asked:
         self.nonzero = [_nonzero(item) for _, item in _listed(nonzero, "nonzero") if item is not sympy.true]
         for atom in {atom for expression in self.expressions for atom in atoms_of(expression)}:
             require_real(atom)
-        calls = {call for e in self.expressions for call in e.atoms(*OF_PARTS)}
+        calls = {call for e in self.expressions for call in e.atoms(*OF_COMPLEX)}
         self.real = sorted({f"{e} is real" for call in calls for e in atoms_of(call) if e.is_real is None})
 
     @property

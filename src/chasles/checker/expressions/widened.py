@@ -138,6 +138,7 @@ def _without_defined(case: CheckedCase, pair: tuple[Any, Any], side: int) -> Che
 
 def _without_motions(case: CheckedCase, times: set[Any]) -> CheckedCase:
     """The case with the value of every function of which something is given; raises `Rejected` if one has none."""
+    require_independent(atom for e in case.spoken for atom in atoms_of(e))
     for place, side in product(range(len(case.pairs)), (0, 1)):
         pair = case.pairs[place]
         if pair and isinstance(pair[side], AppliedUndef):
