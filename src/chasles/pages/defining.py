@@ -5,7 +5,7 @@ from __future__ import annotations
 from chasles.pages.facts import divisors
 from chasles.pages.notes import is_defining
 from chasles.pages.premises import Premises, chosen_rules, free_quantities
-from chasles.pages.quantities import Quantity, quantities, quantity
+from chasles.pages.quantities import Quantity, quantities, quantity, symbols_in
 from chasles.statements import Claim, Definition
 
 
@@ -42,7 +42,7 @@ def _is_free(key: Quantity, premises: Premises) -> bool:
     """Whether the page has only used a symbol so far, and said nothing of it."""
     symbol, order = key
     said = {s for s, _ in premises.definitions} | {s for s, _ in premises.proved}
-    posed = {s for each in premises.posed for side in (each.left, each.right) for s, _ in quantities(side)}
+    posed = symbols_in(side for each in premises.posed for side in (each.left, each.right))
     return not order and symbol not in said | posed
 
 
