@@ -16,6 +16,7 @@ from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 
 from chasles.from_sympy.atoms import ASSUMPTIONS
+from chasles.from_sympy.remainders import at_integer, quotient, remainders_of
 from chasles.from_sympy.switches import (
     HOLDING,
     WRITTEN,
@@ -149,6 +150,21 @@ class SplitCase:
         spoken, equations = (tuple(_with_value(e, put) for e in part) for part in (self.spoken, self.equations))
         case = SplitCase(spoken, equations, tuple(facts), path, zeros, values=(*self.values, (atom, value)))
         return replace(case, excluded=self._lost(case, put))
+
+    def split_by_remainder(self, symbol: Any, modulus: int, name: str) -> Mapping[str, SplitCase]:
+        """The cases of an integer by its remainder; a new integer is the quotient."""
+        whole = quotient(name, symbol)
+        return {str(r): self._at(symbol, modulus * whole + r, (whole, (symbol - r) / modulus))
+                for r in remainders_of(symbol, modulus)}  # fmt: skip
+
+    def _at(self, symbol: Any, value: Any, meaning: tuple[Any, Any]) -> SplitCase:
+        spoken, equations = (
+            tuple(at_integer(e, symbol, value) for e in part) for part in (self.spoken, self.equations)
+        )
+        facts = [(at_integer(e, symbol, value), known) for e, known in self.facts]
+        facts += [(value, known) for known in _assumed_sign(symbol)]
+        values = (*self.values, (symbol, value))
+        return SplitCase(spoken, equations, tuple(facts), (*self.path, meaning), self.zeros, values=values)
 
     def _lost(self, case: SplitCase, put: Mapping[Any, Any]) -> str:
         """What is not defined where symbols have these values, that is outside of conditions; "" if nothing is."""

@@ -17,6 +17,7 @@ from chasles.from_sympy.divisors import divisor_of
 from chasles.from_sympy.general import is_numeric, is_root_of_number
 from chasles.from_sympy.generalising import Decide, generalised
 from chasles.from_sympy.opening import Entries, atoms_of, opened, sides
+from chasles.from_sympy.remainders import at_integer, modulus_of
 from chasles.from_sympy.sampling import Sampling, exactly
 from chasles.from_sympy.side_conditions import listed, nonvanishing
 from chasles.from_sympy.switches import powers_in, switches_in
@@ -72,12 +73,18 @@ class Splitting:
         """Whether something is spoken of that is treated by cases alone, or numbers that are treated by themselves."""
         powers = {part for e in self.spoken for part in e.atoms(sympy.Pow)}
         roots = any(map(is_root_of_number, powers)) and all(map(is_numeric, powers))
-        return (roots or bool(switches_in(self.spoken, *UNREADABLE))) and self.possible
+        return (roots or self._switched) and self.possible
+
+    @property
+    def _switched(self) -> bool:
+        """Whether something has other forms in other cases."""
+        return bool(switches_in(self.spoken, *UNREADABLE) or modulus_of(self.spoken))
 
     @property
     def readable(self) -> bool:
         """Whether the question is also treated as a whole."""
-        return not switches_in(self.spoken, *(kind for kind in UNREADABLE if kind is not sympy.sign))
+        unreadable = (kind for kind in UNREADABLE if kind is not sympy.sign)
+        return not (switches_in(self.spoken, *unreadable) or modulus_of(self.spoken))
 
     @property
     def possible(self) -> bool:
@@ -88,11 +95,11 @@ class Splitting:
         """`Holds` or `HoldsUnder` if it is proved as a whole or in every case, `Fails` with a point, or `Undecided`."""
         still = not any(e.has(AppliedUndef) for pair in self._pairs for e in pair)
         sampling = Sampling(self._left, self._right, self._left.shape[0], self._pairs, self._declared, still=still)
-        whole = SplitCase(self.spoken)
+        whole = SplitCase(tuple(map(at_integer, self.spoken)))
         self._require(whole, within=False)
         signed = switches_in(self.spoken)
-        tree = self._proved(whole) if switches_in(self.spoken, *UNREADABLE) else self._decided(whole)
-        if tree is None and signed and not switches_in(self.spoken, *UNREADABLE):
+        tree = self._proved(whole) if self._switched else self._decided(whole)
+        if tree is None and signed and not self._switched:
             tree = self._proved(whole)
         if tree is None:
             found = sampling.counterexample() or self._refuted()
@@ -113,6 +120,12 @@ class Splitting:
             self.needs[case.excluded] = None
         if case.excluded or not case.possible:
             return {"impossible": True}
+        turning = modulus_of(case.spoken)
+        if turning:
+            symbol, modulus = turning
+            name = self._fresh("k")
+            by_remainder = self._each(case.split_by_remainder(symbol, modulus, name))
+            return by_remainder and {"remainders": [str(symbol), modulus, name], **by_remainder}
         case = case.settled()
         if self._contradicts(case):
             return {"impossible": True}
@@ -124,25 +137,30 @@ class Splitting:
         factor = case.open
         if factor is None:
             return self._decided(case)
-        self._cases += 2
+        name = self._fresh("d")
+        by_sign = self._each(case.split(factor, sympy.Symbol(name, positive=True)))
+        return by_sign and {"on": str(factor), "size": name, **by_sign}
+
+    def _each(self, cases: Mapping[str, SplitCase]) -> dict[str, Any] | None:
+        """The certificates of some cases by their names; None if one is not proved, or there are too many."""
+        self._cases += len(cases) - 1
         if self._cases > MOST:
             return None
         parts: dict[str, Any] = {}
-        size = self._fresh()
-        for sign, part in case.split(factor, size).items():
-            found = self._proved(part)
+        for name, case in cases.items():
+            found = self._proved(case)
             if found is None:
                 return None
-            parts[sign] = found
-        return {"on": str(factor), "size": str(size), "cases": parts}
+            parts[name] = found
+        return {"cases": parts}
 
-    def _fresh(self) -> Any:
+    def _fresh(self, letter: str) -> str:
         names = {str(s) for e in self.spoken for s in e.free_symbols}
         self._cases += 1
         number = self._cases
-        while f"d_{number}" in names:
+        while f"{letter}_{number}" in names:
             number += MOST
-        return sympy.Symbol(f"d_{number}", positive=True)
+        return f"{letter}_{number}"
 
     def _contradicts(self, case: SplitCase) -> bool:
         """Whether two sides that are given to be equal visibly differ."""

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import combinations
 from math import prod
+from operator import methodcaller
 from typing import Any
 
 import sympy
 from sympy.core.function import AppliedUndef
 
 from chasles.checker.expressions.enclosed import sign_of_number
+from chasles.checker.expressions.remainders import at_integer
 from chasles.checker.expressions.switches import SWITCHES, deciding, sign_of_multiple, visible_sign, written
 from chasles.checker.sparse import Rejected
 
@@ -69,28 +72,22 @@ class CheckedCase:
         apart = [one - other for one, other in self.pairs] + list(self.equations)
         return signs or any(self.sign(e) in (1, -1) for e in apart)
 
-    def mapped(self, put: Mapping[Any, Any]) -> CheckedCase:
-        """The case with other expressions in the place of some."""
-        sides = tuple(tuple(_with_value(e, put) for e in side) for side in self.sides)
-        pairs = tuple((_with_value(one, put), _with_value(other, put)) for one, other in self.pairs)
-        nonzero, equations = (tuple(_with_value(e, put) for e in part) for part in (self.nonzero, self.equations))
-        facts = tuple((e.xreplace(put), sign) for e, sign in self.facts)
+    def each(self, change: Callable[[Any], Any]) -> CheckedCase:
+        """The case with everything changed."""
+        sides, pairs = (tuple(tuple(map(change, part)) for part in item) for item in (self.sides, self.pairs))
+        nonzero, equations = (tuple(map(change, part)) for part in (self.nonzero, self.equations))
+        facts = tuple((change(e), sign) for e, sign in self.facts)
         return replace(self, sides=sides, pairs=pairs, nonzero=nonzero, equations=equations, facts=facts)
 
     def settled(self) -> CheckedCase:
         """The case with everything written out whose form is decided by known signs."""
         case = self
         while True:
-            for part in case.switches():
-                value = written(part, case.sign)
-                if value is not None:
-                    sides = tuple(tuple(e.xreplace({part: value}) for e in side) for side in case.sides)
-                    pairs = tuple(tuple(e.xreplace({part: value}) for e in pair) for pair in case.pairs)
-                    nonzero = tuple(e.xreplace({part: value}) for e in case.nonzero)
-                    case = replace(case, sides=sides, pairs=pairs, nonzero=nonzero)
-                    break
-            else:
+            values = ((part, written(part, case.sign)) for part in case.switches())
+            put = next(({part: value} for part, value in values if value is not None), None)
+            if put is None:
                 return case
+            case = replace(case.each(methodcaller("xreplace", put)), equations=case.equations, facts=case.facts)
 
     def switches(self) -> list[Any]:
         """What changes its form with a sign, innermost first."""
@@ -126,6 +123,25 @@ class CheckedCase:
         positive = sympy.Symbol(size, positive=True)
         return {name: self._with(factor, sign, positive) for name, sign in (("+", 1), ("0", 0), ("-", -1))}
 
+    def split_by_remainder(self, text: str, modulus: int, name: str) -> dict[str, CheckedCase]:
+        """The cases of an integer by its remainder, the quotient a new integer."""
+        symbol = self.named[text]
+        calls = {call for e in self.spoken for call in e.atoms(AppliedUndef, sympy.Derivative)}
+        if not symbol.is_integer or any(call.has(symbol) for call in calls) or modulus < 1 or name in self.names:
+            raise Rejected(f"{text} is not split by a remainder of {modulus}")
+        signs = {kind: True for kind in ("nonnegative", "negative") if getattr(symbol, f"is_{kind}")}
+        quotient = sympy.Symbol(name, integer=True, **signs)
+        odd = [even is False for even in (symbol.is_even,) if even is not None] or [False, True]
+        cases = {}
+        for remainder in (r for r in range(modulus) if r % 2 in odd or modulus % 2):
+            value = modulus * quotient + remainder
+            known = [(value, 1)] if symbol.is_positive else [(value, -1)] if symbol.is_negative else []
+            meant = (*self.meant, (quotient, (symbol - remainder) / modulus))
+            case = self.each(partial(at_integer, put={symbol: value}))
+            values, facts = (*self.values, (symbol, value)), (*case.facts, *known)
+            cases[str(remainder)] = replace(case, facts=facts, meant=meant, values=values, inside=self.within())
+        return cases
+
     def _with(self, factor: Any, sign: int, positive: Any) -> CheckedCase:
         zeros = self.zeros if sign else (*self.zeros, self.back(factor))
         atom = self._free(factor)
@@ -136,7 +152,7 @@ class CheckedCase:
         put = {atom: value}
         if sympy.expand(factor.xreplace(put) - sign * positive) != 0:
             raise Rejected(f"{factor} is not solved for {atom}")
-        case = replace(self.mapped(put), zeros=zeros)
+        case = replace(self.each(partial(_with_value, put=put)), zeros=zeros)
         if atom.is_positive or atom.is_negative:
             case = replace(case, facts=(*case.facts, (value, 1 if atom.is_positive else -1)))
         meant = (*case.meant, (positive, sign * factor)) if sign else case.meant

@@ -68,10 +68,11 @@ class EnclosedValues:
 
     def power(self, e: Any) -> Enclosure:
         """A power: of a root if the exponent is rational, else by the logarithm."""
-        if not e.exp.is_Rational:
+        exponent = e.exp.xreplace(dict(self.point))
+        if not exponent.is_Rational:
             return self.at.exp(self.at.times(self(e.exp), self.at.log(self(e.base))))
         base = self(e.base)
-        return self.at.power(base if e.exp.q == 1 else self.at.root(base, int(e.exp.q)), int(e.exp.p))
+        return self.at.power(base if exponent.q == 1 else self.at.root(base, int(exponent.q)), int(exponent.p))
 
 
 def _larger(one: Enclosure, other: Enclosure) -> Enclosure:

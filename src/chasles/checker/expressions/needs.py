@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from functools import reduce
+from math import gcd
 from operator import mul
 
 from chasles.checker.expressions.algebra import constant, primitive
@@ -72,7 +73,15 @@ def _is_evident(reading: Proven, place: int) -> bool:
         return bool(reading.sign(base))
     if len(base.terms) == 1 and base.places <= reading.atoms.keys():
         return False
-    return is_positive(reading, base) or is_positive(reading, -base)
+    return is_positive(reading, base) or is_positive(reading, -base) or _is_odd(reading, base)
+
+
+def _is_odd(reading: Proven, base: Polynomial) -> bool:
+    """Whether a multiple of something is an odd integer."""
+    content = gcd(*base.terms.values())
+    odd = {terms for terms, c in base.terms.items() if c // content % 2}
+    integral = (place in reading.atoms and reading.atoms[place].is_integer for place in base.places)
+    return odd == {0} and all(integral)
 
 
 def _is_excluded(reading: Proven, place: int, said: list[_SaidNeed]) -> bool:

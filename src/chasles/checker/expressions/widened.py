@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 from itertools import product
 from typing import Any
 
@@ -23,13 +24,16 @@ from chasles.checker.expressions.generalised import Generalised
 from chasles.checker.expressions.intervals import Enclosure
 from chasles.checker.expressions.needs import RELATIONS
 from chasles.checker.expressions.quantities import atoms_of, require_independent
+from chasles.checker.expressions.remainders import at_integer
 from chasles.checker.sparse import Rejected
 
 PLAIN = re.compile(r"[A-Za-z0-9_+\-*/(), .\[\]]*")
 ASSUMED = (
     "positive", "negative", "nonnegative", "nonpositive", "zero", "nonzero", "integer", "even", "odd", "rational",
 )  # fmt: skip
-PARTS = frozenset(("on", "size", "cases", "proof", "needs", "parts", "facts", "impossible", "witness", "defined"))
+PARTS = frozenset(
+    ("on", "size", "remainders", "cases", "proof", "needs", "parts", "facts", "impossible", "witness", "defined")
+)
 """What a certificate by cases, or of a more general question, may say."""
 Standard = Callable[[Mapping[str, Any], Sequence[str], tuple[Any, ...]], None]
 """Checks a certificate, with what it needs, of both sides, what is given and what does not vanish."""
@@ -48,7 +52,7 @@ def check_widened(
         raise Rejected(f"the question needs {min(missing[0])}, and the verdict does not say so")
     if verdict.certificate["witness"] != {name: str(value) for name, value in verdict.witness.items()}:
         raise Rejected("the verdict and its certificate have different witnesses")
-    _Widened(tuple(verdict.needs), texts, check).tree(whole, verdict.certificate)
+    _Widened(tuple(verdict.needs), texts, check).tree(whole.each(partial(at_integer, put={})), verdict.certificate)
     _require_witness(verdict, whole)
 
 
@@ -76,7 +80,9 @@ class _Widened:
         if "cases" not in node:
             self._leaf(case, node)
             return
-        for name, part in case.split(node["on"], node["size"]).items():
+        by_remainder = "remainders" in node
+        parts = case.split_by_remainder(*node["remainders"]) if by_remainder else case.split(node["on"], node["size"])
+        for name, part in parts.items():
             self.tree(part, node["cases"][name])
 
     def _leaf(self, case: CheckedCase, node: Mapping[str, Any]) -> None:
