@@ -1,4 +1,4 @@
-"""Integers in powers of negative numbers and in half turns, which are proved by remainders."""
+"""Integers in powers of negative numbers and in half turns, which are proved by remainders, and as limits of sums."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 import sympy as sp
-from sympy import Abs, Rational, cos, pi, sin, tan
+from sympy import Abs, Product, Rational, Sum, cos, pi, sin, tan
 
-from chasles.prove import Rejected, prove, recheck
+from chasles.prove import Rejected, Untreatable, prove, recheck
 from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder
 
 n, m = sp.symbols("n m", integer=True)
@@ -108,3 +108,37 @@ def test_a_counterexample_at_no_integer_is_rejected() -> None:
     found = Counterexample({"n": Fraction(1, 2)}, (1, 1), "0", "1", "")
     with pytest.raises(Rejected):
         recheck(Fails(found), cos(n * pi), 1)
+
+
+i, j, N = sp.symbols("i j N")
+SUMS = [
+    (Sum(i, (i, 1, n)), n * (n + 1) / 2),
+    (Sum(i**3, (i, 1, n)), Sum(i, (i, 1, n)) ** 2),
+    (Sum(x * i + 1, (i, m, n)), x * Sum(i, (i, m, n)) + n - m + 1),
+    (Sum(j, (j, 1, i), (i, 1, n)), n * (n + 1) * (n + 2) / 6),
+    (Sum(x * Sum(j, (j, 1, i)), (i, 1, n)), x * n * (n + 1) * (n + 2) / 6),
+    (Sum(i, (i, 10, 5)), -30),
+    (Sum(i, (i, 1, 10**6)), 500000500000),
+    (Sum(i, (i, x, x + 2)), 3 * x + 3),
+    (Sum((i - (n + 1) / 2) ** 2, (i, 1, n)) / n, (n**2 - 1) / 12),
+    (Sum(i**2, (i, -n, n)), n * (n + 1) * (2 * n + 1) / 3),
+    (Sum(j * i, (j, 0, i), (i, 0, 3)), 25),
+]
+
+
+@pytest.mark.parametrize(("left", "right"), SUMS, ids=str)
+def test_sums_of_polynomials_to_any_limit(left: Any, right: Any) -> None:
+    verdict = prove(left, right)
+    assert isinstance(verdict, Holds | HoldsUnder)
+    recheck(verdict, left, right)
+    wrong = prove(left, right + 1)
+    assert isinstance(wrong, Fails)
+    recheck(wrong, left, right + 1)
+
+
+@pytest.mark.parametrize(
+    "e", [Sum(i, (i, 1, N)), Sum(j, (j, 0, i), (i, x, x + 2)), Sum(1 / i, (i, 1, n)), Product(i, (i, 1, n))], ids=str
+)
+def test_other_sums_are_refused(e: Any) -> None:
+    with pytest.raises(Untreatable, match="is not treated"):
+        prove(e, e + 1)

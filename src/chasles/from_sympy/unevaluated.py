@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from functools import reduce
-from itertools import product
+from itertools import pairwise
 from operator import add, mul
 from typing import Any
 
@@ -74,26 +74,53 @@ def _blocks(e: Any) -> Any:
     return reduce(lambda one, other: one.col_join(other), [reduce(lambda a, b: a.row_join(b), row) for row in rows])
 
 
-def _range(e: Any) -> Iterator[Mapping[Any, Any]]:
-    """The values of the running indices, one after the other."""
-    limits = [(limit[0], written_out(limit[1]), written_out(limit[2])) for limit in e.limits if len(limit) == 3]
-    count = 1
-    for _, low, high in limits:
-        if not (low.is_Integer and high.is_Integer and high - low >= -1):
-            raise Untreatable(f"{e} is not treated: only sums and products between given numbers are")
-        count *= int(high - low + 1)
-    if len(limits) < len(e.limits) or count > MOST_TERMS:
-        raise Untreatable(f"{e} is not treated: it has more than {MOST_TERMS} terms")
-    names = [index for index, _, _ in limits]
-    for values in product(*(range(int(low), int(high) + 1) for _, low, high in limits)):
-        yield dict(zip(names, map(sympy.Integer, values), strict=True))
-
-
 def _repeated(combine: Callable[[Any, Any], Any], empty: Any) -> Callable[[Any], Any]:
+    """A sum or product term by term, the inner index first; of many terms, sums of polynomials."""
+
     def written(e: Any) -> Any:
-        return reduce(combine, (written_out(e.function.subs(values)) for values in _range(e)), empty)
+        term, count = e.function, 1
+        for place, (index, *limits) in enumerate(e.limits):
+            low, high = map(written_out, limits)
+            outer = _integers(e.limits[place + 1 :])
+            size = sympy.expand(high - low + 1)
+            few = size.is_Integer and 0 <= size * count <= MOST_TERMS
+            if few:
+                count *= max(1, int(size))
+                term = reduce(combine, (term.subs(index, low + k) for k in range(int(size))), empty)
+            elif combine is add and size.xreplace(outer).is_integer:
+                number = sympy.Dummy(integer=low.xreplace(outer).is_integer)
+                inside = written_out(term.subs(outer | {index: number}))
+                before = _before(e, inside, number).xreplace({value: known for known, value in outer.items()})
+                term = sympy.expand(before.xreplace({number: high + 1}) - before.xreplace({number: low}))
+            elif size.is_Integer or combine is mul:
+                raise Untreatable(f"{e} is not treated: it may have more than {MOST_TERMS} terms")
+            else:
+                raise Untreatable(f"{e} is not treated: nothing says that {size} is an integer")
+        return written_out(term)
 
     return written
+
+
+def _integers(limits: Any) -> dict[Any, Any]:
+    """The indices, those that start from an integer as integers."""
+    known: dict[Any, Any] = {}
+    for index, low, _ in reversed(limits):
+        known[index] = sympy.Dummy(integer=low.xreplace(known).is_integer)
+    return known
+
+
+def _before(e: Any, term: Any, index: Any) -> Any:
+    """What grows by the term from an index to the next, by Newton's series; from above to below a sum is Karr's."""
+    known = range(MOST_MULTIPLIED if term.is_polynomial(index) else 0)
+    differences = [sympy.expand(term.xreplace({index: sympy.Integer(k)})) for k in known]
+    total, choices = sympy.S.Zero, index
+    for k in known:
+        total += differences[0] * choices
+        choices *= (index - k - 1) / sympy.Integer(k + 2)
+        differences = [sympy.expand(b - a) for a, b in pairwise(differences)]
+        if not any(differences) and len(differences) > 1:
+            return total
+    raise Untreatable(f"{e} is not treated: of so many terms, only sums of polynomials in the index are")
 
 
 def _of_numbers(e: Any) -> Any:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from functools import reduce
-from itertools import chain, product
+from itertools import chain, pairwise
 from math import comb, factorial
 from operator import add, mul
 from typing import TYPE_CHECKING, Any
@@ -14,12 +14,13 @@ from sympy.matrices import MatrixBase, MatrixExpr
 
 from chasles.checker.determinants import Matrix, cofactor, determinant
 from chasles.checker.expressions.algebra import constant
-from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, number
+from chasles.checker.sparse import Polynomial, Rejected, number
 
 if TYPE_CHECKING:
     from chasles.checker.expressions.expressions import Expressions
 
 MOST_TERMS = 1000
+MOST_POWERS = 32
 LARGEST_NUMBER = 200
 
 
@@ -76,21 +77,44 @@ def _inverse(reading: Expressions, matrix: Matrix, spelled: str) -> Matrix:
     return [[reading.normal(cofactor(matrix, j, i) * below) for j in size] for i in size]
 
 
-def _running(e: Any) -> Iterator[Mapping[Any, Any]]:
-    """The values of the indices of a sum, one after the other."""
-    limits = [(index, low, high) for index, low, high in e.limits]
-    if not all(low.is_Integer and high.is_Integer and high - low >= -1 for _, low, high in limits):
-        raise Rejected(f"{e} has limits that are no numbers")
-    ranges = [range(int(low), int(high) + 1) for _, low, high in limits]
-    if reduce(mul, map(len, ranges), 1) > MOST_TERMS:
-        raise Rejected(f"{e} has more than {MOST_TERMS} terms")
-    for values in product(*ranges):
-        yield {index: sympy.Integer(value) for (index, _, _), value in zip(limits, values, strict=True)}
+def summed(e: Any) -> Any:
+    """A sum or product term by term, the inner index first; of many terms, sums of polynomials."""
+    term, count = e.function, 1
+    for place, (index, low, high) in enumerate(e.limits):
+        outer = _integers(e.limits[place + 1 :])
+        size = sympy.expand(high - low + 1)
+        if size.is_Integer and 0 <= size * count <= MOST_TERMS:
+            count *= max(1, int(size))
+            values = [term.subs(index, low + k) for k in range(int(size))]
+            term = sympy.Add(*values) if isinstance(e, sympy.Sum) else sympy.Mul(*values)
+        elif isinstance(e, sympy.Sum) and size.xreplace(outer).is_integer:
+            number = sympy.Dummy(integer=low.xreplace(outer).is_integer)
+            inside = term.subs(outer | {index: number}).replace(sympy.Sum, lambda *args: summed(sympy.Sum(*args)))
+            before = _before(inside, number).xreplace({value: known for known, value in outer.items()})
+            term = before.xreplace({number: high + 1}) - before.xreplace({number: low})
+        else:
+            raise Rejected(f"{e} has limits that are no numbers, or too many terms")
+    return term
 
 
-def _repeated(reading: Expressions, e: Any, combine: Callable[[Any, Any], Any], empty: Polynomial) -> Polynomial:
-    terms = (reading(e.function.xreplace(dict(values))) for values in _running(e))
-    return reduce(lambda one, other: reading.normal(combine(one, other)), terms, empty)
+def _integers(limits: Any) -> dict[Any, Any]:
+    """The indices, those that start from an integer as integers."""
+    known: dict[Any, Any] = {}
+    for index, low, _ in reversed(limits):
+        known[index] = sympy.Dummy(integer=low.xreplace(known).is_integer)
+    return known
+
+
+def _before(term: Any, index: Any) -> Any:
+    """What grows by the term from an index to the next: Newton's series, tried."""
+    differences = [sympy.expand(term.xreplace({index: sympy.Integer(k)})) for k in range(MOST_POWERS)]
+    total, choices = sympy.S.Zero, index
+    for k in range(len(differences)):
+        total, choices = total + differences[0] * choices, choices * (index - k - 1) / (k + 2)
+        differences = [b - a for a, b in pairwise(differences)]
+    if sympy.expand(total.xreplace({index: index + 1}) - total - term) != 0:
+        raise Rejected(f"{term} is no polynomial in {index}")
+    return total
 
 
 def _counted(reading: Expressions, e: Any, function: Callable[..., int]) -> Polynomial:
@@ -125,8 +149,7 @@ UNEVALUATED: Mapping[type, Callable[[Expressions, Any], Polynomial]] = {
     sympy.matrices.expressions.matexpr.MatrixElement: _element,
     sympy.Determinant: lambda reading, e: reading.normal(determinant(matrix_of(reading, e.arg))),
     sympy.Trace: lambda reading, e: _trace(reading, e.arg),
-    sympy.Sum: lambda reading, e: _repeated(reading, e, add, ZERO),
-    sympy.Product: lambda reading, e: _repeated(reading, e, mul, ONE),
+    **dict.fromkeys((sympy.Sum, sympy.Product), lambda reading, e: reading(summed(e))),
     sympy.factorial: lambda reading, e: _counted(reading, e, factorial),
     sympy.binomial: lambda reading, e: _counted(reading, e, comb),
 }
