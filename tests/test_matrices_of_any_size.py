@@ -36,11 +36,13 @@ from chasles.statements import (
     problem_of,
     rotation,
     symmetric,
+    unit,
 )
 from chasles.statements.inequalities import PositiveDefinite, says_that
 from chasles.statements.matrices import (
     commuting,
     idempotent,
+    invertible,
     orthogonal,
     orthonormal_columns,
     skew_symmetric,
@@ -63,8 +65,8 @@ from chasles.vocabulary import (
     latex,
     matrix,
     norm,
+    number,
     plain,
-    rate,
     square,
     tr,
     vector,
@@ -277,8 +279,6 @@ def test_given_definitions_are_used() -> None:
 @pytest.mark.parametrize(
     ("left", "right", "assuming"),
     [
-        (det(I + U @ V), det(Identity(m) + V @ U), ()),
-        (rate(A @ B), rate(A) @ B + A @ rate(B), ()),
         (x / dot(x, y), x / dot(x, y) * dot(x, x) / dot(x, x), ()),
     ],
 )
@@ -529,3 +529,43 @@ def test_nothing_is_said_of_nothing() -> None:
     """That a matrix which cannot have an inverse has one is never assumed."""
     verdict = verdict_on(inverse(A - A) @ B, B @ inverse(A - A))
     assert isinstance(verdict, Undecided)
+
+
+DETERMINANTS = (
+    (det(inverse(A) + B) * det(A), det(I + A @ B), ()),
+    (det(I + U @ V), det(Identity(m) + V @ U), ()),
+    (det(I + u @ v.T), 1 + v.T @ u, ()),
+    (det(I - 2 * u @ u.T), number(-1), (unit(u),)),
+    (det(A + u @ v.T), det(A) * (1 + v.T @ inverse(A) @ u), (invertible(A),)),
+    (det(A + A @ u @ v.T), det(A) * (1 + v.T @ u), (invertible(A),)),
+    (det(A + U @ D @ V), det(inverse(D) + V @ inverse(A) @ U) * det(D) * det(A), (invertible(A), invertible(D))),
+    (det(matrix([A, U], [V, D])), det(A) * det(D - V @ inverse(A) @ U), (invertible(A),)),
+    (det(matrix([A, U], [V, D])), det(D) * det(A - U @ inverse(D) @ V), (invertible(D),)),
+    (det(matrix([A, U], [0, D])), det(A) * det(D), ()),
+    (det(matrix([A, 0], [V, D])), det(D) * det(A), ()),
+    (det(matrix([I, U], [V, Identity(m)])), det(Identity(m) - V @ U), ()),
+)
+SLIPPED = (
+    (det(I + U @ V), det(Identity(m) - V @ U), ()),
+    (det(A + u @ v.T), det(A) * (1 + u.T @ inverse(A) @ v), (invertible(A),)),
+    (det(matrix([A, U], [V, D])), det(A) * det(D + V @ inverse(A) @ U), (invertible(A),)),
+    (det(matrix([A, U], [V, D])), det(A) * det(D), ()),
+    (det(A + B), det(A) + det(B), (invertible(A), invertible(B))),
+)
+
+
+@pytest.mark.parametrize(("left", "right", "assuming"), DETERMINANTS)
+def test_determinants_of_sums_and_blocks(left: Node, right: Node, assuming: Any) -> None:
+    claim = Claim("1", left, right, assuming=assuming)
+    verdict = Session().decide(claim).verdict
+    assert isinstance(verdict, Holds | HoldsUnder), verdict
+    check(claim, "printed", verdict.certificate)
+    assert agree(problem_of(claim))
+
+
+@pytest.mark.parametrize(("left", "right", "assuming"), SLIPPED)
+def test_slips_in_determinants_are_refuted(left: Node, right: Node, assuming: Any) -> None:
+    claim = Claim("1", left, right, assuming=assuming)
+    verdict = Session().decide(claim).verdict
+    assert isinstance(verdict, Fails), verdict
+    check_counterexample(problem_of(claim), verdict.counterexample)

@@ -58,7 +58,11 @@ def _drawn(
     values: dict[tuple[Symbol, int], Numbers] = {}
     for hypothesis in in_order(problem.hypotheses):
         subjects = tuple(at_sizes(node, numbers) for node in hypothesis.subjects)
-        if all(node in symbols for node in hypothesis.subjects):
+        if hypothesis.kind == "of a rate":
+            for node in subjects:
+                assert isinstance(node, Symbol)
+                values[node, 0] = [[Fraction(0)] * node.shape[1] for _ in range(node.shape[0])]
+        elif all(node in symbols for node in hypothesis.subjects):
             bind(with_fields(hypothesis, subjects=subjects, equations=()), {}, values, draw, rich)
     at = {name: Fraction(number) for name, number in numbers.items()}
     for symbol in symbols:

@@ -25,11 +25,12 @@ from chasles.statements.inverses import Inverses, reached
 from chasles.statements.lengths import Lengths
 from chasles.statements.rules import behind, passed_on, rated, refuse_circles
 from chasles.statements.statement import Claim, Condition, Equation, Statement, Theorem, bare, is_rule
-from chasles.vocabulary import Negative, Node, Sum, Symbol, members_of, plain, walk
+from chasles.vocabulary import Negative, Node, Rate, Sum, Symbol, members_of, plain, walk
 from chasles.vocabulary.families import indices_of
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.measure import added
 from chasles.vocabulary.shorthand import opened
+from chasles.vocabulary.sizes import sizes_of
 
 Decidable = Statement | Theorem
 
@@ -97,7 +98,7 @@ def problem_of(statement: Decidable, form: str = "printed", standing: AcceptedSi
         goals = tuple(goals_of(statement, form, standing, problem))
     for goal in goals:
         added(measured(goal.left), measured(goal.right), (goal.left, goal.right), "equate")
-    return with_directions(_with_simple_lengths(_in_simpler_words(with_fields(problem, goals=goals))))
+    return with_directions(_with_simple_lengths(_in_simpler_words(_with_rates_said(with_fields(problem, goals=goals)))))
 
 
 def _given(statement: Decidable, accepted: AcceptedSides) -> tuple[list[Equation], list[Goal], dict[Symbol, None]]:
@@ -161,6 +162,28 @@ def _in_simpler_words(problem: Problem) -> Problem:
     found = _rewritten(problem, inverses, inverses.hypothesis, at_work)
     presupposed = tuple(dict.fromkeys((*problem.presupposed, *inverses.used)))
     return with_fields(found, hypotheses=(*inverses.needed, *found.hypotheses), presupposed=presupposed)
+
+
+def _with_rates_said(problem: Problem) -> Problem:
+    """The same problem, if it is about matrices of any size, with letters for the rates of symbols."""
+    sides = [*_sides(problem), *(side for rule in problem.rules for side in rule)]
+    if not any(isinstance(part, Rate) for side in sides for part in walk(side)) or not sizes_of(sides):
+        return problem
+    from chasles.statements.sized_rates import SizedRates  # few chapters have such
+
+    if problem.conditions:
+        raise TypeError(
+            "a rate of a matrix of any size is taken: what a statement with one is given has to be definitions"
+        )
+    if problem.has_functions:
+        problem = _differentiated(problem)
+    carried_out = SizedRates({left: opened(right) for left, right in problem.rules})
+    found = _rewritten(problem, lambda side: carried_out(opened(side)), lambda said: said)
+    return with_fields(
+        found,
+        rules=tuple((carried_out(left) if isinstance(left, Rate) else left, right) for left, right in found.rules),
+        hypotheses=tuple(carried_out.bound(found.hypotheses)),
+    )
 
 
 def _differentiated(problem: Problem) -> Problem:

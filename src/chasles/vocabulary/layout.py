@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from chasles.vocabulary.dimension import NO_DIMENSION, Dimension
 from chasles.vocabulary.fitting import SCALAR, measured, word
-from chasles.vocabulary.letters import is_measured
-from chasles.vocabulary.measure import Measure, Misfit, entrywise, stacked, uniform
+from chasles.vocabulary.letters import has_no_letter, is_measured
+from chasles.vocabulary.measure import Measure, Misfit, entrywise, scaled, stacked, uniform
 from chasles.vocabulary.nodes import Node, OfOne
 
 
@@ -42,8 +42,11 @@ class Rate(OfOne):
 
     def _measured(self) -> Measure:
         of = measured(self.of)
-        if all(d in (None, NO_DIMENSION) for row in of.grid for d in row) and not is_measured(self.of):
-            return of
+        if all(d in (None, NO_DIMENSION) for row in of.grid for d in row):
+            if has_no_letter(self.of):
+                return scaled(of, None)
+            if not is_measured(self.of):
+                return of
         return entrywise(lambda d: Dimension(d.length, d.mass, d.time - 1), of)
 
 

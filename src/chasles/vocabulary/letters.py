@@ -69,3 +69,8 @@ def is_measured(node: Node) -> bool:
             return has_units(part.home)
         waiting.extend(reversed(part._parts()))
     return True
+
+
+def has_no_letter(node: Node) -> bool:
+    """Whether an expression is made of numbers alone: its rate is zero, in every dimension."""
+    return not isinstance(node, Symbol) and all(map(has_no_letter, node.below))

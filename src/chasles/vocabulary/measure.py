@@ -61,7 +61,7 @@ def uniform(shape: tuple[Extent, Extent], dimension: Dimension | None = NO_DIMEN
     return uniform_blocks(rows, columns, dimension)
 
 
-def entrywise(rule: Callable[[Dimension], Dimension], measure: Measure) -> Measure:
+def entrywise(rule: Callable[[Dimension], Dimension | None], measure: Measure) -> Measure:
     """Each entry's dimension is what the rule makes of it; zeros stay zeros."""
     return Measure(tuple(tuple(None if d is None else rule(d) for d in row) for row in measure.grid), measure.partition)
 

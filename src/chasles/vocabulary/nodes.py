@@ -71,8 +71,9 @@ class Node(Displayed, Fitted):
             return Negative(self.term * other)
         return Scale(other, self, trailing=True) if not self.is_scalar and other.is_scalar else Scale(self, other)
 
-    def __rmul__(self, other: int | Fraction) -> Scale:
-        return Scale(lifted(other), self)
+    def __rmul__(self, other: int | Fraction) -> Node:
+        factor = lifted(other)
+        return Scale(factor, self) if other >= 0 else Negative(Scale(lifted(-other), self))
 
     def __truediv__(self, other: Node | int | Fraction) -> Node:
         if isinstance(self, Negative):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from fractions import Fraction
 from typing import TYPE_CHECKING, ClassVar
 
 from chasles.vocabulary.arguments import declaring
@@ -11,10 +10,12 @@ from chasles.vocabulary.differentiation import NoRule, rate_of
 from chasles.vocabulary.fitting import measured, word
 from chasles.vocabulary.layout import Block, Rate
 from chasles.vocabulary.letters import Symbol, Zero
-from chasles.vocabulary.measure import Measure, Misfit
-from chasles.vocabulary.nodes import Contract, Negative, Node, Number
+from chasles.vocabulary.matrix_derivatives import ONE, derivative_by_whole
+from chasles.vocabulary.measure import Measure, Misfit, entrywise
+from chasles.vocabulary.nodes import Contract, Negative, Node
 from chasles.vocabulary.parts import Submatrix
 from chasles.vocabulary.shorthand import opened
+from chasles.vocabulary.sizes import extents_of, partition_of, sizes_of
 from chasles.vocabulary.spatial import Inverse
 from chasles.vocabulary.tree import children, rebuilt, replace, undotted
 
@@ -24,9 +25,10 @@ if TYPE_CHECKING:
 
 @word
 class PartialDerivative(Node):
-    """The derivative by a scalar, entry by entry, or the Jacobian of a column by a column.
+    """The derivative by a scalar, entry by entry, of a scalar by a matrix, or the Jacobian of a column by a column.
 
-    What it is taken `by` is a symbol, an entry of one, or the rate of one, which is independent of the symbol.
+    What it is taken `by` is a symbol, an entry of one, or the rate of one, which is independent of the symbol. By a
+    matrix it has the shape of the matrix.
     """
 
     of: Node
@@ -36,11 +38,19 @@ class PartialDerivative(Node):
     def _measured(self) -> Measure:
         _place_of(self.by)
         of, by = measured(self.of), measured(self.by)
-        if by.shape[1] != 1 or (by.shape != (1, 1) and of.shape[1] != 1):
-            raise Misfit(f"a derivative is by a scalar, or of a column by a column: {self.of} by {self.by} is neither")
         if by.shape == (1, 1):
-            return Measure(tuple(tuple(d and by.grid[0][0] and d / by.grid[0][0] for d in row) for row in of.grid))
-        return Measure(tuple(tuple(d and e and d / e for (e,) in by.grid) for (d,) in of.grid))
+            below = by.grid[0][0]
+            return entrywise(lambda d: below and d / below, of)
+        if of.shape == (1, 1) and by.shape[1] != 1:
+            above = of.grid[0][0]
+            return entrywise(lambda e: above and above / e, by)
+        if by.shape[1] != 1 or of.shape[1] != 1:
+            raise Misfit(
+                f"a derivative is by a scalar, of a scalar, or of a column by a column: "
+                f"{self.of} by {self.by} is none of these"
+            )
+        partition = partition_of(extents_of(of)[0], extents_of(by)[0])
+        return Measure(tuple(tuple(d and e and d / e for (e,) in by.grid) for (d,) in of.grid), partition)
 
     def spelled(self, style: Style, spell: Callable[[Node], Piece]) -> Piece:
         from chasles.vocabulary.spelling import Piece, Precedence
@@ -84,14 +94,16 @@ def with_derivatives(node: Node, rules: Mapping[Node, Node]) -> Node:
         of = told
     rates: dict[Node, Node] = {}
     of, moved = _at_rest(of, rates), _at_rest(whole, rates)
+    back = {quantity: rate for rate, quantity in rates.items()}
+    if entry is None and (whole.shape[1] != 1 or sizes_of((of, whole))):
+        return replace(derivative_by_whole(of, moved) if not whole.is_scalar else _along(of, moved, ONE), back)
     if isinstance(entry, Submatrix):
         directions: list[Node] = [_unit(whole.shape, entry.rows[0] - 1, entry.columns[0] - 1)]
     elif node.by.is_scalar:
-        directions = [Number(Fraction(1))]
+        directions = [ONE]
     else:
         directions = [_unit(whole.shape, i, 0) for i in range(whole.shape[0])]
     columns = tuple(_along(of, moved, direction) for direction in directions)
-    back = {quantity: rate for rate, quantity in rates.items()}
     return replace(columns[0] if len(columns) == 1 else Block((columns,)), back)
 
 
@@ -137,7 +149,7 @@ def _ruled(node: Node) -> Node:
 def _unit(shape: tuple[int, int], row: int, column: int) -> Node:
     """A matrix with one in one place and zero elsewhere."""
     places = [[(i, j) == (row, column) for j in range(shape[1])] for i in range(shape[0])]
-    return Block(tuple(tuple(Number(Fraction(1)) if here else Zero(1, 1) for here in line) for line in places))
+    return Block(tuple(tuple(ONE if here else Zero(1, 1) for here in line) for line in places))
 
 
 @declaring

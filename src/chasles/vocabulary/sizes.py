@@ -93,10 +93,11 @@ def partition_beside(left: Sequence[Measure], above: Sequence[Measure]) -> Parti
     """The partition of a grid with rows as high as those at the left and columns as wide as those above."""
     rows = sum((extents_of(each)[0] for each in left), ())
     columns = sum((extents_of(each)[1] for each in above), ())
-    return _partition(rows, columns)
+    return partition_of(rows, columns)
 
 
-def _partition(rows: tuple[Extent, ...], columns: tuple[Extent, ...]) -> Partition | None:
+def partition_of(rows: tuple[Extent, ...], columns: tuple[Extent, ...]) -> Partition | None:
+    """The partition with these heights and widths; None where each of them is 1."""
     return None if {*rows, *columns} == {1} else Partition(rows, columns)
 
 
@@ -111,7 +112,7 @@ def uniform_blocks(height: Extent, width: Extent, dimension: Dimension | None, d
     grid = tuple(
         tuple(None if diagonal and i != j else dimension for j, _ in enumerate(columns)) for i, _ in enumerate(rows)
     )
-    return Measure(grid, _partition(rows, columns))
+    return Measure(grid, partition_of(rows, columns))
 
 
 def sizes_of(nodes: Iterable[Node]) -> tuple[Size, ...]:

@@ -119,6 +119,14 @@ class FreeAlgebra:
         """The letters by name, with a mark behind those that are transposed."""
         return [self.names[letter >> 1] + TRANSPOSED * (letter & 1) for letter in word]
 
+    def spelled_sum(self, words: Words) -> str:
+        """The sum with its letters by name, the same for the same words."""
+        terms = []
+        for (atoms, word), coefficient in sorted(words.items()):
+            scalars = (f"{kind}({' '.join(self.spelled(inner))})" for kind, inner in atoms)
+            terms.append(" ".join([str(coefficient), *scalars, *self.spelled(word)]))
+        return " + ".join(terms)
+
     def read(self, spelled: Iterable[str]) -> Letters:
         """The word of the letters that are spelled."""
         known = {name: k for k, name in enumerate(self.names)}

@@ -15,6 +15,7 @@ from typing import Any
 from chasles import vocabulary as w
 from chasles.checker.any_size.free_algebra import Words, added
 from chasles.checker.any_size.free_blocks import BlockAlgebra, Blocks, multiplied, plus, stacked
+from chasles.checker.any_size.free_determinants import Determinants
 from chasles.checker.sparse import Rejected
 from chasles.statements import Problem
 from chasles.vocabulary.fitting import measured
@@ -47,6 +48,7 @@ class SymbolicReading(BlockAlgebra):
         self.inverses: dict[str, tuple[Words, Words]] = {}
         self.lengths: set[int] = set()
         self._read: dict[w.Node, Blocks] = {}
+        self.determinants = Determinants(self, self._inverting, self._determinant)
         self.divisors = {node: h.text for h in problem.hypotheses for node in h.nonvanishing}
         said = [("condition", "", g.left, g.right) for g in problem.conditions]
         said += [(h.text, h.text, *equation) for h in problem.hypotheses for equation in h.equations]
@@ -109,6 +111,8 @@ class SymbolicReading(BlockAlgebra):
                 return self._inverse(of)
             case w.Scale(factor, term):
                 return self.scaled(self.scalar(factor), self(term))
+            case w.Quotient(numerator, w.Power(divisor, exponent)) if exponent > 0:
+                return self(reduce(lambda left, _: w.Quotient(left, divisor), range(exponent), numerator))
             case w.Quotient(numerator, divisor):
                 return self.scaled(self._inverse(divisor).rows[0][0], self(numerator))
             case _:
@@ -137,12 +141,19 @@ class SymbolicReading(BlockAlgebra):
                 return self.scalar(w.Determinant(of))
             case w.Determinant(w.Contract(factors)) if all(factor.shape == node.of.shape for factor in factors):
                 return reduce(self.product, (self.scalar(w.Determinant(factor)) for factor in factors))
-            case w.Determinant(of) if len(self(of).heights) == 1:
-                return self._determinant(self.scalar(of), str(of), self(of).heights[0])
+            case w.Determinant(of):
+                return self.determinants.of_blocks(self(of))
             case _:
                 raise Rejected(f"{node} ({type(node).__name__}) is no word of the algebra of matrices of any size")
 
-    def _determinant(self, words: Words, name: str, size: Extent) -> Words:
+    def _inverting(self) -> Iterator[tuple[Words, Words]]:
+        """What is said to have an inverse, with its inverse, and inverses with what they are the inverses of."""
+        for node in self.divisors:
+            if isinstance(node, w.Determinant) and len(self(node.of).heights) == 1:
+                yield self(node.of).rows[0][0], self._inverse(node.of).rows[0][0]
+        yield from tuple(self.inverses.values())
+
+    def _determinant(self, words: Words, size: Extent) -> Words:
         """The product of the determinants of square letters; of anything else, a letter."""
         total: Words = {((), ()): Fraction(1)}
         monomial = max(words, default=((), ()))
@@ -151,15 +162,13 @@ class SymbolicReading(BlockAlgebra):
             or monomial[0]
             or any(self.shapes[k >> 1] != (size, size) for k in monomial[1])
         ):
-            return self.letter(("determinant", tuple(sorted(words.items()))), f"det({name})", 1, 1)
+            return self.letter(("determinant", tuple(sorted(words.items()))), f"det({self.spelled_sum(words)})", 1, 1)
         for place in (letter >> 1 for letter in monomial[1]):
             spelled = self.names[place]
             one = self.letter(("determinant", place), f"det({spelled})", 1, 1)
             total = self.product(total, one)
             if spelled in self.inverses:
-                zero = self.product(
-                    one, self._determinant(self.inverses[spelled][1], spelled[len("inverse(") : -1], size)
-                )
+                zero = self.product(one, self.determinants.of_words(self.inverses[spelled][1], size))
                 added(zero, {((), ()): Fraction(1)}, Fraction(-1))
                 needs = self.known[f"{spelled} from the right [1, 1]"].needs
                 self._note(f"det({spelled})", zero, 1, 1, needs)
