@@ -303,6 +303,52 @@ def test_a_line_that_begins_with_where_states_something(text: str, expected: lis
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
+        (r"\quad \forall r \in [0, h], \quad r = h", ["r=h"]),
+        (r"r = h, \quad \forall r = 0..h-1, \quad h = r", ["r=h", "h=r"]),
+        (r"s.t. \quad r = h", ["r=h"]),
+        (r"r = h, \; h \; \text{is scalar}", ["r=h"]),
+        (r"r = h => h = r", ["h=r"]),
+        (r"r -> h", [r"r\rightarrowh"]),
+        (r"r = \ln|h| - \ln |r|", [r"r=\ln\left(|h|\right)-\ln\left(|r|\right)"]),
+        (r"r = h ... h + r", [r"r=h\ldotsh+r"]),
+        (r"r = 2 \cdot \ldots \cdot h", [r"r=2\cdot\ldots\cdoth"]),
+        (r"r = h \prod_k h", [r"r=h\prod_{k}h"]),
+        (r"\mathbf A = \log(\mathbf A) + e^{\mathbf A r}",
+         [r"\mathbf{A}=\log\left(\mathbf{A}\right)+\exp\left(\mathbf{A}r\right)"]),
+        (r"\dot{h}(t - r) = \dot{h} t", ["the notation does not say what t is"]),
+    ],
+)  # fmt: skip
+def test_what_surrounds_equations_and_what_has_no_word(text: str, expected: list[str]) -> None:
+    assert readings(text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "verdicts"),
+    [
+        (r"\frac{\partial L}{\partial x} = 0", ["defined"]),
+        (r"\frac{d}{dt} \frac{\partial L}{\partial \dot x} - \frac{\partial L}{\partial x} = 0", ["open"]),
+        (r"\frac{\partial}{\partial x} \sum_k x a - \dot{y} = - \dot{y}", ["open"]),
+        (r"y = f(x), \quad \frac{\partial y}{\partial x} + a = a", ["defined", "open"]),
+        (r"y = \frac{1}{2} a \dot x^2, \quad \frac{\partial y}{\partial \dot x} = a \dot x", ["defined", "holds"]),
+        (r"y = \frac{1}{2} a \dot x^2, \quad \frac{\partial y}{\partial x} = 0", ["defined", "holds"]),
+        (r"\frac{\partial (a x)}{\partial x} = a", ["holds"]),
+    ],
+)
+def test_a_derivative_of_what_nothing_is_said_of_is_no_zero(text: str, verdicts: list[str]) -> None:
+    letters = {"symbols": dict.fromkeys("Laxyf", "scalar")}
+    assert [each.verdict for each in chasles.read(text, letters).equations] == verdicts
+
+
+def test_capitals_are_matrices_at_first_only_where_the_page_has_some() -> None:
+    energies = proposed([PrintedEquation(text) for text in (r"L = T - V", r"p = \frac{\partial L}{\partial \dot q}")])
+    assert "'L' = { is = \"scalar\" }" in energies
+    matrices = proposed([PrintedEquation(text) for text in (r"S = P^T P", "M = S - P")])
+    assert "'M' = { is = \"matrix\" }" in matrices
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
         (r"r &= h + \\ & + 2", "r=h+2"),
         (r"r &= h + \\ & - 2", "r=h-2"),
         (r"r &= h - \\ & + 2", "r=h-2"),

@@ -37,6 +37,7 @@ from chasles.pages.premises import (
 )
 from chasles.pages.quantities import Quantity, quantities, quantity, symbols_in
 from chasles.pages.refutation import expanded, refuted
+from chasles.pages.unsaid_derivatives import without_unsaid_derivatives
 from chasles.reading.reading import Part, Reading
 from chasles.statements import Claim, Statement, nonzero
 from chasles.verdict import Assumed, Contradictory, Defined, Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
@@ -82,9 +83,15 @@ class Deduction:
         yield
         del self.premises.posed[before : before + added]
 
+    def _as_said(self, claim: Claim) -> Claim:
+        """The claim without derivatives of what the page has not said to depend on anything."""
+        left, right = (without_unsaid_derivatives(side, self.premises.defined()) for side in claim.printed)
+        return claim if claim.printed == (left, right) else with_fields(claim, left=left, right=right)
+
     def _assumption(self, name: str, said: Part | Claim) -> PosedEquation:
         """An equation that is assumed, by the name under which it is told."""
-        return PosedEquation(as_hypothesis(name, said.left, said.right, self.session), said.left, said.right, False)
+        left, right = self._as_said(Claim(name, said.left, said.right, sic=True)).printed
+        return PosedEquation(as_hypothesis(name, left, right, self.session), left, right, False)
 
     def strange(self, reading: Reading) -> int:
         """How many symbols of a reading the page has not used before."""
@@ -116,7 +123,7 @@ class Deduction:
         """
         finding = self._foretold.pop((number, part), None)
         if finding is None:
-            claim = Claim(number, left, right, part=part, sign=sign, sic=True)
+            claim = self._as_said(Claim(number, left, right, part=part, sign=sign, sic=True))
             finding = self._found(claim, note, tuple(ahead))
         self.premises.spoken.update(q for side in (left, right) for q in quantities(side))
         return finding
@@ -154,7 +161,7 @@ class Deduction:
         before = len(self._foretold)
         spoken = {symbol for symbol, _ in self.premises.spoken}
         new = symbols_in(claim.printed) - spoken
-        for other in ahead:
+        for other in map(self._as_said, ahead):
             meant = None if other.fault else meant_by(other, self.premises)
             if meant and meant[0][0] in new and meant[0] not in self.premises.definitions:
                 self._foretold[other.number, other.part] = self._defined(other, *meant)
@@ -210,7 +217,7 @@ class Deduction:
         rules: dict[Quantity, Statement] = {}
         posed: list[PosedEquation] = []
         told: list[str] = []
-        for name, each in given:
+        for name, each in ((name, self._as_said(each)) for name, each in given):
             key = said_to_be(each)
             if key is not None and key[0] not in rules:
                 rules[key[0]] = definition_of(each, key[1])

@@ -13,11 +13,14 @@ from chasles.reading.grammar import Atom
 from chasles.reading.read_back import tokens_of
 from chasles.reading.spellings import Make
 from chasles.vocabulary import (
+    NO_DIMENSION,
     Dot,
     Node,
     Power,
     latex,
+    uniform,
 )
+from chasles.vocabulary.dimension import has_units
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.functions import PRINTED, FunctionOf
 from chasles.vocabulary.motion_vectors import MotionByVector
@@ -141,18 +144,29 @@ def made_of(
                 nodes = [fit.node for fit in fits if fit is not None and fit.node is not None]
                 node = made(_with_exponent, make, nodes, name, tolerant=ctx.tolerant)
                 if node is not None and node.fault and (called := _of_matrices(node)):
-                    size = " x ".join(map(str, chosen[0].shape or ("what does not fit",)))
-                    ctx.note(f"no word for {called} of {size}", name and name.place)
-                elif node is not None:
+                    if (own := of_matrix(called, nodes, ctx)) is None:
+                        size = " x ".join(map(str, chosen[0].shape or ("what does not fit",)))
+                        ctx.note(f"no word for {called} of {size}", name and name.place)
+                        continue
+                    node = own
+                if node is not None:
                     yield Fit(node, ctx.said(node), sum(fit.cost for fit in chosen) + more)
                     more = 1  # of an identity every size is told of, the usual one first
+
+
+def of_matrix(function: str, nodes: Sequence[Node], ctx: FittingContext) -> Node | None:
+    """A function of a square matrix that no word says: a quantity of its own; None of anything else."""
+    if len(nodes) != 1 or nodes[0].fault or nodes[0].shape[0] != nodes[0].shape[1] or has_units(ctx.notation.home):
+        return None
+    size = uniform(nodes[0].shape, NO_DIMENSION)
+    return own_quantity(rf"\{function}\left({latex(nodes[0])}\right)", size, ctx.notation.home)
 
 
 def _of_matrices(node: Node) -> str:
     """The name of a function that has a meaning for what it has no word for."""
     if isinstance(node, FunctionOf):
         return node.function if node.function in OF_MATRICES else ""
-    return "Exp" if isinstance(node, RotationByVector | MotionByVector) else ""
+    return "operatorname{Exp}" if isinstance(node, RotationByVector | MotionByVector) else ""
 
 
 def _with_exponent(make: Make, nodes: list[Node], name: Atom | None) -> Node:

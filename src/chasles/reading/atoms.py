@@ -170,9 +170,12 @@ class _Respelling:
         if text in (r"\pmatrix", r"\matrix", r"\cases") and self.peek() == "{":
             begin, end = (token._replace(text=rf"\{side}{{{text[1:]}}}") for side in ("begin", "end"))
             return [PrintedAtom([begin, *flat(self.group()), end])]
-        if text == ":" and self.peek() == "=":
+        if (sign := commands.IN_ASCII.get(text + self.ahead())) is not None:
             self.at += 1
-            text = ":="
+            text = sign
+        elif text == "." and self.ahead() == self.ahead(1) == ".":
+            self.at += 2
+            text = r"\ldots"
         elif text.isdigit() or (text == "." and self.ahead().isdigit()):
             text = text if single else self.rest_of_number(text)
         return [PrintedAtom([token._replace(text=text)])]

@@ -94,6 +94,8 @@ RELATIONS = frozenset({"=", "<", ">", ":="}) | _commands(
     "Leftrightarrow Longleftrightarrow implies iff rightarrow leftarrow longrightarrow Longrightarrow mapsto models "
     "prec succ lesssim gtrsim perp parallel asymp"
 )
+IN_ASCII = _pairs(r":= := => \Rightarrow -> \rightarrow <= \leq >= \geq")
+"""Signs of relation that are typed as two characters."""
 IMPLICATIONS = _commands("implies Rightarrow Longrightarrow")
 """Between two equations: what stands before is a condition of what follows."""
 OPERATORS = frozenset("+-*/") | _commands("times cdot pm mp wedge otimes oplus circ bullet star div odot boxplus")

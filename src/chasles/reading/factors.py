@@ -81,7 +81,7 @@ def _value_fits(atom: Atom, bracket: Atom, ctx: FittingContext) -> list[Fit]:
 
 def _is_argument(atom: Atom) -> bool:
     """Whether it is (t), the time at which a quantity is taken."""
-    if atom.kind != "BRACKET" or atom.text != "()" or atom.sub or len(atom.inside) != 1:
+    if atom.text != "()" or atom.sub or len(atom.inside) != 1 or atom.inside[0].signs != ("",):
         return False
     row = atom.inside[0].rows[0].pieces
     return len(row) == 1 and isinstance(row[0], Atom) and row[0].text == "t" and not row[0].sub
@@ -118,7 +118,7 @@ def _applications(
         yield start + 2, with_marks(list(made_of(makes, choices, name, ctx)), marks, ctx)
         return
     for end in range(start + 2, len(items) + 1 if not _is_letter(name, ctx) else 0):
-        if any(item.kind == "BRACKET" or _is_function(item, ctx) for item in items[start + 1 : end]):
+        if any(_ends_argument(item, ctx) for item in items[start + 1 : end]):
             break
         inner = [[fit] for fit in ctx.product(items[start + 1 : end])]
         fits = list(made_of(makes, inner, name, ctx))
@@ -128,6 +128,11 @@ def _applications(
 
 def _is_letter(atom: Atom, ctx: FittingContext) -> bool:
     return next(ctx.notation.letters.meanings(letter_of(atom)), None) is not None
+
+
+def _ends_argument(atom: Atom, ctx: FittingContext) -> bool:
+    """Whether an argument without brackets ends before it: it is in brackets, or another function."""
+    return (atom.kind == "BRACKET" and "|" not in atom.text) or _is_function(atom, ctx)
 
 
 def _is_function(atom: Atom, ctx: FittingContext) -> bool:

@@ -157,15 +157,17 @@ class _Built(Transformer[Any, Any]):
 
 
 def terms_in(atom: Atom) -> Iterator[Terms]:
-    """What brackets, fractions, roots, braces and matrices hold."""
+    """What brackets, fractions, roots, braces and matrices hold, and an exponent of e."""
     yield from atom.inside
     held = list(atom.arguments) if atom.kind in ("COMMAND_OF_TWO", "GROUP") or atom.text == r"\sqrt" else []
     held += [cell for row in atom.grid.rows for cell in row] if atom.grid else []
+    held += [sup for sup in atom.sups if atom.text == "e" and [each.text for each in sup] not in TRANSPOSED]
     for tokens in held:
         with suppress(Unread):
             yield from (side for side in (formula(tokens).sides if tokens else ()) if side is not None)
 
 
+TRANSPOSED = (["T"], [r"\top"], ["*"], [r"\dagger"])
 PARSER = Lark(GRAMMAR, parser="lalr", lexer=_Prepared, start="chain")
 BUILT = _Built()
 

@@ -143,10 +143,21 @@ class _PieceShapes:
         top, bottom = upright(above), upright(below)
         if top[:1] in (["d"], [r"\partial"]) and bottom[:1] == top[:1]:
             start = next(at for at, token in enumerate(above) if token.text in ("d", r"\partial")) + 1
-            return self.tokens(above[start:]) if order_of_rate(above, below) == 1 else None
+            if order_of_rate(above, below) == 1:
+                return self.tokens(above[start:])
+            return self.derivative(above[start:], below[1:]) if top[0] == r"\partial" else None
         if self.tokens(below) not in (SCALAR, None):
             raise Misshapen
         return SCALAR if top in (["1"], ["0"]) else self.tokens(above)
+
+    def derivative(self, of: Tokens, by: Tokens) -> Shape | None:
+        """The shape of a partial derivative: by a scalar, or of a column by a column."""
+        shape, variable = self.tokens(of), self.tokens(by)
+        if shape is None or variable is None or variable == SCALAR:
+            return shape if variable == SCALAR else None
+        if shape[1] != 1 or variable[1] != 1:
+            raise Misshapen
+        return shape[0], variable[0]
 
     def marked(self, shape: Shape | None, marks: Sequence[str]) -> Shape | None:
         for mark in marks:

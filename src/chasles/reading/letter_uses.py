@@ -27,6 +27,8 @@ OPERATORS = (*RATES, r"\tilde")
 """Accents that are put on a letter; any other is part of its name."""
 NO_LETTERS = frozenset([*WITHOUT_WORD, r"\partial"])
 DIFFERENTIAL = re.compile(r"\\o?int\b|\bd t\b|\\mathrm \{ d \}")
+GRID = re.compile(r"\\begin\{(?:\w*matrix|array)\}|[])] \^ \{ (?:- 1|T) \}")
+"""A matrix that is written out, or brackets that are inverted or transposed."""
 IDENTITIES = (r"\mathbf 1", r"\mathbf I", "I")
 BARE = (r"\pi", "e", "0", r"\mathbf 0", r"\mathrm d", *IDENTITIES)
 """What is no letter of the page where it has no subscript."""
@@ -101,10 +103,12 @@ def letter_uses(
         uses = {stem: use for stem, use in uses.items() if not stem.base.startswith("d ")}
     uses = dict(sorted(uses.items(), key=lambda each: spelled(each[0])))
     are_bold = sum(looks(stem)[0] for stem in uses) >= MANY
+    are_thin = any(map(GRID.search, texts))
+    are_thin |= any(use.signs & SKEW or (use.is_matrix and looks(stem)[1]) for stem, use in uses.items())
     for stem, use in uses.items():
         entries = uses.get(Glyph(stem.base, stem.accents, "#"), LetterUse()).letters
         has_parts = not stem.sub and {"x", "y"} <= {glyph.sub for glyph in entries}
-        use.kind, use.other = _kind(stem, use, are_bold, has_parts)
+        use.kind, use.other = _kind(stem, use, are_bold, are_thin, has_parts)
     return uses
 
 
@@ -113,8 +117,11 @@ def inertias(text: str) -> set[str]:
     return {f"{face} I".strip() for face in INERTIA.findall(f"{text} ")}
 
 
-def _kind(stem: Glyph, use: LetterUse, are_bold: bool, has_parts: bool) -> tuple[str, str]:
-    """What the letter is most likely, and what else it may be; where vectors are bold, others are none at first."""
+def _kind(stem: Glyph, use: LetterUse, are_bold: bool, are_thin: bool, has_parts: bool) -> tuple[str, str]:
+    """What the letter is most likely, and what else it may be; where vectors are bold, others are none at first.
+
+    Capitals in italics are matrices at first where `are_thin` says that the page has matrices so.
+    """
     letter = stem.base.split()[-1]
     bold, large = looks(stem)
     crossed = bool(use.signs & {r"\times", r"\|\|", r"\lfloor\rfloor", *SKEW})
@@ -129,7 +136,11 @@ def _kind(stem: Glyph, use: LetterUse, are_bold: bool, has_parts: bool) -> tuple
         return "quaternion", "scalar"
     if use.signs & {r"\sin", r"\cos", r"\tan"}:
         return "angle", ""
-    return ("matrix", "scalar") if large else ("scalar", "vector")
+    if large and "[]" in use.signs:
+        return "matrix", ""
+    if large:
+        return ("matrix", "scalar") if bold or are_thin else ("scalar", "matrix")
+    return "scalar", "vector"
 
 
 def looks(stem: Glyph) -> tuple[bool, bool]:
@@ -172,12 +183,18 @@ def _note(terms: Terms | None, within: str, noting: _Noting) -> None:
                 if piece.kind == "BRACKET" and r"\times" in map(said_of, (piece.sub or (), *piece.sups))
                 else inside
             )
+            inside = "[]" if piece.text == "[]" and _is_letter_alone(piece) else inside
             inside = "d" if len(piece.arguments) == 2 and upright(piece.arguments[0])[:1] == ["d"] else inside
             for inner in terms_in(piece):
                 _note(inner, inside, noting)
             if piece.kind == "LETTER" or piece.text in TYPEFACES or piece.text in MARKS:
                 _note_letter(letter_of(piece), around, noting)
             before = within
+
+
+def _is_letter_alone(bracket: Atom) -> bool:
+    rows = [row for terms in bracket.inside for row in terms.rows]
+    return len(rows) == len(rows[0].pieces) == 1
 
 
 def _is_derivative(terms: Terms | None, within: str) -> bool:

@@ -6,7 +6,7 @@ from dataclasses import replace
 from functools import partial
 from itertools import product
 
-from chasles.reading.applying import applied
+from chasles.reading.applying import applied, of_matrix
 from chasles.reading.context import FittingContext
 from chasles.reading.exponentials import exponential
 from chasles.reading.fits import Fit, made, own_quantity
@@ -133,10 +133,15 @@ def fraction_fits(atom: Atom, ctx: FittingContext) -> list[Fit]:
 
 
 def exponential_fits(exponent: Tokens, ctx: FittingContext) -> list[Fit]:
-    """The exponential of a scalar, or of a multiple of a cross-product matrix."""
+    """The exponential of a scalar, of a multiple of a cross-product matrix, or of another matrix."""
     fits = [fit for each in of_tokens(exponent, ctx) if (fit := each if each.node is not None else each.at(each.usual))]
-    made_of = [(fit, made(exponential, fit.node)) for fit in fits if ctx.is_as_printed(fit)]
-    return [Fit(node, ctx.said(node), fit.cost) for fit, node in made_of if node is not None]
+    as_printed = [(fit, fit.node) for fit in fits if fit.node is not None and ctx.is_as_printed(fit)]
+    found = []
+    for fit, of in as_printed:
+        node = made(exponential, of)
+        node = of_matrix("exp", (of,), ctx) if node is None else node
+        found += [] if node is None else [Fit(node, ctx.said(node), fit.cost)]
+    return found
 
 
 def sized_quotient(top: Fit, divisor: Fit, ctx: FittingContext, stroke: str = "") -> Fit:

@@ -15,7 +15,7 @@ from chasles.reading.lexemes import Token
 from chasles.reading.products import multiplied, times
 from chasles.reading.quotients import sized_quotient
 from chasles.reading.spellings import Make
-from chasles.reading.totals import TOTALS, end_of_total, totals
+from chasles.reading.totals import OPEN, TOTALS, end_of_total, totals
 from chasles.vocabulary import Quotient, Skew
 from chasles.vocabulary.spelling import Precedence
 
@@ -29,7 +29,7 @@ def row_fits(row: FlatRow, ctx: FittingContext) -> list[Fit]:
 
 
 def _signed(pieces: Pieces, ctx: FittingContext) -> list[Fit]:
-    signs = TOTALS[: 2 if ctx.notation.integral else None]
+    signs = TOTALS[: len(OPEN) if ctx.notation.integral else None]
     for place, piece in enumerate(pieces):
         if isinstance(piece, Atom) and piece.text in signs:
             return _with_total(pieces, place, ctx)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from itertools import pairwise
 
 from chasles.reading.abbreviations import written_out
 from chasles.reading.commands import IMPLICATIONS
@@ -11,6 +12,9 @@ from chasles.reading.grouping import RELATIONS, Tokens, Unread, lines_of
 from chasles.reading.lexemes import Token, cut
 
 CONDITIONS = re.compile(r"(?:(?:for|if|when|where|provided|with|as)\b|i\.e\.)", re.IGNORECASE)
+PROSE = re.compile(r"(?:is|are|being)\b")
+"""What words begin with that say something of what stands before them."""
+ABBREVIATIONS = [[*"s.t."], [*"i.e."], [*"w.r.t."]]
 DOTS = (r"\dots", r"\ldots", r"\cdots", "..")
 
 
@@ -18,11 +22,15 @@ def segments(marks: Tokens) -> list[tuple[Tokens, bool]]:
     """What stands side by side or line by line, and whether it is a condition, without what says of what kind it is."""
     found: list[tuple[Tokens, bool]] = []
     for line in filter(None, lines_of(marks, (r"\\",))):
-        condition = False
-        for part, word in _side_by_side(line):
+        condition = for_all = False
+        pieces = _side_by_side(line)
+        for (part, word), (_, behind) in pairwise((*pieces, ([], ""))):
             condition = condition or bool(CONDITIONS.match(word) and (found or word.lower() not in ("where", "with")))
-            if word == "forall":
-                break
+            for_all = for_all or word == "forall"
+            if word == "forall" or (for_all and not _relations(part)):
+                continue
+            if not _relations(part) and (PROSE.match(behind) or [token.text for token in part] in ABBREVIATIONS):
+                continue
             is_prose = condition and CONDITIONS.match(word) and not _relations(part)
             if (part and part[-1].text == ":") or is_prose:  # a heading, or as in "for small angles"
                 continue

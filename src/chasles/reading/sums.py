@@ -8,6 +8,7 @@ from chasles.reading.fits import MOST, Fit, Shape, kept, made, own_quantity
 from chasles.reading.glyphs import in_latex, text_of
 from chasles.reading.grammar import Atom, FlatRow, Terms
 from chasles.reading.grouping import Unread
+from chasles.reading.lexemes import Token
 from chasles.reading.rows import row_fits
 from chasles.reading.spellings import called
 from chasles.vocabulary import NO_DIMENSION, Negative, Node, Sum, latex, uniform
@@ -16,7 +17,8 @@ from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.spelling import Precedence
 
 MOST_TERMS = 500
-OPEN = (r"\dots", r"\ldots", r"\cdots", "const", "constant")
+DOTS = (r"\dots", r"\ldots", r"\cdots")
+OPEN = (*DOTS, "const", "constant")
 """Of what is left out nothing is known, and a constant is another one in each equation."""
 EITHER = frozenset({r"\pm", r"\mp"})
 
@@ -35,7 +37,7 @@ def sum_fits(terms: Terms, ctx: FittingContext) -> list[Fit]:
     if len(terms.rows) > 1 and terms.signs[-1] == "+" and (order := order_of(terms.rows[-1], ctx)):
         return up_to_order(sum_fits(Terms(terms.signs[:-1], terms.rows[:-1]), ctx), order, ctx)
     problems = len(ctx.problems)
-    rows = [row_fits(row, ctx) for row in terms.rows]
+    rows = [_row(row, ctx) for row in terms.rows]
     if not all(rows):
         return []
     del ctx.problems[problems:]
@@ -51,6 +53,22 @@ def sum_fits(terms: Terms, ctx: FittingContext) -> list[Fit]:
     if not found and ctx.tolerant:
         found = _ill_formed(terms.signs, rows, ctx)
     return kept(found)
+
+
+def _row(row: FlatRow, ctx: FittingContext) -> list[Fit]:
+    """The readings of a row; one with factors that are left out is a quantity of its own, shaped like them."""
+    places = [k for k, piece in enumerate(row.pieces) if piece.text in DOTS]
+    if not places:
+        return row_fits(row, ctx)
+    left_out = {k for place in places for k in (place, place - 1) if k == place or isinstance(row.pieces[k], Token)}
+    said = FlatRow(tuple(piece for k, piece in enumerate(row.pieces) if k not in left_out))
+    if has_units(ctx.notation.home) or not said.pieces:
+        return row_fits(row, ctx)
+    letter, home = in_latex(text_of(Terms(("",), (row,)))), ctx.notation.home
+    shapes = dict.fromkeys(fit.shape for fit in row_fits(said, ctx) if fit.shape)
+    sizes = [uniform(shape, NO_DIMENSION) for shape in shapes]
+    found = [own_quantity(letter, size, home, f"{letter} in {ctx.where}") for size in sizes]
+    return [Fit(symbol, ctx.said(symbol)) for symbol in found]
 
 
 def _is_open(row: FlatRow) -> bool:

@@ -15,8 +15,8 @@ from chasles.vocabulary.dimension import has_units
 from chasles.vocabulary.fitting import measured
 
 Pieces = tuple[Atom | Token, ...]
-TOTALS = (r"\sum", r"\lim", r"\int", r"\oint")
-OPEN = TOTALS[:2]
+TOTALS = (r"\sum", r"\lim", r"\prod", r"\int", r"\oint")
+OPEN = TOTALS[:3]
 
 
 def totals(sign: Atom, inside: Pieces, read: Callable[[Pieces], list[Fit]], ctx: FittingContext) -> list[Fit]:

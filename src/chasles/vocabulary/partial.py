@@ -110,10 +110,11 @@ def with_derivatives(node: Node, rules: Mapping[Node, Node]) -> Node:
 def _at_rest(node: Node, rates: dict[Node, Node]) -> Node:
     """The expression with a quantity of its own for each rate of a symbol, which does not depend on the symbol."""
     if isinstance(node, Rate):
-        if not isinstance(undotted(node)[0], Symbol):
+        base, _ = undotted(node)
+        if not isinstance(base, Symbol):
             return _at_rest(_ruled(node.of), rates)
         if node not in rates:
-            rates[node] = Symbol(f"{node}", f"{node}", measured(node), constant=True)
+            rates[node] = Symbol(f"{node}", f"{node}", measured(node), constant=True, home=base.home)
         return rates[node]
     parts = children(node)
     changed = tuple(_at_rest(part, rates) for part in parts)
