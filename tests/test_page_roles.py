@@ -108,7 +108,9 @@ PAGES: dict[str, tuple[list[Equation], list[str]]] = {
     "a wrong law gives nothing away": ([eq(norm(a), number(2)), eq(norm(a), number(3)), eq(dot(a, b), dot(c, b))],
                                        ["open", "open", "open"]),
     "a motion, which is a law": ([eq(rate(p), cross(omega, p)), eq(dot(p, rate(p)), number(0))],
-                                 ["open", "holds-under"]),
+                                 ["defined", "holds"]),
+    "a motion, of a letter that is said to be something": (
+        [eq(p, cross(a, b)), eq(rate(p), cross(omega, p)), eq(rate(p), cross(p, omega))], ["defined", "open", "open"]),
 }  # fmt: skip
 
 

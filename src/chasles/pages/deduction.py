@@ -1,8 +1,9 @@
 """Which equations of a page define, which claim, and from what each claim follows.
 
-- A symbol alone on one side is defined: by a sign of definition, or where the page has said nothing of it before. What
-  the page has defined already is decided as a claim first, and defined anew only if it is not nearly true. Symbols that
-  are new in a claim may be defined by the equations that follow at once, as behind "where".
+- A symbol alone on one side is defined: by a sign of definition, or where the page has said nothing of it before; so is
+  its rate, which may depend on it. What the page has defined already is decided as a claim first, and defined anew only
+  if it is not nearly true. Symbols that are new in a claim may be defined by the equations that follow at once, as
+  behind "where".
 - Everything else is a claim. It may rest on definitions, proved claims, posed equations and what the notation says of
   its symbols, each taken transitively; of these, few are tried before many, and those that its certificate does not use
   are left out. What it divides by is taken not to vanish. A proof counts only with a point that satisfies all of it.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from chasles.pages.facts import divisors
 from chasles.pages.notes import is_defining
 from chasles.pages.premises import Premises, chosen_rules, free_quantities
-from chasles.pages.quantities import Quantity, quantities, quantity, symbols_in
+from chasles.pages.quantities import Quantity, quantities, quantity
 from chasles.statements import Claim, Definition
 
 
@@ -14,7 +14,7 @@ def meant_by(claim: Claim, premises: Premises, of: Quantity | None = None) -> tu
     for side, other, turned in ((*claim.printed, False), (*claim.printed[::-1], True)):
         key = quantity(side)
         rules = chosen_rules((other,), premises.defined())
-        if key is None or any(symbol == key[0] for symbol, _ in free_quantities((other,), rules)):
+        if key is None or any(s == key[0] and k >= key[1] for s, k in free_quantities((other,), rules)):
             continue
         if of == key:
             return key, turned
@@ -39,11 +39,11 @@ def is_new(claim: Claim, key: Quantity, premises: Premises) -> bool:
 
 
 def _is_free(key: Quantity, premises: Premises) -> bool:
-    """Whether the page has only used a symbol so far, and said nothing of it."""
+    """Whether the page has only used a symbol so far, and said nothing of it, or of a rate of it."""
     symbol, order = key
     said = {s for s, _ in premises.definitions} | {s for s, _ in premises.proved}
-    posed = symbols_in(side for each in premises.posed for side in (each.left, each.right))
-    return not order and symbol not in said | posed
+    posed = {q for each in premises.posed for side in (each.left, each.right) for q in quantities(side)}
+    return symbol not in said and not any(s == symbol and k >= order for s, k in posed)
 
 
 def definition_of(claim: Claim, turned: bool) -> Definition:
