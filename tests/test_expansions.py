@@ -16,6 +16,7 @@ from chasles.decisions.session import Session
 from chasles.numerics.reference import evaluate
 from chasles.statements import Claim, Condition, Definition, nonzero, positive, unit
 from chasles.statements.expanding import coefficients_of
+from chasles.statements.matrices import invertible
 from chasles.statements.problem import problem_of
 from chasles.verdict import Fails, Holds, HoldsUnder, IllFormed, Undecided
 from chasles.vocabulary import (
@@ -26,22 +27,30 @@ from chasles.vocabulary import (
     column,
     cos,
     cross,
+    det,
     dot,
+    inverse,
     latex,
     matrix,
     norm,
     plain,
     scalar,
     sin,
+    square,
     tan,
+    tr,
     vector,
 )
 from chasles.vocabulary.expansions import limit, up_to
 from chasles.vocabulary.functions import arcsin, arctan, exp, log, sqrt
 from chasles.vocabulary.nodes import lifted
+from chasles.vocabulary.rotation_vectors import exp_of_vector
+from chasles.vocabulary.sizes import Size
 
 t, y, a = scalar("t", r"\theta", "an angle"), scalar("y", "y", "a number"), scalar("a", "a", "a number")
 e, v, w = vector("e", "e", "an axis"), vector("v", r"\phi", "a rotation vector"), vector("w", "w", "a vector")
+M, n = square("M", "M", "a matrix"), Size("n")
+N, K = square("N", "N", "a matrix", size=n), square("K", "K", "a matrix", size=n)
 size = norm(v)
 Exp = Identity(3) + sin(size) / size * CPM(v) + (1 - cos(size)) / size**2 * CPM(v) @ CPM(v)
 about_e = Identity(3) + sin(t) * CPM(e) + (1 - cos(t)) * CPM(e) @ CPM(e)
@@ -83,8 +92,25 @@ TRUE = [
     claim(limit((size - sin(size)) / size**3, v), Fraction(1, 6)),
     claim(limit(left_jacobian, v), Identity(3)),
     claim(a, up_to(t**2, t, 4), given=(Definition("0", a, sin(t) ** 2),)),
+    claim(det(Identity(3) + t * M), up_to(1 + t * tr(M) + (tr(M) ** 2 - tr(M @ M)) * t**2 / 2, t, 3)),
+    claim(det(Identity(n) + t * N), up_to(1 + t * tr(N) + (tr(N) ** 2 - tr(N @ N)) * t**2 / 2, t, 3)),
+    claim(det(M + t * CPM(e)), up_to(det(M) * (1 + t * tr(inverse(M) @ CPM(e))), t, 2), invertible(M)),
+    claim(inverse(Identity(3) + t * M), up_to(Identity(3) - t * M + t**2 * M @ M, t, 3)),
+    claim(inverse(N + t * K), up_to(inverse(N) - t * inverse(N) @ K @ inverse(N), t, 2), invertible(N)),
+    claim(limit((inverse(Identity(3) - t * M) - Identity(3)) / t, t), M),
+    claim(norm(e + t * w), up_to(norm(e) + t * dot(e, w) / norm(e), t, 2), nonzero(norm(e))),
+    claim((e + v) / norm(e + v), up_to(e + v - dot(e, v) * e, v, 2), unit(e)),
+    claim(exp_of_vector(t * w), up_to(Identity(3) + t * CPM(w) + t**2 * CPM(w) @ CPM(w) / 2, t, 3), nonzero(norm(w))),
+    claim(limit((exp_of_vector(t * w) - Identity(3)) / t, t), CPM(w), nonzero(norm(w))),
+    claim(norm(e + t * e), up_to((1 + t) * norm(e), t, 5), nonzero(norm(e))),
 ]
 FALSE = [
+    claim(norm(t * e), up_to(t, t, 2), unit(e)),
+    claim(limit(norm(t * w) / t, t), norm(w), nonzero(norm(w))),
+    claim(det(Identity(3) + t * M), up_to(1 + t * tr(M) + (tr(M) ** 2 + tr(M @ M)) * t**2 / 2, t, 3)),
+    claim(inverse(Identity(n) + t * N), up_to(Identity(n) + t * N, t, 2)),
+    claim(norm(e + t * e), up_to(norm(e), t, 2), nonzero(norm(e))),
+    claim(limit((exp_of_vector(t * w) - Identity(3)) / t, t), -CPM(w), nonzero(norm(w))),
     claim(cos(t / 2), up_to(1 - t**2 / 8 + t**4 * Fraction(1, 46080), t, 6, "...")),
     claim(sin(t), up_to(t - t**3 / 6, t, 6)),
     claim(Exp, up_to(Identity(3) - CPM(v), v, 2)),
@@ -124,7 +150,7 @@ def test_a_proof_of_fewer_terms_proves_no_more() -> None:
 @pytest.mark.parametrize(
     ("said", "reason"),
     [
-        (claim(norm(t * e), up_to(t, t, 2)), "no multiple of what is small"),
+        (claim(det(t * M), up_to(t, t, 2)), "has no inverse where t is zero"),
         (claim(sqrt(t), up_to(t, t, 2)), re.escape("sqrt(t) is not expanded")),
         (claim(sin(1 / t), up_to(t, t, 2)), "grows without bound"),
         (claim(up_to(t, t, 2) + 1, t), "cannot stand beside"),
@@ -173,6 +199,9 @@ def expression(random: Random, depth: int) -> Node:
         lambda: log(1 + t * one),
         lambda: arctan(t * one) / t,
         lambda: sin(t * one) / t,
+        lambda: norm(column(2, 1 + t * one, t * other)),
+        lambda: det(matrix((2 + t * one, t), (t * other, 1))),
+        lambda: tr(inverse(matrix((1, t * one), (t, 1 + t * t * other)))),
     )
     return random.choice(made)()
 

@@ -16,6 +16,9 @@ from chasles.prover.conditions import Solved
 from chasles.statements import Goal, Hypothesis
 from chasles.verdict import Holds, HoldsUnder, Verdict
 
+UNSAID = ("given", "direction", "evident")
+"""Hypotheses that are no conditions: they say again what is given, or hold whatever symbols stand for."""
+
 
 @dataclass(slots=True)
 class ProvedEntry:
@@ -47,7 +50,8 @@ def certified(
     """
     unused = _drop_unneeded(context, solved, done, own)
     used = _used_hypotheses(context, solved, done)
-    needs = tuple(h.text for h in context.problem.hypotheses if h in used and h.kind not in ("given", "direction"))
+    said = (h.text for h in context.problem.hypotheses if h in used and h.kind not in UNSAID)
+    needs = tuple(dict.fromkeys(said))
     if write is not None:
         certificate = write(context, done, witness)
     else:

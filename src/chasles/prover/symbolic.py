@@ -54,7 +54,7 @@ def decide_words(problem: Problem, own: tuple[Hypothesis, ...] = ()) -> Verdict:
     except Rejected as reason:
         return Undecided(f"an answer was found that the checker does not follow: {reason}")
     used = {*proofs.needs(), *(h.text for h in problem.presupposed)}
-    needs = tuple(dict.fromkeys(h.text for h in problem.hypotheses if h.text in used))
+    needs = tuple(dict.fromkeys(h.text for h in problem.hypotheses if h.text in used and h.kind != "evident"))
     unused = tuple(h.text for h in own if h.text not in needs)
     if needs:
         return HoldsUnder(needs, certificate, witness, unused)

@@ -6,11 +6,12 @@ series begins with a coefficient that is not seen to be zero; whoever divides by
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from fractions import Fraction
-from functools import partial, reduce
+from functools import reduce
 
 from chasles.statements.hypotheses import Hypothesis, nonzero
+from chasles.statements.matrix_series import behind, composed, determinant_of, inverse_of, length_of
 from chasles.statements.series import PowerSeries, TooShort, inverse, is_zero, minus, product, scaled, taylor, total
 from chasles.vocabulary import (
     At,
@@ -18,8 +19,10 @@ from chasles.vocabulary import (
     Call,
     Contract,
     Cross,
+    Determinant,
     Dot,
     Group,
+    Inverse,
     Misfit,
     Negative,
     Node,
@@ -60,9 +63,10 @@ def coefficients_of(left: Node, right: Node, rules: Mapping[Node, Node]) -> Iter
     if any(isinstance(part, UpTo | Limit) for side in sides for part in walk(side)):
         raise Misfit("a limit is the whole left side of a claim, and an order belongs to its whole right side")
     length = exponent + 2
+    expansion = _Expansion(small, length, rules)
     while True:
         try:
-            one, other = (_Expansion(small, length, rules)(side) for side in sides)
+            one, other = map(expansion, sides)
             if min(one.known, other.known) >= exponent:
                 break
             reason = Misfit(f"no expansion of {left} to the order {exponent} in {small} is found")
@@ -71,11 +75,20 @@ def coefficients_of(left: Node, right: Node, rules: Mapping[Node, Node]) -> Iter
         if length > MOST_TERMS:
             raise reason
         length *= 2
+        expansion = _Expansion(small, length, rules)
+    yield from _compared(left, one, other, exponent, "")
+    if expansion.has_absolute_values:
+        below = _Expansion(small, length, rules, below=True)
+        one, other = map(below, sides)
+        yield from _compared(left, one, other, exponent, f", {small} < 0")
+
+
+def _compared(left: Node, one: PowerSeries, other: PowerSeries, exponent: int, where: str) -> Iterator[Pair]:
     for k in range(min(one.begin, other.begin, 0), exponent):
         a, b = one.coefficient(k), other.coefficient(k)
         if k == 0 or a is not None or b is not None:
             nothing = Number(Fraction(0)) if left.is_scalar else Zero(*left.shape)
-            yield f"terms of order {k}", nothing if a is None else a, nothing if b is None else b
+            yield f"terms of order {k}{where}", nothing if a is None else a, nothing if b is None else b
 
 
 def presupposed(left: Node, right: Node, assumed: Iterable[Hypothesis]) -> Iterator[Hypothesis]:
@@ -100,12 +113,18 @@ def _order_of(left: Node, right: Node) -> tuple[Symbol, int]:
 
 
 class _Expansion:
-    """Expands expressions to so many terms in something small."""
+    """Expands expressions to so many terms in something small.
 
-    def __init__(self, small: Symbol, length: int, rules: Mapping[Node, Node]) -> None:
+    A length that is a multiple of an odd power of a small scalar takes its absolute value: what is small is positive,
+    or it is `below` zero.
+    """
+
+    def __init__(self, small: Symbol, length: int, rules: Mapping[Node, Node], below: bool = False) -> None:
         self.small = small
         self.length = length
         self.rules = rules
+        self.below = below
+        self.has_absolute_values = False
 
     def __call__(self, node: Node) -> PowerSeries:
         if not any(self._may_vary(part) for part in walk(node)):
@@ -147,6 +166,10 @@ class _Expansion:
                 return self._block(rows)
             case Norm(of):
                 return self._norm(of)
+            case Inverse(of):
+                return self._of_matrix(of, inverse_of)
+            case Determinant(of):
+                return self._of_matrix(of, determinant_of)
             case Call(function, argument) | FunctionOf(function, (argument,)):
                 return self._function(function, argument, node)
             case _:
@@ -183,12 +206,19 @@ class _Expansion:
     def _norm(self, of: Node) -> PowerSeries:
         inner = self(of)
         lead = inner.lead
-        found = [k for k, term in enumerate(inner.terms) if term is not None]
-        if lead is None or len(found) != 1 or inner.known < self.length or (self.small.is_scalar and lead % 2):
-            raise Misfit(f"|{plain(of)}| is not expanded: it is no multiple of what is small")
-        first = inner.coefficient(lead)
-        assert first is not None
-        return self._series(lead, [Norm(first)])
+        if lead is None:
+            raise TooShort(f"{plain(of)} has no term up to the order {inner.known}")
+        is_odd = self.small.is_scalar and lead % 2 == 1
+        self.has_absolute_values |= is_odd
+        found = length_of(inner, lead, self.length)
+        return found.each(minus) if is_odd and self.below else found
+
+    def _of_matrix(self, of: Node, function: Callable[[PowerSeries, Node, int], PowerSeries]) -> PowerSeries:
+        inner = self(of)
+        at_zero = inner.coefficient(0)
+        if at_zero is None or (inner.lead or 0) < 0:
+            raise Misfit(f"{plain(of)} has no inverse where {plain(self.small)} is zero, and is not expanded")
+        return function(inner, at_zero, self.length)
 
     def _function(self, name: str, argument: Node, node: Node) -> PowerSeries:
         """A function by its Taylor series around the value of its argument where what is small is zero."""
@@ -197,14 +227,4 @@ class _Expansion:
             raise Misfit(f"{plain(node)} is not expanded: its argument grows without bound")
         around = inner.coefficient(0)
         slopes = taylor(name, around, self.length, node)
-        begin = max(1, inner.begin)
-        rest = PowerSeries(begin, tuple(inner.coefficient(k) for k in range(begin, inner.known)), inner.known)
-        found = self._constant(slopes[0]) if slopes[0] is not None else self._series(0, [None])
-        power = self._constant(Number(Fraction(1)))
-        for slope in slopes[1:]:
-            power = product(power, rest, scaled, self.length)
-            if power.lead is None:
-                break
-            if slope is not None:
-                found = total(found, power.each(partial(scaled, slope)))
-        return PowerSeries(found.begin, found.terms, min(found.known, inner.known))
+        return composed(slopes, behind(inner), self.length)

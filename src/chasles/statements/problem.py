@@ -11,6 +11,7 @@ from dataclasses import replace as with_fields
 
 from chasles.statements.angles import determined_angle, turning
 from chasles.statements.directions import with_directions
+from chasles.statements.evident import evident_divisors
 from chasles.statements.goals import (
     AcceptedSides,
     Goal,
@@ -98,7 +99,8 @@ def problem_of(statement: Decidable, form: str = "printed", standing: AcceptedSi
         goals = tuple(goals_of(statement, form, standing, problem))
     for goal in goals:
         added(measured(goal.left), measured(goal.right), (goal.left, goal.right), "equate")
-    return with_directions(_with_simple_lengths(_in_simpler_words(_with_rates_said(with_fields(problem, goals=goals)))))
+    problem = _in_simpler_words(_with_rates_said(with_fields(problem, goals=goals)))
+    return with_directions(_with_simple_lengths(_with_evident_divisors(problem)))
 
 
 def _given(statement: Decidable, accepted: AcceptedSides) -> tuple[list[Equation], list[Goal], dict[Symbol, None]]:
@@ -162,6 +164,15 @@ def _in_simpler_words(problem: Problem) -> Problem:
     found = _rewritten(problem, inverses, inverses.hypothesis, at_work)
     presupposed = tuple(dict.fromkeys((*problem.presupposed, *inverses.used)))
     return with_fields(found, hypotheses=(*inverses.needed, *found.hypotheses), presupposed=presupposed)
+
+
+def _with_evident_divisors(problem: Problem) -> Problem:
+    """The same problem, with what is seen about divisors for which nothing is assumed."""
+    if problem.has_functions:
+        return problem
+    sides = (*_sides(problem), *(side for _, side in problem.rules))
+    found = tuple(evident_divisors(sides, problem.hypotheses, dict(problem.rules)))
+    return with_fields(problem, hypotheses=(*problem.hypotheses, *found)) if found else problem
 
 
 def _with_rates_said(problem: Problem) -> Problem:

@@ -21,7 +21,7 @@ from chasles.vocabulary.sizes import at_sizes, sizes_of
 SAYING_ALL = (
     "nonzero", "positive", "unit", "unit column", "symmetric", "definite", "perpendicular", "rotation", "orthonormal",
     "orthogonal", "orthonormal columns", "skew-symmetric", "idempotent", "commuting",
-    "of a rate",
+    "of a rate", "evident",
 )  # fmt: skip
 """Hypotheses that say no more than their equations, what they keep from vanishing, and that something is positive."""
 

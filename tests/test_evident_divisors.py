@@ -1,0 +1,70 @@
+"""Divisors that are seen not to be zero are not asked for: one and squares, sums of what is assumed positive."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from chasles.checker.certificate import check
+from chasles.decisions.session import Session
+from chasles.statements import Claim, Definition, nonzero, positive
+from chasles.verdict import Fails, Holds, HoldsUnder, IllFormed
+from chasles.vocabulary import CPM, Identity, Node, dot, inverse, norm, rate, scalar, square, vector
+from chasles.vocabulary.functions import arctan
+from chasles.vocabulary.nodes import lifted
+from chasles.vocabulary.partial import partial
+from chasles.vocabulary.sizes import Size
+
+UNITS = False
+r, s, h = scalar("r", "r", ""), scalar("s", "s", ""), scalar("h", "h", "")
+a, b = vector("a", "a", ""), vector("b", "b", "")
+x, C = vector("x", "x", "", size=Size("n")), square("C", "C", "")
+halves = Definition("0", h, 1 + r**2 / 2)
+rodrigues = Identity(3) + 2 / (1 + dot(a, a)) * (CPM(a) + CPM(a) @ CPM(a))
+
+
+def verdict_on(left: Node, right: Node, *assuming: Any, given: tuple[Any, ...] = ()) -> Any:
+    claim = Claim("1", left, lifted(right), assuming=assuming, given=given)
+    verdict = Session().decide(claim).verdict
+    if isinstance(verdict, Holds | HoldsUnder):
+        check(claim, "printed", verdict.certificate)
+    return verdict
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        (s / (1 + r**2), s / (r**2 + 1)),
+        (partial(arctan(r), r), 1 / (1 + r**2)),
+        (a / (1 + norm(a) ** 2), a / (1 + dot(a, a))),
+        (rodrigues.T @ rodrigues, Identity(3)),
+        (inverse(Identity(3) - CPM(a)), (Identity(3) + CPM(a) + a @ a.T) / (1 + dot(a, a))),
+        (rate(1 / (1 + r**2)), -2 * r * rate(r) / (1 + r**2) ** 2),
+        (x / (1 + x.T @ x), x / (1 + dot(x, x))),
+    ],
+)
+def test_one_and_squares_are_no_condition(left: Node, right: Node) -> None:
+    verdict = verdict_on(left, right)
+    assert isinstance(verdict, Holds), verdict
+
+
+def test_sums_of_what_is_positive() -> None:
+    barycentre = (r * a + s * b) / (r + s)
+    verdict = verdict_on(barycentre - a, s / (r + s) * (b - a), positive(r), positive(s))
+    assert verdict.needs == ("r + s != 0",)
+    assert isinstance(verdict_on(barycentre - a, r / (r + s) * (b - a), positive(r), positive(s)), Fails)
+    assert isinstance(verdict_on(barycentre, barycentre, positive(r)), IllFormed)
+    assert isinstance(verdict_on(s / h, 2 * s / (2 + r**2), given=(halves,)), Holds)
+
+
+@pytest.mark.parametrize("length", [norm(a), dot(a, a), a.T @ a, norm(a) ** 2], ids=str)
+def test_where_a_length_is_not_zero_its_square_is_not(length: Node) -> None:
+    verdict = verdict_on(a / dot(a, a) + a / norm(a) ** 2, 2 * a / (a.T @ a), nonzero(length))
+    assert isinstance(verdict, HoldsUnder), verdict
+    assert len(verdict.needs) == 1
+
+
+@pytest.mark.parametrize("divisor", [r + s, 1 - r**2, r**2 + s**2, 1 + r, dot(a, b) + 1, r**2 - 1], ids=str)
+def test_what_may_be_zero_is_asked_for(divisor: Node) -> None:
+    assert isinstance(verdict_on(s / divisor, s / divisor), IllFormed)
