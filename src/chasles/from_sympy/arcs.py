@@ -20,13 +20,14 @@ from chasles.from_sympy.opening import FunctionSymbol
 LARGEST_MULTIPLE = 16
 MOST_HALVINGS = 4
 HALF = Fraction(1, 2)
+NONNEGATIVE = sympy.Dummy(nonnegative=True)
 
 
 @dataclass(frozen=True, slots=True)
 class Arc:
     """The angle of the point (x, y), whose distance from the origin has the given square, and bounds in units of pi.
 
-    Of the bounds, `open` ones are not attained.
+    `open` says of the lower and the upper one whether it is not attained.
     """
 
     x: Any
@@ -34,7 +35,7 @@ class Arc:
     square: Any
     low: Fraction
     high: Fraction
-    open: bool
+    open: tuple[bool, bool]
 
 
 # Each with what it is in terms of atan, asin and atan2; SymPy's acot(0) is pi/2, which division by zero leaves out.
@@ -55,19 +56,27 @@ def arc_of(function: type, arguments: tuple[Any, ...]) -> Arc:
     """The arc of atan, asin or atan2."""
     y, scale = _scaled(arguments[0])
     if function is sympy.atan:
-        return Arc(scale, y, _tidy(scale**2 + y**2), *_range(y, HALF), open=True)
+        return Arc(scale, y, _tidy(scale**2 + y**2), *_range(y, scale))
     if function is sympy.asin:
-        return Arc(sympy.sqrt(_tidy(scale**2 - y**2)), y, scale**2, *_range(y, HALF), open=False)
+        return Arc(sympy.sqrt(_tidy(scale**2 - y**2)), y, scale**2, *_range(y, NONNEGATIVE))
     y, x = arguments
-    bound = HALF if x.is_positive else Fraction(1)
-    return Arc(x, y, _tidy(x**2 + y**2), *_range(y, bound), open=bool(x.is_positive))
+    return Arc(x, y, _tidy(x**2 + y**2), *_range(y, x))
 
 
 def _scaled(quotient: Any) -> tuple[Any, Any]:
     """A quotient without its divisor, and the divisor, if that is positive: a root is."""
     above, below = sympy.fraction(quotient)
-    rooted = below.is_Pow and below.exp.is_Rational and not below.exp.is_Integer
-    return (above, below) if rooted or below.is_positive else (quotient, sympy.S.One)
+    return (above, below) if _is_rooted(below) or below.is_positive else (quotient, sympy.S.One)
+
+
+def _is_rooted(e: Any) -> bool:
+    return bool(e.is_Pow and e.exp.is_Rational and not e.exp.is_Integer)
+
+
+def _of_sign(root: Any) -> Any:
+    """A symbol with the sign that a root has where it is real."""
+    strict = root.is_positive or root.exp.is_negative
+    return sympy.Dummy(positive=True) if strict else sympy.Dummy(nonnegative=True)
 
 
 def _tidy(square: Any) -> Any:
@@ -76,8 +85,16 @@ def _tidy(square: Any) -> Any:
     return (sympy.factor(above) if above.has(FunctionSymbol) else sympy.expand(above)) / below
 
 
-def _range(y: Any, bound: Fraction) -> tuple[Fraction, Fraction]:
-    return Fraction(0) if y.is_nonnegative else -bound, Fraction(0) if y.is_nonpositive else bound
+def _range(y: Any, x: Any) -> tuple[Fraction, Fraction, tuple[bool, bool]]:
+    """The bounds of the angle of a point: -pi is never attained, pi where y is zero and x is negative."""
+    y, x = (
+        side.xreplace({root: _of_sign(root) for root in side.atoms(sympy.Pow) if _is_rooted(root)}) for side in (y, x)
+    )
+    bound = HALF if x.is_nonnegative else Fraction(1)
+    low = Fraction(0) if y.is_nonnegative else -bound
+    high = Fraction(0) if y.is_negative or (y.is_nonpositive and x.is_nonnegative) else bound
+    open_ = {-1: True, -HALF: x.is_positive, 0: y.is_nonzero, HALF: x.is_positive, 1: y.is_positive}
+    return low, high, (bool(open_[low]), bool(open_[high]))
 
 
 def _split(expression: Any, arcs: Mapping[FunctionSymbol, Arc]) -> tuple[dict[FunctionSymbol, Fraction], Any]:
@@ -137,13 +154,17 @@ def _vanishes(difference: Any, arcs: Mapping[FunctionSymbol, Arc]) -> tuple[Any,
     if not multiples or not turn.is_Rational:
         return None
     low = high = Fraction(int(turn.p), int(turn.q))
+    open_low = open_high = False
     for word, multiple in multiples.items():
-        ends = multiple * arcs[word].low, multiple * arcs[word].high
-        low, high = low + min(ends), high + max(ends)
-    strict = any(arcs[word].open for word in multiples)
+        arc = arcs[word]
+        (least, above), (most, below) = [*zip((arc.low, arc.high), arc.open, strict=True)][:: 1 if multiple > 0 else -1]
+        low, high = low + multiple * least, high + multiple * most
+        open_low, open_high = open_low or above, open_high or below
     for halvings in range(MOST_HALVINGS):
         size = 2**halvings
-        if abs(low) < 2 * size > abs(high) or (strict and abs(low) <= 2 * size >= abs(high)):
+        if (low > -2 * size or (open_low and low == -2 * size)) and (
+            high < 2 * size or (open_high and high == 2 * size)
+        ):
             halved = {word: multiple / size for word, multiple in multiples.items()}
             return _cosine_and_sine(halved, rest / size, arcs)[0], halvings
     return None

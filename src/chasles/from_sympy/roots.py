@@ -18,7 +18,7 @@ from chasles.algebra.rings import Polynomial
 from chasles.from_sympy.constants import is_nonnegative
 from chasles.from_sympy.numbers import NumberRoots, defining
 from chasles.from_sympy.polynomials import Key, as_node, as_sympy, factored, key_of
-from chasles.from_sympy.positivity import is_definite
+from chasles.from_sympy.positivity import sum_of_squares
 from chasles.from_sympy.reader import Reader, multiplied
 from chasles.problems.context import Context, build
 from chasles.statements import Goal, Hypothesis, Problem
@@ -215,7 +215,9 @@ class _Resolver:
             return number
         key = key_of(context, polynomial)
         expression = as_sympy(self.reader.atoms.origins, context, polynomial)
-        positive = self._is_nonnegative(context, polynomial) or is_definite(dict(context.field.ring.terms(polynomial)))
+        positive = self._is_nonnegative(context, polynomial) or sum_of_squares(
+            dict(context.field.ring.terms(polynomial))
+        )
         if not (positive or is_nonnegative(expression)):
             self.domains.append(f"{expression} >= 0")
         self._define(key, as_node(context, polynomial), sympy.sqrt(expression))

@@ -16,12 +16,16 @@ if TYPE_CHECKING:
 
 
 class Arcs:
-    """The angles of points in a reading, each a variable; `points` are their coordinates, y first."""
+    """The angles of points in a reading, each a variable; `points` are their coordinates, y first.
+
+    `positive` are the inverses of what is positive that nobody asked for.
+    """
 
     def __init__(self, reading: Proven, functions: Functions) -> None:
         self.reading, self.functions = reading, functions
         self.places: dict[tuple[Terms, ...], int] = {}
         self.points: dict[int, tuple[Polynomial, Polynomial]] = {}
+        self.positive: set[int] = set()
 
     def arc(self, y: Polynomial, x: Polynomial) -> Polynomial:
         """The angle of the point (x, y), which is not the origin."""
@@ -30,12 +34,16 @@ class Arcs:
             if multiple is not None:
                 return self.reading.half_turn() * number(multiple)
         if constant(x) is None and is_positive(self.reading, x):
+            known = set(self.reading.inverses)
             y, x = self.reading.normal(y * self.reading.inverse(x)), ONE
+            self.positive |= self.reading.inverses.keys() - known
         (above, below), (other, another) = self.reading.cleared(y), self.reading.cleared(x)
         key = tuple(frozenset((*p.terms.items(), (-1, p.below))) for p in (above, other))
         key = (*key, frozenset(below.items()), frozenset(another.items()))
         opposite = (frozenset((*(-above).terms.items(), (-1, above.below))), *key[1:])
-        if key not in self.places and opposite in self.places:
+        # Where y is zero and x is negative, the angles of (x, y) and of (x, -y) are the same, pi.
+        mirrored = is_nonnegative(self.reading, x) or any(is_positive(self.reading, side) for side in (y, -y))
+        if key not in self.places and opposite in self.places and mirrored:
             return -variable(self.places[opposite])
         if key not in self.places:
             place = self.places[key] = self.functions.named("arc", y, x)
@@ -75,32 +83,34 @@ class Arcs:
                     rest += Polynomial({monomial: coefficient}, angle.below)
         return parts, rest
 
-    def bounds(self, angle: Polynomial) -> tuple[Fraction, Fraction, bool]:
-        """Between which multiples of pi a sum of angles lies, and whether strictly; raises `Rejected` for others."""
-        low = high = Fraction(0)
-        strict = False
+    def ends(self, place: int) -> list[tuple[Fraction, bool]]:
+        """The bounds of the angle of a point in half turns, and whether each is open: -1 is never attained."""
+        y, x = self.points[place]
+        right, ahead = is_nonnegative(self.reading, x), is_positive(self.reading, x)
+        above, below = is_positive(self.reading, y), is_positive(self.reading, -y)
+        most = Fraction(1, 2) if right else Fraction(1)
+        low = (Fraction(0), above) if is_nonnegative(self.reading, y) else (-most, ahead or not right)
+        falls = below or (right and is_nonnegative(self.reading, -y))
+        return [low, (Fraction(0), below) if falls else (most, ahead or (above and not right))]
+
+    def bounds(self, angle: Polynomial) -> list[tuple[Fraction, bool]]:
+        """The bounds of a sum of angles in half turns, and whether each is open; raises `Rejected` for others."""
+        found = [(Fraction(0), False)] * 2
         for monomial, coefficient in angle.terms.items():
             multiple = Fraction(coefficient, angle.below)
             match exponents(monomial):
                 case [(place, 1)] if place in self.points:
-                    y, x = self.points[place]
-                    most = Fraction(1, 2) if is_nonnegative(self.reading, x) else Fraction(1)
-                    ends = (
-                        multiple * (Fraction(0) if is_nonnegative(self.reading, y) else -most),
-                        multiple * (Fraction(0) if is_nonnegative(self.reading, -y) else most),
-                    )
-                    strict = strict or is_positive(self.reading, x)
+                    ends = self.ends(place)[:: 1 if multiple > 0 else -1]
                 case _ if self.reading.is_half_turn(monomial):
-                    ends = multiple, multiple
+                    ends = [(Fraction(1), False)] * 2
                 case _:
                     raise Rejected("what is said to be a sum of angles is none")
-            low, high = low + min(ends), high + max(ends)
-        return low, high, strict
+            found = [(a + multiple * b, one or other) for (a, one), (b, other) in zip(found, ends, strict=True)]
+        return found
 
     def turned(self, difference: Polynomial, halvings: int) -> Polynomial:
         """What vanishes only where a sum of angles does: one less its cosine, if that is one nowhere else."""
-        low, high, strict = self.bounds(difference)
         size = Fraction(2) * 2**halvings
-        if max(-low, high) > size or (max(-low, high) == size and not strict):
+        if any(abs(end) > size or (abs(end) == size and not strict) for end, strict in self.bounds(difference)):
             raise Rejected("a sum of angles is not known to be less than a turn")
         return ONE - self.reading.turn(difference * number(Fraction(1, 2**halvings)))[0]

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
 from math import isqrt
 from operator import and_, mul
 
 from chasles.checker.expressions.algebra import constant, primitive
-from chasles.checker.expressions.factoring import root_of_square
+from chasles.checker.expressions.factoring import quotient, root_of_square
 from chasles.checker.expressions.signs import is_nonnegative
 from chasles.checker.expressions.symbolic import Symbolic
 from chasles.checker.sparse import ONE, Polynomial, Rejected, exponents, number, variable
@@ -97,12 +97,16 @@ class KnownRoots(Symbolic):
 
     def root(self, value: Polynomial) -> Polynomial:
         """The nonnegative square root, as the certificate says it."""
-        numerator, below = self.cleared(value)
-        odd = {place: power % 2 for place, power in below.items() if power % 2}
-        inside, outside = self.normal(numerator * self.divisors(odd)), ONE
+        numerator, below = self._lowest(*self.cleared(value))
+        odd = [place for place, power in below.items() if power % 2]
+        inside, outside = self.normal(numerator * self.divisors(dict.fromkeys(odd, 1))), ONE
+        parts = [self.inverses[place] for place in odd]
+        apart = parts and _key(inside)[1] not in self._roots and all(_key(part)[1] in self._roots for part in parts)
         for place, power in below.items():
-            half = (power + 1) // 2
+            half = power // 2 if apart else (power + 1) // 2
             outside *= self.power(self.absolute(self.inverses[place]) * variable(place, 2), half)
+        if apart:
+            return self.normal(reduce(mul, (*map(self.root, (numerator, *parts)), *map(variable, odd), outside)))
         if (square := constant(inside)) is not None:
             return self._of_number(square) * outside
         scale, key = _key(inside)
@@ -125,6 +129,14 @@ class KnownRoots(Symbolic):
             raise Rejected("the certificate does not say what a root is")
         known, root = self._roots[key]
         return self.normal(root * self._of_number(scale / known) * outside)
+
+    def _lowest(self, numerator: Polynomial, below: Mapping[int, int]) -> tuple[Polynomial, dict[int, int]]:
+        """A fraction without the divisors that are factors of its numerator."""
+        powers = dict(below)
+        for place in below:
+            while powers[place] and (rest := quotient(numerator, self.inverses[place])) is not None:
+                numerator, powers[place] = rest, powers[place] - 1
+        return numerator, powers
 
     def _of_number(self, square: Fraction) -> Polynomial:
         """The root of a rational number in the roots of whole numbers that the certificate has."""

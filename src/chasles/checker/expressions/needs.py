@@ -72,7 +72,7 @@ def _is_evident(reading: Proven, place: int) -> bool:
     if reading.is_number(base):
         return bool(reading.sign(base))
     if len(base.terms) == 1 and base.places <= reading.atoms.keys():
-        return False
+        return place in reading.arcs.positive
     return is_positive(reading, base) or is_positive(reading, -base) or _is_odd(reading, base)
 
 

@@ -1,0 +1,68 @@
+"""Angles of points: equal where their difference is less than a turn, whose ends count."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+import pytest
+import sympy as sp
+from sympy import Abs, Eq, acos, asin, atan, atan2, pi, sign, sqrt
+
+from chasles.prove import Rejected, prove, recheck
+from chasles.verdict import Fails, Holds, HoldsUnder
+
+x, y, z, u, v = sp.symbols("x y z u v", real=True)
+p, q = sp.symbols("p q", positive=True)
+left = sp.Symbol("l", negative=True)
+above, below = sp.Symbol("a", nonnegative=True), sp.Symbol("b", nonpositive=True)
+
+TRUE = [
+    (atan2(p * y, p * x), atan2(y, x)),
+    (atan2(p + y, z), atan2(p * (p + y), p * z)),
+    (atan2(sqrt(x**2 + y**2), z), acos(z / sqrt(x**2 + y**2 + z**2))),
+    (acos(p), atan2(sqrt(1 - p**2), p)),
+    (acos(x), 2 * atan2(sqrt(1 - x), sqrt(1 + x))),
+    (2 * asin(sqrt((1 - x) / 2)), acos(x)),
+    (2 * asin(above), acos(1 - 2 * above**2)),
+    (-asin(above / sqrt(above**2 + below**2)), atan2(-above, -below)),
+    (atan(x), sign(x) * acos(1 / sqrt(1 + x**2))),
+    (atan2(2 * x, 1 - x**2), 2 * atan(x)),
+    (atan2(-u, p), -atan2(u, p)),
+    (atan2(-p, u), -atan2(p, u)),
+]
+FALSE_AT_AN_END: list[tuple[Any, Any, list[Any]]] = [
+    (atan2(-(x**2), left), -atan2(x**2, left), []),
+    (atan2(below, left), -atan2(-below, left), []),
+    (atan2(-u, v), -atan2(u, v), []),
+    (atan2(-above, left) + atan2(above, left), 0, []),
+    (atan2(-(x**2), left) + atan2(y**2, left), 0, [Eq(x, 0), Eq(y, 0)]),
+    (atan2(y, x) - atan2(-y, -x), pi, []),
+    (2 * atan2(y, x), atan2(2 * x * y, x**2 - y**2), []),
+    (acos(x / sqrt(x**2 + y**2)), Abs(atan2(y, x)) + (Abs(y) - y) / 100, []),
+]
+
+
+@pytest.mark.parametrize(("one", "other"), TRUE, ids=str)
+def test_angles_of_points_are_equal(one: Any, other: Any) -> None:
+    verdict = prove(one, other)
+    assert isinstance(verdict, Holds | HoldsUnder)
+    recheck(verdict, one, other)
+
+
+@pytest.mark.parametrize(("one", "other", "given"), FALSE_AT_AN_END, ids=str)
+def test_the_ends_of_the_range_count(one: Any, other: Any, given: list[Any]) -> None:
+    verdict = prove(one, other, given)
+    assert isinstance(verdict, Fails)
+    recheck(verdict, one, other, given)
+
+
+def test_an_angle_is_not_mirrored_where_it_is_half_a_turn() -> None:
+    certificate = {
+        "variant": 0,
+        "names": {"atan2_u_v": "atan2(u, v)", "u": "u", "v": "v"},
+        "witness": {"u": "1", "v": "1"},
+    }
+    forged = HoldsUnder(("u**2 + v**2 != 0",), certificate, {"u": Fraction(1), "v": Fraction(1)})
+    with pytest.raises(Rejected, match="does not follow"):
+        recheck(forged, atan2(-u, v), -atan2(u, v))
