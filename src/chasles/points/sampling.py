@@ -6,7 +6,7 @@ the values that they determine, norms by moving a free vector until its norm is 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from math import prod
 from random import Random
@@ -21,6 +21,7 @@ from chasles.points.rational_norms import give_norm
 from chasles.points.satisfying import bind, in_order
 from chasles.points.simple_random import SimpleRandom
 from chasles.problems.context import Context
+from chasles.statements import Hypothesis
 from chasles.vocabulary import Symbol
 
 ATTEMPTS = 400
@@ -64,18 +65,7 @@ def _try(
     context: Context, solved: dict[str, tuple[Polynomial, Polynomial]], draw: Random, attempt: int
 ) -> Point | None:
     rich = attempt >= SIMPLE_ATTEMPTS
-    values: dict[tuple[Symbol, int], Numbers] = {}
-    orders: dict[Symbol, int] = {}
-    for variable in context.variables:
-        if variable.kind == "entry" and variable.symbol is not None:
-            orders[variable.symbol] = max(orders.get(variable.symbol, 0), variable.order)
-    bound: set[Symbol] = set()
-    for hypothesis in in_order(context.active):
-        bound |= bind(hypothesis, orders, values, draw, rich)
-    for symbol, highest in orders.items():
-        for order in range(highest + 1):
-            if (symbol, order) not in values:
-                values[symbol, order] = free(symbol.shape, draw, rich)
+    values, bound = _drawn(context, context.active, draw, rich)
     point: Point = {}
     for variable in context.variables:
         if variable.kind == "entry" and variable.symbol is not None and variable.name not in solved:
@@ -86,17 +76,37 @@ def _try(
     return _finish(context, solved, point, bound, draw, rich)
 
 
+def _drawn(
+    context: Context, hypotheses: Iterable[Hypothesis], draw: Random, rich: bool
+) -> tuple[dict[tuple[Symbol, int], Numbers], set[Symbol]]:
+    """Values of the symbols and their rates, and the symbols that are bound by a hypothesis."""
+    values: dict[tuple[Symbol, int], Numbers] = {}
+    orders: dict[Symbol, int] = {}
+    for variable in context.variables:
+        if variable.kind == "entry" and variable.symbol is not None:
+            orders[variable.symbol] = max(orders.get(variable.symbol, 0), variable.order)
+    bound: set[Symbol] = set()
+    for hypothesis in in_order(hypotheses):
+        bound |= bind(hypothesis, orders, values, draw, rich)
+    for symbol, highest in orders.items():
+        for order in range(highest + 1):
+            if (symbol, order) not in values:
+                values[symbol, order] = free(symbol.shape, draw, rich)
+    return values, bound
+
+
 def _moments(context: Context, point: Point, draw: Random, rich: bool) -> None:
-    """Moments of a body of a few elements of unit volume and positive density, so that they are those of some body."""
+    """Moments of a few elements that satisfy the hypotheses, so that they are those of some body or collection."""
     moments = [variable for variable in context.variables if variable.kind == "moment"]
     if not moments:
         return
-    names = dict.fromkeys(name for variable in moments for name, _ in variable.factors)
-    reach = 4 if rich else 1
-    elements = [
-        {name: Fraction(draw.randint(*((1, 3) if name in context.densities else (-reach, reach)))) for name in names}
-        for _ in range(8 if rich else draw.randint(1, 4))
-    ]
+    named = {name for variable in moments for name, _ in variable.factors}
+    entries = [v for v in context.variables if v.kind == "entry" and v.name in named]
+    elements = []
+    for _ in range(8 if rich else draw.randint(1, 4)):
+        values, _ = _drawn(context, context.problem.hypotheses, draw, rich)
+        element = {v.name: values[v.symbol, v.order][v.row][v.column] for v in entries if v.symbol is not None}
+        elements.append(element | {name: Fraction(draw.randint(1, 3)) for name in context.densities})
     for variable in moments:
         for element in elements:
             powers = (element[name] ** exponent for name, exponent in variable.factors)

@@ -128,17 +128,19 @@ def _unfolder(
         unfold = Unfolder(Localization(ring, []), variables, dict(problem.rules), found.running)
         nonzero = _declare_nonzero(unfold, active)
         if found.running:
-            _unfold_all(problem, unfold)
+            _unfold_all(problem, active, unfold)
         lacks, unfold.moments.lacks = unfold.moments.lacks, None
         if not lacks:
             return unfold, nonzero
         found.moments |= lacks
 
 
-def _unfold_all(problem: Problem, unfold: Unfolder) -> None:
+def _unfold_all(problem: Problem, active: tuple[Hypothesis, ...], unfold: Unfolder) -> None:
     """Unfold everything, to see which moments of the body occur; what cannot be unfolded is reported later."""
-    for goal in (*problem.goals, *problem.conditions):
-        for side in (goal.left, goal.right):
+    goals = (*problem.goals, *problem.conditions)
+    assumed = (pair for h in active if h.kind == "of all members" for pair in h.equations)
+    for pair in (*((goal.left, goal.right) for goal in goals), *assumed):
+        for side in pair:
             with suppress(UndeclaredDivisor):
                 unfold(side)
 

@@ -7,7 +7,21 @@ from dataclasses import replace as with_fields
 
 from chasles.statements.hypotheses import Hypothesis, nonzero
 from chasles.statements.varied import opened_parts
-from chasles.vocabulary import Contract, Dot, Group, Node, Norm, Number, Power, Quotient, Scale, Sum, Symbol, Transpose
+from chasles.vocabulary import (
+    Contract,
+    Dot,
+    Group,
+    Integral,
+    Node,
+    Norm,
+    Number,
+    Power,
+    Quotient,
+    Scale,
+    Sum,
+    Symbol,
+    Transpose,
+)
 
 
 def evident_divisors(
@@ -27,7 +41,8 @@ def evident_divisors(
             if other in declared:
                 yield with_fields(declared[other], subjects=(divisor,), nonvanishing=(divisor,))
                 break
-        if isinstance(divisor, Sum) and _sign(divisor, positive, rules):
+        counts = isinstance(rules.get(divisor), Integral)
+        if (counts or isinstance(divisor, Sum)) and _sign(divisor, positive, rules):
             always = _sign(divisor, set(), rules)
             yield with_fields(nonzero(divisor), kind="evident") if always else nonzero(divisor)
 
@@ -84,5 +99,7 @@ def _sign(node: Node, positive: set[Node], rules: Mapping[Node, Node]) -> int | 
             return 0
         case Norm():
             return 0
+        case Integral(Number(value)):
+            return int(value > 0)
         case _:
             return None

@@ -24,14 +24,17 @@ from chasles.statements.goals import (
 from chasles.statements.hypotheses import Hypothesis
 from chasles.statements.inverses import Inverses, reached
 from chasles.statements.lengths import Lengths
+from chasles.statements.of_all_members import summed
 from chasles.statements.rules import behind, passed_on, rated, refuse_circles
 from chasles.statements.statement import Claim, Condition, Equation, Statement, Theorem, bare, is_rule
+from chasles.statements.varied import opened_parts
 from chasles.vocabulary import Negative, Node, Rate, Sum, Symbol, members_of, plain, walk
 from chasles.vocabulary.families import indices_of
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.measure import added
 from chasles.vocabulary.shorthand import opened
 from chasles.vocabulary.sizes import sizes_of
+from chasles.vocabulary.totals import Total
 
 Decidable = Statement | Theorem
 
@@ -86,6 +89,7 @@ def problem_of(statement: Decidable, form: str = "printed", standing: AcceptedSi
     rules, conditions, unknowns = _given(statement, standing)
     rules = passed_on([*rules, *_angle_rules(statement, form, rules, conditions, unknowns)])
     refuse_circles(statement.number, rules, unknowns)
+    rules += _counted(_said(statement, form, rules), rules)
     hypotheses = tuple(dict.fromkeys((*_hypotheses(statement), *_agreeing(dict(rules)))))
     problem = Problem((), tuple(rules), tuple(conditions), tuple(unknowns), hypotheses)
     if isinstance(statement, Theorem):
@@ -100,7 +104,7 @@ def problem_of(statement: Decidable, form: str = "printed", standing: AcceptedSi
     for goal in goals:
         added(measured(goal.left), measured(goal.right), (goal.left, goal.right), "equate")
     problem = _in_simpler_words(_with_rates_said(with_fields(problem, goals=goals)))
-    return with_directions(_with_simple_lengths(_with_evident_divisors(problem)))
+    return with_directions(_with_simple_lengths(_with_what_is_seen(problem)))
 
 
 def _given(statement: Decidable, accepted: AcceptedSides) -> tuple[list[Equation], list[Goal], dict[Symbol, None]]:
@@ -141,17 +145,29 @@ def _angle_rules(
     """What conditions say that angles are, whose cosines and sines are taken; these conditions are left out."""
     if not conditions:
         return
-    if isinstance(statement, Theorem):
-        sides = [side for part in statement.forms for each in part.equations() for side in each[1:]]
-    else:
-        sides = list(statement.form(form))
-    angles = turning((*sides, *(side for rule in rules for side in rule)))
+    angles = turning(_said(statement, form, rules))
     for goal in tuple(conditions):
         found = determined_angle(goal.left, goal.right, unknowns)
         if found is not None and found[0] in angles:
             conditions.remove(goal)
             del unknowns[found[0]]
             yield found
+
+
+def _said(statement: Decidable, form: str, rules: list[Equation]) -> list[Node]:
+    """The sides of what is claimed and of the rules."""
+    if isinstance(statement, Theorem):
+        sides = [side for part in statement.forms for each in part.equations() for side in each[1:]]
+    else:
+        sides = list(statement.form(form))
+    return [*sides, *(side for rule in rules for side in rule)]
+
+
+def _counted(sides: list[Node], rules: list[Equation]) -> Iterator[Equation]:
+    """That the number of members over which sums are taken is the sum of ones, where nothing else is given of it."""
+    found = dict.fromkeys(part.index for side in sides for part in opened_parts(side) if isinstance(part, Total))
+    known = {left for left, _ in rules}
+    yield from ((index.number, index.counted) for index in found if index.number not in known)
 
 
 def _in_simpler_words(problem: Problem) -> Problem:
@@ -166,12 +182,15 @@ def _in_simpler_words(problem: Problem) -> Problem:
     return with_fields(found, hypotheses=(*inverses.needed, *found.hypotheses), presupposed=presupposed)
 
 
-def _with_evident_divisors(problem: Problem) -> Problem:
-    """The same problem, with what is seen about divisors for which nothing is assumed."""
+def _with_what_is_seen(problem: Problem) -> Problem:
+    """The same problem, with what is seen about divisors, and about all that sums are taken over."""
     if problem.has_functions:
         return problem
     sides = (*_sides(problem), *(side for _, side in problem.rules))
-    found = tuple(evident_divisors(sides, problem.hypotheses, dict(problem.rules)))
+    found = (
+        *evident_divisors(sides, problem.hypotheses, dict(problem.rules)),
+        *summed(sides, problem.hypotheses),
+    )
     return with_fields(problem, hypotheses=(*problem.hypotheses, *found)) if found else problem
 
 

@@ -7,7 +7,6 @@ from dataclasses import replace as with_fields
 from itertools import islice
 from typing import Any
 
-from chasles.vocabulary.body import Integral
 from chasles.vocabulary.layout import Block, Rate
 from chasles.vocabulary.letters import Symbol
 from chasles.vocabulary.nodes import Node, node_fields
@@ -35,7 +34,7 @@ def rebuilt(node: Node, parts: tuple[Node, ...]) -> Node:
 def replace(node: Node, values: Mapping[Node, Node]) -> Node:
     """The expression with every occurrence of a key replaced by its value; nothing is simplified.
 
-    What differs from element to element in an integral over a body is not replaced there.
+    What differs from element to element in an integral over a body, or in a sum over members, is not replaced there.
     """
     if node in values:
         return values[node]
@@ -44,8 +43,9 @@ def replace(node: Node, values: Mapping[Node, Node]) -> Node:
             return node
         inner = replace(node.stands_for, values)
         return node if inner == node.stands_for else inner
-    if isinstance(node, Integral):
-        values = {key: value for key, value in values.items() if key not in node.running}
+    running = getattr(node, "running", ())
+    if running:
+        values = {key: value for key, value in values.items() if key not in running}
     parts = children(node)
     changed = tuple(replace(part, values) for part in parts)
     return node if changed == parts else rebuilt(node, changed)
