@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import pickle
 import shutil
@@ -330,15 +331,16 @@ REFUSED = [
         "no value for real inputs|no finite real",
     ),
     (lambda: chasles.compile(sp.Function("f")(x), x), r"f\(x\) in f\(x\) is not among the inputs"),
-    (lambda: chasles.compile(sp.Derivative(sp.sin(x), x), x), r"call \.doit\(\)"),
+    (lambda: chasles.compile(sp.Integral(sp.sin(x), (x, 0, y)), [x, y]), r"call \.doit\(\)"),
+    (lambda: chasles.compile(sp.Sum(x**y, (y, 0, sp.oo)), x), r"call \.doit\(\)"),
+    (lambda: chasles.compile(x, {x: "y"}), "x, which is no name"),
+    (lambda: chasles.compile([[x, "y"]], x), "is a text"),
+    (lambda: chasles.compile([[x, [x]]], x), "no array of expressions"),
     (lambda: chasles.compile(x + y, x), "y in x [+] y is not among the inputs"),
     (lambda: chasles.compile(X * v, [v]), "X in .* is not among the inputs"),
     (lambda: chasles.compile(x + sp.I, x), "no finite real number"),
     (lambda: chasles.compile(x + sp.oo, x), "no finite real number|not among|no program"),
-    (
-        lambda: chasles.compile(sp.Piecewise((1, sp.Contains(x, sp.Interval(0, 1), evaluate=False)), (x, True)), x),
-        "condition",
-    ),
+    (lambda: chasles.compile(sp.Contains(x, sp.ImageSet(sp.Lambda(y, y**2), sp.S.Naturals)), x), "condition"),
     (lambda: chasles.compile(sp.MatrixSymbol("Y", sp.Symbol("n"), 2), x), "extents must be numbers"),
     (lambda: chasles.compile(sp.Matrix(0, 3, []), x), "no entries"),
     (lambda: chasles.compile("x", x), "is a text"),
@@ -354,7 +356,9 @@ REFUSED = [
     (lambda: chasles.compile(x, x, name="lambda"), "cannot be a name"),
     (lambda: chasles.compile(x, x, name="run"), "cannot be called"),
     (lambda: chasles.compile(x / (y - y + 0 * y), (x, y)), "no finite real number|zero by construction|no program"),
-    (lambda: chasles.compile(x + sp.Float("1e-60"), x), "normal range of float"),
+    (lambda: chasles.compile(x + sp.Rational(1, 10**320), x), "range of double"),
+    (lambda: chasles.compile(x * sp.exp(800), x), "range of double"),
+    (lambda: chasles.compile(x + 10**400, x), "range of double"),
     (lambda: chasles.compile(x, (x, sp.MatrixSymbol("Y", 200, 200))), "at most"),
 ]
 
@@ -638,3 +642,60 @@ def test_single_precision_is_rounded_from_double_until_there_is_much_of_it(monke
     after = kernel.ufunc
     kernel(vectors, factors)
     assert kernel.ufunc is after
+
+
+def test_constants_out_of_the_range_of_single_precision_are_computed_in_double(backend):
+    kernel = chasles.compile([x + sp.Float("1e-60"), x * sp.Float("1e-300") / sp.Float("1e-310") * y], [x, y])
+    assert kernel(0.0, 1e-20)[0] == 1e-60
+    assert kernel(2.0, 1e-20)[1] == pytest.approx(2e-10, rel=1e-12)
+    if backend == "c":
+        narrow = kernel(np.float32([0, 2]), np.float32(1e-20))
+        assert narrow[1].dtype == np.float32
+        np.testing.assert_allclose(narrow[1], [0, 2e-10], rtol=1e-6)
+    assert "chasles_expressionf" not in chasles.compile(x + sp.Float("1e-60"), x).c_source
+    assert "chasles_expressionf" in chasles.compile(x + sp.Float("1e-30"), x).c_source
+
+
+def test_a_long_constant_that_has_a_name_is_a_number_like_others(recwarn):
+    smallest = chasles.compile(sp.sqrt(sp.Max(sp.Float("2.30258509299405"), sp.acos(y / 2))), y)
+    assert smallest.backend == "c"
+    assert smallest(0.0) == math.sqrt(2.30258509299405)
+    assert not recwarn.list
+
+
+j = sp.symbols("j", integer=True)
+WRITTEN_OUT = [
+    (sp.Derivative(sp.sin(x) * y, x), sp.cos(x) * y),
+    (sp.Subs(x**2, x, y), y**2),
+    (sp.Sum(x**j, (j, 0, 3)), 1 + x + x**2 + x**3),
+    (sp.Product(x + j, (j, 0, 2)), x * (x + 1) * (x + 2)),
+    (sp.Tuple(x, y), [x, y]),
+    (np.array([x, y]), sp.Matrix([x, y])),
+    ([[x, y], x], [sp.Matrix([x, y]), x]),
+    (sp.SingularityFunction(x, y, 2), sp.Piecewise(((x - y) ** 2, x >= y), (0, True))),
+    (sp.KroneckerDelta(x, 1), sp.Piecewise((1, sp.Eq(x, 1)), (0, True))),
+    (sp.binomial(x, 2), x * (x - 1) / 2),
+    (sp.arg(x + sp.I * y), sp.atan2(y, x)),
+    (sp.beta(x, y), sp.gamma(x) * sp.gamma(y) / sp.gamma(x + y)),
+    (sp.Contains(x, sp.Interval(0, y), evaluate=False), (x >= 0) & (x <= y)),
+    (sp.Rem(x, y), x - y * sp.floor(x / y)),
+]
+
+
+@pytest.mark.parametrize("number", range(len(WRITTEN_OUT)))
+def test_what_is_short_for_others_is_written_out(number, monkeypatch):
+    monkeypatch.setenv("CC", "no-such-compiler")
+    given, meant = (chasles.compile(expression, [x, y]) for expression in WRITTEN_OUT[number])
+    for point in ((2.5, 1.25), (1.0, 1.75)):
+        found, wanted = (
+            values if isinstance(values, tuple) else (values,) for values in (given(*point), meant(*point))
+        )
+        for one, other in zip(found, wanted, strict=True):
+            np.testing.assert_allclose(one, other, rtol=1e-14)
+
+
+def test_spherical_bessel_functions_have_their_values_at_zero():
+    kernel = chasles.compile([sp.jn(0, x), sp.jn(1, x), sp.jn(2, x)], x)
+    near = [1 - 1e-10 / 6, 1e-5 / 3 - 1e-15 / 30, 1e-10 / 15]
+    far = [math.sin(2) / 2, 0.435397774979992, 0.198447949057147]
+    np.testing.assert_allclose(np.array(kernel([0.0, 1e-5, 2.0])).T, [[1, 0, 0], near, far], rtol=1e-14, atol=1e-17)

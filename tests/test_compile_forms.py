@@ -247,6 +247,13 @@ def test_what_loses_digits_elsewhere_is_not_taken_either():
     assert stated.operations[Op.MULTIPLY] == 0
 
 
+@pytest.mark.parametrize(("expression", "at"), [(sp.cos(x) / (1 - sp.sin(x)), -1), (sp.cos(2 * x) / sp.cos(x), 0.5)])
+def test_at_right_angles_and_half_of_one_nothing_is_lost_either(expression, at):
+    at *= np.pi / 2
+    wanted = expression.subs(x, sp.Float(at, 40)).evalf(30)
+    assert chasles.compile(expression, x)(at) == pytest.approx(float(wanted), rel=1e-15)
+
+
 def test_a_chain_is_as_long_as_its_longest_way():
     assert latency(as_stated(lambda b, x, y, z: b.add(b.add(x, y), b.multiply(x, z)))) == 2
     assert latency(as_stated(lambda b, x, y, z: b.divide(b.add(x, y), z))) > 2

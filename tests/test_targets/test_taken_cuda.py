@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import ctypes
+import re
 import shutil
 import subprocess
 
 import numpy as np
 import pytest
+import sympy
+
+import chasles
 
 from .conftest import PROGRAMS
 from .taken import EXPRESSIONS, KINDS, NVCC, caller, points, require_close, require_right, taken, wanted, written_out  # noqa: F401
@@ -156,3 +160,10 @@ def test_batches_are_those_of_the_python_kernel(request, compiled, taken, functi
         assert library[f"batch_{function}{suffix}"](*places, ctypes.c_size_t(ITEMS)) == 0
         for got, expected in zip(made, wanted(kernel, batches), strict=True):
             require_close(kernel.name, kind, rows, got, expected)
+
+
+def test_no_argument_has_the_name_of_a_function(tmp_path):
+    x, y = sympy.symbols("chasles_product chasles_product_items")
+    [path] = chasles.compile(x * y, [x, y], name="product").write(tmp_path, "cuda")
+    items = path.read_text().split("static __global__ void chasles_product_items(")[1].split(")")[0]
+    assert re.findall(r"double \*?(\w+)", items) == ["chasles_product_", "chasles_product_items_", "result"]

@@ -8,7 +8,9 @@ import subprocess
 
 import numpy as np
 import pytest
+import sympy
 
+import chasles
 from chasles.lowering.functions import FUNCTIONS
 
 from .conftest import PROGRAMS
@@ -107,3 +109,11 @@ def test_a_matrix_is_an_array_of_its_rows(taken, tmp_path):  # noqa: F811
     text = "\n".join(path.read_text() for path in taken["products"].write(tmp_path, "rust"))
     assert "pub fn products(m: &[[f64; 3]; 2]) -> [[f64; 2]; 2] {" in text
     assert text.count("pub fn ") == 2
+
+
+def test_no_module_has_a_name_that_cargo_knows(tmp_path):
+    x = sympy.Symbol("x")
+    for called in ("lib", "main", "_"):
+        paths = [path.name for path in chasles.compile(x, x, name=called).write(tmp_path, "rust")]
+        assert paths.count(f"{called}.rs") == (called == "lib")
+        assert len(set(paths)) == len(paths)

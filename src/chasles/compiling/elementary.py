@@ -17,6 +17,7 @@ MOST_FACTORS = 32
 _SAME_IN_C: Mapping[type, str] = {
     sympy.Abs: "fabs",
     sympy.floor: "floor",
+    sympy.Rem: "fmod",
     sympy.exp: "exp",
     sympy.sinh: "sinh",
     sympy.cosh: "cosh",

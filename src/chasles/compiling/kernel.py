@@ -160,10 +160,14 @@ class CompiledKernel(Displayed):
         from chasles.compiling.bound import error_bound
         from chasles.compiling.sources import target_kernel
         from chasles.compiling.written import written
+        from chasles.targets.c.functions import precisions_of
 
-        precisions = (numpy.float64, numpy.float32) if box is not None else ()
-        bounds = tuple(error_bound(self.program, box or {}, precision) for precision in precisions)
-        return written(replace(target_kernel(self.program), box_bounds=bounds), Path(folder), targets, license)
+        kernel = target_kernel(self.program)
+        if box is not None:
+            precisions = (numpy.float64, numpy.float32)[: len(precisions_of(kernel))]
+            bounds = tuple(error_bound(self.program, box, precision) for precision in precisions)
+            kernel = replace(kernel, box_bounds=bounds)
+        return written(kernel, Path(folder), targets, license)
 
     def __repr__(self) -> str:
         return f"<chasles kernel {self.name} {self.signature}, {self.backend}>"

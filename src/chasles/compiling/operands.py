@@ -9,12 +9,13 @@ from itertools import product
 from keyword import iskeyword
 from typing import Any
 
+import numpy
 import sympy
 from sympy.core.function import UndefinedFunction
 
 from chasles.compiling.identifiers import name_of_group
 from chasles.compiling.scalars import shown
-from chasles.compiling.variables import Substitution, correspondence, is_variable
+from chasles.compiling.variables import Substitution, carried_out, correspondence, is_variable
 from chasles.kernels.signatures import OPTIONS
 from chasles.lowering.names import Names
 from chasles.lowering.program import Argument
@@ -58,6 +59,10 @@ def inputs_of(given: Any) -> tuple[Input, ...]:
     names, symbols = Names(OPTIONS), Names(())
     met: set[sympy.Basic] = set()
     found: list[Input] = []
+    if isinstance(given, Mapping) and not all(isinstance(name, str) for name in given):
+        raise LoweringError(
+            f"inputs maps {next(name for name in given if not isinstance(name, str))}, which is no name"
+        )
     for number, item in enumerate(given.items() if isinstance(given, Mapping) else given, 1):
         wanted, entries, shape, whole = _read(item)
         for entry in entries:
@@ -77,7 +82,7 @@ def outputs_of(expression: Any, given: Sequence[Input], names: Any) -> tuple[Res
 
     Raises `LoweringError` for a free symbol that is no input, and where the names are not as many as the results.
     """
-    several = isinstance(expression, list | tuple)
+    several = isinstance(expression, list | tuple | sympy.Tuple)
     values = [_value(item) for item in (expression if several else (expression,))]
     if not values:
         raise LoweringError("there is nothing to compile: the list of expressions is empty")
@@ -175,6 +180,8 @@ def _value(item: Any) -> Any:
     """The expression as SymPy holds it: a scalar, or a matrix."""
     if isinstance(item, str):
         raise LoweringError(f"the expression {item!r} is a text; give it as SymPy expression")
+    if isinstance(item, list | numpy.ndarray):
+        item = _array(item)
     if isinstance(item, sympy.NDimArray):
         if item.rank() > 2:
             raise LoweringError(f"an output has {item.rank()} axes; scalars, vectors and matrices are computed")
@@ -190,12 +197,21 @@ def _value(item: Any) -> Any:
     return value
 
 
+def _array(item: Any) -> sympy.NDimArray:
+    """Nested lists, or an array of NumPy, as an array of expressions."""
+    leaves = numpy.array(item, dtype=object)
+    values = [None if isinstance(leaf, list) else _value(leaf) for leaf in leaves.flat]
+    if not all(isinstance(value, sympy.Expr) for value in values):
+        raise LoweringError(f"{item!r} is no array of expressions")
+    return sympy.Array(values, leaves.shape)
+
+
 def _entries(value: Any) -> tuple[tuple[int, ...], tuple[sympy.Expr, ...]]:
     """The core shape of an expression, and its entries."""
     if not isinstance(value, sympy.MatrixBase | sympy.MatrixExpr):
-        return (), (value,)
+        return (), tuple(carried_out([value]))
     value = _explicit(value) if isinstance(value, sympy.MatrixExpr) else value
-    return _core(value.shape), tuple(map(sympy.sympify, value))
+    return _core(value.shape), tuple(carried_out(map(sympy.sympify, value)))
 
 
 def _explicit(value: Any) -> Any:

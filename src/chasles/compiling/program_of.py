@@ -15,6 +15,7 @@ from chasles.compiling.derived import DerivedResults
 from chasles.compiling.nesting import nested
 from chasles.compiling.operands import Input, ResultEntries
 from chasles.compiling.removable import without_removable
+from chasles.compiling.rewriting import in_known_functions
 from chasles.compiling.scalars import Scalars
 from chasles.lowering.builder import Builder
 from chasles.lowering.cost import price
@@ -46,7 +47,7 @@ def program_of(
     def spelled(outputs: Sequence[ResultEntries], *, common: bool) -> Program:
         return _program(name, inputs, outputs, derived, common=common)
 
-    outputs = [with_fields(o, entries=tuple(map(without_removable, o.entries))) for o in outputs]
+    outputs = [with_fields(o, entries=tuple(map(without_removable, in_known_functions(o.entries)))) for o in outputs]
     stated = spelled(outputs, common=False)
     derived = derived.patterned(stated) if derived else None
     with within(WORK_PER_STEP * len(stated.steps)):

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
 from itertools import islice
+from sys import float_info
 from typing import Any
 
 import sympy
@@ -23,6 +24,7 @@ from chasles.lowering.refusal import LoweringError
 
 DIGITS = 60
 NEGLIGIBLE = sympy.Float("1e-40")
+_LEAST, _MOST, _TINIEST = map(Fraction, (float_info.min, float_info.max, 5e-324))
 _SHOWN = 60
 _LONG = 500
 
@@ -102,8 +104,10 @@ class Scalars:
             return self.build.zero
         if not isinstance(value, sympy.Rational | sympy.Float) or not value.is_finite:
             raise LoweringError(f"the constant {shown(expression)} is no finite real number")
-        exact = sympy.Rational(value)
-        return self.build.constant(Fraction(int(exact.p), int(exact.q)))
+        exact = Fraction(*map(int, sympy.Rational(value).as_numer_denom()))
+        if exact and not _LEAST <= abs(exact) <= _MOST and (abs(exact) > _MOST or (exact / _TINIEST).denominator > 1):
+            raise LoweringError(f"the constant {shown(expression)} is out of the range of double precision")
+        return self.build.constant(exact)
 
     def _sum(self, terms: Sequence[sympy.Expr]) -> int:
         """The sum; exp(x) - 1 is a function of its own, which loses nothing near zero."""

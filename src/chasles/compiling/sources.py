@@ -18,7 +18,7 @@ from chasles.targets import EmissionError, Origin, Page, Target, TargetKernel, s
 from chasles.targets.c import TARGET as C
 from chasles.targets.c import pages
 from chasles.targets.c.blocks import block_name, loop_name
-from chasles.targets.c.functions import PRECISIONS, single
+from chasles.targets.c.functions import precisions_of, single
 from chasles.targets.constants import DOUBLE, SINGLE
 from chasles.targets.emit import filled
 from chasles.targets.kernel import Heading, signature
@@ -42,6 +42,7 @@ def sources_of(program: Program, *, narrowed: bool = True) -> tuple[Sources, dic
     Raises `LoweringError` where no target can spell it.
     """
     kernel = target_kernel(program)
+    narrowed = narrowed or SINGLE not in precisions_of(kernel)
     is_special = any(FUNCTIONS[step.function].special for step in kernel.program.steps if step.function)
     shown = Target("shown", _HERE, _in_python if is_special else _shown)
     try:
@@ -51,7 +52,7 @@ def sources_of(program: Program, *, narrowed: bool = True) -> tuple[Sources, dic
         library = with_fields(C, pages=partial(_library, narrowed=narrowed))
         files = {} if is_special else library_of([inner], spelled_out([inner], [library]), narrowed=narrowed)
     except EmissionError as error:
-        raise LoweringError(str(error)) from None
+        raise LoweringError(str(error.__cause__ or error)) from None
     digest = sha256(repr(sorted(files.items())).encode()).hexdigest()
     texts = compiled.get("shown/function.c", ""), compiled["shown/function.py"]
     shapes = signature(program), signature(inner.program)
@@ -78,7 +79,7 @@ def _library(kernels: tuple[TargetKernel, ...], *, narrowed: bool) -> Iterator[P
 def _shown(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
     """The functions alone."""
     [kernel] = kernels
-    functions: Iterable[object] = [single(kernel, precision) for precision in PRECISIONS]
+    functions: Iterable[object] = [single(kernel, precision) for precision in precisions_of(kernel)]
     yield Page("function.c", "function.c.jinja", {"functions": functions})
     yield from _in_python(kernels)
 

@@ -6,7 +6,7 @@ entry of an array. Derivatives are variables beside the function: what is no inp
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable, Mapping
+from collections.abc import Callable, Container, Iterable, Mapping
 from operator import is_
 from typing import Any
 
@@ -79,6 +79,33 @@ def variables_of(expression: sympy.Basic, known: Container[sympy.Basic], seen: s
         else:
             waiting.extend(node.args)
     return found
+
+
+def carried_out(expressions: Iterable[sympy.Basic]) -> list[sympy.Basic]:
+    """The expressions without derivatives of what is written out, values at a place, and sums of so many terms."""
+    given = list(expressions)
+    left = {node: node.doit(integrals=False) for node in outermost(given, _is_left)}
+    return [expression.xreplace(left) for expression in given] if left else given
+
+
+def outermost(expressions: Iterable[sympy.Basic], wanted: Callable[[Any], bool]) -> list[Any]:
+    """The parts of expressions that are wanted, each once, and nothing inside them or inside variables."""
+    waiting, seen, found = list(expressions), set[object](), []
+    while waiting:
+        node = waiting.pop()
+        if node not in seen and isinstance(node, sympy.Basic | sympy.MatrixBase) and not is_variable(node):
+            seen.add(node)
+            if wanted(node):
+                found.append(node)
+            else:
+                waiting.extend(node.args)
+    return found
+
+
+def _is_left(node: object) -> bool:
+    if isinstance(node, sympy.Sum | sympy.Product):
+        return all(len(limit) == 3 and (limit[2] - limit[1]).is_Integer for limit in node.limits)
+    return isinstance(node, sympy.Derivative | sympy.Subs)
 
 
 class Substitution:

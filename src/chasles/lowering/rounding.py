@@ -30,8 +30,8 @@ FEW = 16
 TIMES = 4
 """How many times the smallest of the bounds is still as good: roundings that differ, and not digits that are lost."""
 NEAR = 1e-12
-ANGLES = (1.3, NEAR, pi - NEAR, pi / 2 - NEAR, 3.4)
-"""At large, near zero, near half a turn and near a right angle."""
+ANGLES = (1.3, NEAR, pi - NEAR, pi / 2 - NEAR, 3.4, NEAR - pi / 2, pi / 4 - NEAR)
+"""At large, near zero, near half a turn, near right angles and near half of one."""
 SCALES = (1.0, 1e-3, 1e3)
 """By how much the inputs are scaled of a program of which no more is known."""
 

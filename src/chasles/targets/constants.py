@@ -28,6 +28,13 @@ class Precision:
     digits: int
     suffix: str = ""
 
+    def holds(self, value: Fraction) -> bool:
+        """Whether the nearest number is in the normal range, or else is the value itself."""
+        size = abs(rounded(value, self.bits))
+        if size < Fraction(2) ** self.least:
+            return (size / Fraction(2) ** (self.least - self.bits + 1)).denominator == 1
+        return size < Fraction(2) ** self.most
+
 
 DOUBLE = Precision("double", 53, -1022, 1024, 17)
 SINGLE = Precision("float", 24, -126, 128, 9, "f")
@@ -39,17 +46,17 @@ def literals(precision: Precision) -> Callable[[Fraction], tuple[str, Level]]:
 
 
 def literal(value: Fraction, precision: Precision) -> tuple[str, Level]:
-    """The text of `value` and how tightly it binds. Raises EmissionError outside the precision's normal range."""
-    nearest = rounded(value, precision.bits)
-    if value and not Fraction(2) ** precision.least <= abs(nearest) < Fraction(2) ** precision.most:
-        raise EmissionError(f"the constant {value} is outside the normal range of {precision.name}")
+    """The text of `value` and how tightly it binds. Raises EmissionError for what the precision does not hold."""
+    if not precision.holds(value):
+        about = Context(prec=6).divide(Decimal(value.numerator), Decimal(value.denominator))
+        raise EmissionError(f"the constant {about} is outside the normal range of {precision.name}")
     finite = _finite_decimal(value)
     if finite is not None:
         return _signed(finite + precision.suffix)
     if max(abs(value.numerator), value.denominator) <= 2**precision.bits:
         # A division always stands in parentheses: 1.0 / 3.0 * x would read as 1.0 / (3.0 * x).
         return f"{value.numerator}.0{precision.suffix} / {value.denominator}.0{precision.suffix}", Level.SUM
-    return _signed(_pointed(f"{float(nearest):.{precision.digits}g}") + precision.suffix)
+    return _signed(_pointed(f"{float(rounded(value, precision.bits)):.{precision.digits}g}") + precision.suffix)
 
 
 def rounded(value: Fraction, bits: int) -> Fraction:

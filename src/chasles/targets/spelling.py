@@ -112,8 +112,9 @@ class _Writer:
 
     def _name(self, expression: _Expression, name: str) -> None:
         """Declare the expression and let the name stand for it from here on."""
-        self.lines.append(self.dialect.declare(name, expression.text, expression.op in TRUTH))
-        expression.text, expression.level, expression.size = name, Level.ATOM, 0
+        text = self.dialect.lift.format(expression.text) if expression.constant else expression.text
+        self.lines.append(self.dialect.declare(name, text, expression.op in TRUTH))
+        expression.text, expression.level, expression.size, expression.constant = name, Level.ATOM, 0, False
 
     def _expression(self, step: Step) -> _Expression:
         if step.op is Op.INPUT:

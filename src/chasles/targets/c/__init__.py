@@ -35,7 +35,7 @@ from chasles.lowering.program import MOST_OPERANDS
 from chasles.targets.c.alone import alone
 from chasles.targets.c.blocks import block, block_name, loop_name
 from chasles.targets.c.core_shapes import loop
-from chasles.targets.c.functions import PRECISIONS, Function, batch, in_short, single
+from chasles.targets.c.functions import PRECISIONS, Function, batch, in_short, precisions_of, single
 from chasles.targets.c.self_test import vectors
 from chasles.targets.constants import Precision
 from chasles.targets.kernel import EmissionError, TargetKernel
@@ -65,7 +65,12 @@ def pages(kernels: tuple[TargetKernel, ...], on_registers: Sequence[Precision] =
         ]
         values = {"section": section, "functions": bodies, "loops": loops}
         yield Page(f"src/{section}.c", "section.c.jinja", values)
-        blocks = [block(kernel, precision) for kernel in members for precision in on_registers]
+        blocks = [
+            block(kernel, precision)
+            for kernel in members
+            for precision in precisions_of(kernel)
+            if precision in on_registers
+        ]
         steps = [step for kernel in members for step in kernel.program.steps if step.function]
         called = sorted({f"CHASLES_LANEWISE_{len(step.operands)}({step.function})" for step in steps})
         values = {"section": section, "blocks": blocks, "functions": called}
@@ -97,7 +102,7 @@ def _words(precision: Precision) -> dict[str, str]:
 
 def _functions(kernel: TargetKernel) -> tuple[Function, ...]:
     """The functions of a kernel: one item, then a batch, each in both precisions."""
-    return tuple(make(kernel, precision) for make in (single, batch) for precision in PRECISIONS)
+    return tuple(make(kernel, precision) for make in (single, batch) for precision in precisions_of(kernel))
 
 
 def _require_distinct(names: list[str]) -> None:

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from chasles.lowering.program import Op
-from chasles.targets.c.functions import PRECISIONS, public_name, single
+from chasles.targets.c.functions import PRECISIONS, precisions_of, public_name, single
 from chasles.targets.c.language import DIALECTS
 from chasles.targets.constants import DOUBLE, Precision
 from chasles.targets.dialect import Dialect, Level, Phrase
@@ -22,7 +22,7 @@ from chasles.targets.target import Page
 def alone(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
     """A header with the contract and a source for each kernel."""
     for kernel in kernels:
-        functions = [single(kernel, precision, STRICT) for precision in PRECISIONS]
+        functions = [single(kernel, precision, STRICT) for precision in precisions_of(kernel)]
         name = public_name(kernel, DOUBLE)
         values = {"name": name, "guard": name.upper(), "signature": signature(kernel.program), "functions": functions}
         for suffix in ("h", "c"):

@@ -20,6 +20,12 @@ from chasles.targets.spelling import Spelled, spelled
 PRECISIONS = (DOUBLE, SINGLE)
 
 
+def precisions_of(kernel: TargetKernel) -> tuple[Precision, ...]:
+    """Those that hold all of the kernel's constants: double, and single precision unless one is out of its range."""
+    constants = [step.value for step in kernel.program.steps if step.op is Op.CONSTANT]
+    return PRECISIONS if all(map(SINGLE.holds, constants)) else (DOUBLE,)
+
+
 @dataclass(frozen=True, slots=True)
 class Function:
     """A C function as the templates lay it out: `comment` and `lines` line by line, the prototype without its end."""

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from chasles.lowering.names import Names
 from chasles.lowering.program import Argument, Op, Result
-from chasles.targets.c.functions import PRECISIONS, Function, head, unread
+from chasles.targets.c.functions import PRECISIONS, Function, head, precisions_of, unread
 from chasles.targets.c.language import RESERVED
 from chasles.targets.constants import SINGLE, Precision, literals
 from chasles.targets.dialect import ARITHMETIC, Dialect, Level, Phrase, Shape, call, circular, flat
@@ -30,11 +30,12 @@ _MOST_AXES = 2
 
 def _pages(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
     for kernel in kernels:
+        precisions = precisions_of(kernel)
         values = {
             "guard": f"CHASLES_{kernel.name.upper()}",
             "signature": signature(kernel.program),
-            "functions": [_function(kernel, precision) for precision in PRECISIONS],
-            "overloads": [_overload(kernel, precision) for precision in PRECISIONS] if _is_for_eigen(kernel) else [],
+            "functions": [_function(kernel, precision) for precision in precisions],
+            "overloads": [_overload(kernel, precision) for precision in precisions] if _is_for_eigen(kernel) else [],
         }
         yield Page(f"{kernel.name}.hpp", "kernel.hpp.jinja", values)
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from chasles.lowering.names import Names
 from chasles.targets.c.alone import STRICT
-from chasles.targets.c.functions import PRECISIONS, public_name, single
+from chasles.targets.c.functions import precisions_of, public_name, single
 from chasles.targets.c.language import RESERVED
 from chasles.targets.constants import DOUBLE, Precision
 from chasles.targets.kernel import TargetKernel, signature
@@ -29,15 +29,17 @@ def _pages(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
         values = {
             "guard": public_name(kernel, DOUBLE).upper(),
             "signature": signature(kernel.program),
-            "functions": [single(kernel, precision, STRICT) for precision in PRECISIONS],
-            "batches": [_batch(kernel, precision) for precision in PRECISIONS],
+            "functions": [single(kernel, precision, STRICT) for precision in precisions_of(kernel)],
+            "batches": [_batch(kernel, precision) for precision in precisions_of(kernel)],
         }
         yield Page(f"{kernel.name}.cuh", "kernel.cuh.jinja", values)
 
 
 def _batch(kernel: TargetKernel, precision: Precision) -> dict[str, str]:
     """A kernel that computes `count` items, each argument with a step of its own, and the function that starts it."""
-    program, names = kernel.program, Names(RESERVED | _USED | _BUILT_IN)
+    program = kernel.program
+    name, launcher = (public_name(kernel, precision, variant) for variant in ("_items", "_batch"))
+    names = Names(RESERVED | _USED | _BUILT_IN | {public_name(kernel, precision), name, launcher})
     words = [names.take(item.name) for item in program.parameters]
     steps = [names.take(f"{word}_step") for word in words]
     parameters, passed, places = ["size_t count"], ["count"], []
@@ -47,7 +49,6 @@ def _batch(kernel: TargetKernel, precision: Precision) -> dict[str, str]:
         passed.append(f"{word}, {step}")
         place = f"{word} + item * {step}"
         places.append(place if item.shape or not is_input else f"{word}[item * {step}]")
-    name, launcher = (public_name(kernel, precision, variant) for variant in ("_items", "_batch"))
     queued = [*parameters, "cudaStream_t stream = nullptr"]
     return {
         "prototype": "\n".join(listed(f"static __global__ void {name}(", parameters, ")")),

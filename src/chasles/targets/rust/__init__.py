@@ -13,7 +13,7 @@ from pathlib import Path
 from chasles.lowering.names import Names
 from chasles.lowering.passes.prune import pruned
 from chasles.lowering.program import Op
-from chasles.targets.c.functions import Function, head, unread
+from chasles.targets.c.functions import Function, head, precisions_of, unread
 from chasles.targets.constants import DOUBLE, SINGLE, Precision, literals
 from chasles.targets.dialect import ARITHMETIC, Dialect, Level, Phrase, Shape, call, called, circular, nested
 from chasles.targets.kernel import TargetKernel, signature
@@ -27,7 +27,7 @@ _KEYWORDS = """
     as async await box break const continue crate do dyn else enum extern false final fn for gen if impl in let loop
     macro match mod move mut override priv pub ref return self Self static struct super trait true try type typeof
     unsafe unsized use virtual where while yield abstract become union
-    bool char f32 f64 i32 str u8 usize core std libm math Some None Ok Err
+    bool char f32 f64 i32 str u8 usize core std lib libm main math Some None Ok Err _
 """
 _RESERVED = frozenset(_KEYWORDS.split())
 _DOUBLE, _SINGLE = replace(DOUBLE, name="f64"), replace(SINGLE, name="f32", suffix="")
@@ -54,7 +54,9 @@ def _crate(folder: str, name: str, kernels: tuple[TargetKernel, ...]) -> Iterato
     modules = [{"name": (word := names.take(kernel.name)), "single": names.take(f"{word}_f32")} for kernel in kernels]
     for kernel, module in zip(kernels, modules, strict=True):
         main = module["name"]
-        functions = [_function(kernel, _DOUBLE, main), _function(kernel, _SINGLE, module["single"], main)]
+        functions = [_function(kernel, _DOUBLE, main)]
+        if SINGLE in precisions_of(kernel):
+            functions.append(_function(kernel, _SINGLE, module["single"], main))
         values = {"signature": signature(kernel.program), "functions": functions}
         yield Page(f"{folder}src/{main}.rs", "module.rs.jinja", values)
     used = sorted(set().union(*(called(pruned(kernel.program)) for kernel in kernels)))
