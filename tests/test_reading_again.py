@@ -42,8 +42,12 @@ def test_what_was_found_out_is_not_asked_again(tmp_path: Path, monkeypatch: pyte
     asked: list[object] = []
     found = bounded_proofs._found
     monkeypatch.setattr(bounded_proofs, "_found", lambda *of: asked.append(of) or found(*of))
-    assert _read(PAGE, recalled()) == first
+    assert _read(PAGE, again := recalled()) == first
     assert not asked
+    (path,) = tmp_path.iterdir()
+    path.write_text("not written again")
+    retained(again)
+    assert path.read_text() == "not written again"
     other = _read(PAGE.replace(r"= \mathbf{a} -", r"= -\mathbf{a} +"), recalled())
     assert [each["verdict"] for each in other] == ["defined", "holds", "holds-under"]
     assert asked

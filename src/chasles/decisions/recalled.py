@@ -9,8 +9,9 @@ is checked again like everything else.
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from contextlib import suppress
+from functools import lru_cache
 from hashlib import sha256
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
@@ -86,13 +87,14 @@ def _path() -> Path | None:
     return path_of("verdicts", ENGINE)
 
 
-def path_of(name: str, parts: Sequence[str]) -> Path | None:
+def path_of(name: str, parts: tuple[str, ...]) -> Path | None:
     """The file of the engine that has these parts; None where nothing is to be kept."""
     folder = cache.folder()
     return None if folder is None else folder / f"{name}-{_engine(parts)[:16]}.json"
 
 
-def _engine(parts: Sequence[str]) -> str:
+@lru_cache
+def _engine(parts: tuple[str, ...]) -> str:
     """The hash of the engine: its source, and the libraries that it computes with."""
     found = sha256()
     root = Path(__file__).parents[1]

@@ -24,6 +24,12 @@ class KnownAnswers:
 
     memory: Memory = field(default_factory=Memory)
     may_follow: dict[str, bool | None] = field(default_factory=dict)
+    _kept: int = 0
+
+    @property
+    def has_learned(self) -> bool:
+        """Whether there is more than what was kept before."""
+        return self.memory.has_learned or len(self.may_follow) + len(self.memory.reasons) > self._kept
 
 
 def recalled() -> KnownAnswers:
@@ -32,11 +38,14 @@ def recalled() -> KnownAnswers:
     known = KnownAnswers(Memory(_table(kept, "verdicts")))
     known.memory.reasons = {key: why for key, why in _table(kept, "reasons").items() if isinstance(why, str)}
     known.may_follow = {k: told for k, told in _table(kept, "may_follow").items() if told is None or told is bool(told)}
+    known._kept = len(known.may_follow) + len(known.memory.reasons)
     return known
 
 
 def retained(known: KnownAnswers) -> None:
-    """Keep what was found out for the next run, the latest of it where there is too much."""
+    """Keep what was found out for the next run, the latest of it where there is too much; no file is written anew."""
+    if not known.has_learned:
+        return
     tables: dict[str, dict[str, Any]] = {"reasons": {**known.memory.reasons}, "may_follow": {**known.may_follow}}
     latest = {name: dict(list(table.items())[-MOST:]) for name, table in tables.items()}
     write_kept(path_of("pages", PARTS), {"verdicts": known.memory.as_data(MOST), **latest})

@@ -34,10 +34,12 @@ class UnprovedPart(UnreducedEntry, Protocol):
     def ratio(self) -> Ratio: ...
 
 
-def refute(context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnprovedPart]) -> Counterexample | None:
+def refute(
+    context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnprovedPart], fruitless: int = FRUITLESS
+) -> Counterexample | None:
     """The counterexample that is easiest to evaluate by hand among those that a number of sample points give.
 
-    Points of axes, quarter turns, ones and zeros come first; others are tried if none of these refutes, and then such
+    After so many that are `fruitless` no easier one is looked for. Points of axes, quarter turns, ones and zeros come first; others are tried if none of these refutes, and then such
     as give a value to all that occurs, and to what is assumed besides. Only what the checker accepts refutes.
     """
     used = _used_by_each(context, solved, suspects)
@@ -49,7 +51,7 @@ def refute(context: Context, solved: tuple[Solved, ...], suspects: Sequence[Unpr
         if more is None:
             break
         for drawn in (points.plain(context, ratios, PLAIN), islice(points.sample(context, ratios), SAMPLES)):
-            for found in _easiest(context, suspects, names, drawn):
+            for found in _easiest(context, suspects, names, drawn, fruitless):
                 whole_point = replace(found, at={**found.at, **more})
                 if _is_accepted(context, whole_point):
                     return whole_point
@@ -71,7 +73,7 @@ def solved_ratios(context: Context, solved: tuple[Solved, ...]) -> dict[str, tup
 
 
 def _easiest(
-    context: Context, suspects: Sequence[UnprovedPart], used: Sequence[Sequence[str]], drawn: Iterator[Point]
+    context: Context, suspects: Sequence[UnprovedPart], used: Sequence[Sequence[str]], drawn: Iterator[Point], most: int
 ) -> list[Counterexample]:
     """Counterexamples, each easier than those that come after it."""
     best: tuple[int, Counterexample] | None = None
@@ -79,7 +81,7 @@ def _easiest(
     fruitless = 0
     for point in drawn:
         fruitless += 1
-        if best is not None and fruitless > FRUITLESS:
+        if best is not None and fruitless > most:
             break
         for entry, names in zip(suspects, used, strict=True):
             least = len(names) + 2 * sum(_height(point[name]) for name in names)

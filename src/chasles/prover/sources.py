@@ -12,7 +12,7 @@ from chasles.points.evaluation import Point, ratio_at
 from chasles.problems.context import Context
 from chasles.prover.conditions import Solved
 from chasles.prover.consistency import contradiction, holds_somewhere
-from chasles.prover.counterexample import UnprovedPart, refute, solved_ratios
+from chasles.prover.counterexample import FRUITLESS, UnprovedPart, refute, solved_ratios
 from chasles.statements import Problem
 from chasles.verdict import Contradictory, Counterexample
 
@@ -57,14 +57,16 @@ class DeclaredPoints:
     closed = True
     attempts = points.ATTEMPTS
     """So often a point is drawn at which the entries are looked at."""
+    fruitless = FRUITLESS
+    """So many points are tried in vain before the best counterexample so far is taken."""
 
     def refute(self, context: Context, solved: tuple[Solved, ...], suspects: Suspects) -> Counterexample | None:
         """The counterexample that is easiest to evaluate by hand."""
-        return refute(context, solved, suspects)
+        return refute(context, solved, suspects, self.fruitless)
 
     def refute_soon(self, context: Context, solved: tuple[Solved, ...], suspects: Suspects) -> Counterexample | None:
         """None where the entries likely vanish: then a proof is worth while first."""
-        return None if self.likely_vanish(context, solved, suspects) else refute(context, solved, suspects)
+        return None if self.likely_vanish(context, solved, suspects) else self.refute(context, solved, suspects)
 
     def likely_vanish(self, context: Context, solved: tuple[Solved, ...], suspects: Suspects) -> bool:
         """Whether the entries vanish at a few rich points: then they likely vanish everywhere."""
