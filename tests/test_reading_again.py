@@ -42,7 +42,8 @@ def test_what_was_found_out_is_not_asked_again(tmp_path: Path, monkeypatch: pyte
     asked: list[object] = []
     found = bounded_proofs._found
     monkeypatch.setattr(bounded_proofs, "_found", lambda *of: asked.append(of) or found(*of))
-    assert _read(PAGE, again := recalled()) == first
+    again = recalled()
+    assert _read(PAGE, again) == first
     assert not asked
     (path,) = tmp_path.iterdir()
     path.write_text("not written again")

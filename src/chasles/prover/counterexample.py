@@ -39,8 +39,9 @@ def refute(
 ) -> Counterexample | None:
     """The counterexample that is easiest to evaluate by hand among those that a number of sample points give.
 
-    After so many that are `fruitless` no easier one is looked for. Points of axes, quarter turns, ones and zeros come first; others are tried if none of these refutes, and then such
-    as give a value to all that occurs, and to what is assumed besides. Only what the checker accepts refutes.
+    After so many that are `fruitless` no easier one is looked for.
+    Points of axes, quarter turns, ones and zeros come first; others are tried if none of these refutes, and then
+    such as give a value to all that occurs, and to what is assumed besides. Only what the checker accepts refutes.
     """
     used = _used_by_each(context, solved, suspects)
     gone = {s.variable for s in solved} | _unmeasured(context)
