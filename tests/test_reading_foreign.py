@@ -339,6 +339,23 @@ def test_a_derivative_of_what_nothing_is_said_of_is_no_zero(text: str, verdicts:
     assert [each.verdict for each in chasles.read(text, letters).equations] == verdicts
 
 
+def test_letters_that_differ_in_their_subscripts_may_be_of_several_kinds() -> None:
+    page = [r"S = P^T V_{xx} P", r"\mathbf{y} = V_x + V_{xx} \mathbf{w}", r"\mathbf{z} = \mathbf{w} - V_x"]
+    text = proposed([PrintedEquation(each) for each in page])
+    assert "'V_{x}' = { is = \"vector\" }" in text
+    assert "'V_{x x}' = { is = \"matrix\" }" in text
+    alike = proposed([PrintedEquation(r"a_x = b_{xx} + c"), PrintedEquation(r"a_{xx} = b_x")])
+    assert alike.count("scalar") == 5
+
+
+def test_what_is_written_out_has_its_shape_wherever_it_stands() -> None:
+    page = [r"W = C (s I - A)^{-1} B", r"\dot x = A x + B u", r"y = C x", r"z = C_1 B_1 + C B",
+            r"A = \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix}", r"B = \begin{bmatrix} 1 & 0 \\ 2 & 1 \\ \end{bmatrix}",
+            r"C = \begin{bmatrix} 1 & 3 \\ 0 & 1 \\ 1 & 1 \end{bmatrix}"]  # fmt: skip
+    text = proposed([PrintedEquation(each) for each in page])
+    assert all(f"'{name}' = {{ is = \"matrix\", shape = [{rows}, 2] }}" in text for name, rows in (("A", 2), ("C", 3)))
+
+
 def test_capitals_are_matrices_at_first_only_where_the_page_has_some() -> None:
     energies = proposed([PrintedEquation(text) for text in (r"L = T - V", r"p = \frac{\partial L}{\partial \dot q}")])
     assert "'L' = { is = \"scalar\" }" in energies

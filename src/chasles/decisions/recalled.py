@@ -90,11 +90,11 @@ def _path() -> Path | None:
 def path_of(name: str, parts: tuple[str, ...]) -> Path | None:
     """The file of the engine that has these parts; None where nothing is to be kept."""
     folder = cache.folder()
-    return None if folder is None else folder / f"{name}-{_engine(parts)[:16]}.json"
+    return None if folder is None else folder / f"{name}-{_engine(parts, LIBRARIES)[:16]}.json"
 
 
 @lru_cache
-def _engine(parts: tuple[str, ...]) -> str:
+def _engine(parts: tuple[str, ...], libraries: tuple[str, ...]) -> str:
     """The hash of the engine: its source, and the libraries that it computes with."""
     found = sha256()
     root = Path(__file__).parents[1]
@@ -102,7 +102,7 @@ def _engine(parts: tuple[str, ...]) -> str:
         for source in sorted((root / name).rglob("*.py")) or [root / f"{name}.py"]:
             found.update(source.relative_to(root).as_posix().encode())
             found.update(source.read_bytes())
-    for library in LIBRARIES:
+    for library in libraries:
         with suppress(PackageNotFoundError):
             found.update(f"{library} {version(library)}".encode())
     return found.hexdigest()

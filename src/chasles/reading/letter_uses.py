@@ -48,7 +48,7 @@ class LetterUse:
     """How a letter is used on the page: with which signs, in which functions, with which subscripts, where."""
 
     signs: set[str] = field(default_factory=set)
-    letters: dict[Glyph, None] = field(default_factory=dict)
+    letters: dict[Glyph, dict[int, None]] = field(default_factory=dict)
     places: dict[int, None] = field(default_factory=dict)
     kind: str = ""
     other: str = ""
@@ -229,6 +229,6 @@ def _note_letter(letter: Glyph, around: set[str], noting: _Noting) -> None:
     if is_declared(letter, noting.bare):
         own, marks = parted(letter, noting.operators)
         use = noting.uses.setdefault(stem_of(own), LetterUse())
-        use.letters[own] = use.places[noting.at] = None
+        use.letters.setdefault(own, {})[noting.at] = use.places[noting.at] = None
         use.signs |= {"marked"} if letter.sub or letter.accents or letter.primes or letter.sups else set()
         use.signs |= around | {each if each in noting.operators else f"^{each}" for each in marks}

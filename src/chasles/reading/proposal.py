@@ -81,7 +81,8 @@ def _declared(stem: Glyph, use: LetterUse, uses: Mapping[Glyph, LetterUse]) -> I
         if any(glyph.sub in ("x", "y", "z") for glyph in glyphs):
             yield replace(whole, sub="x|y|z"), {"is": "component", "of": spelled(whole)}
         glyphs = [glyph for glyph in glyphs if glyph.sub not in ("x", "y", "z")]
-    if len(glyphs) > 3 and not entries and all(glyph == replace(stem, sub=glyph.sub) for glyph in glyphs):
+    is_whole = stem.sub in ("", "#") and all(glyph == replace(stem, sub=glyph.sub) for glyph in glyphs)
+    if len(glyphs) > 3 and not entries and is_whole:
         glyphs = [replace(stem, sub="##")]
     shape = {"shape": list(use.shape)} if use.shape else {}
     yield from ((glyph, {"is": use.kind, **shape}) for glyph in glyphs)
