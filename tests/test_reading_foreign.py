@@ -340,7 +340,7 @@ def test_a_derivative_of_what_nothing_is_said_of_is_no_zero(text: str, verdicts:
 
 
 def test_letters_that_differ_in_their_subscripts_may_be_of_several_kinds() -> None:
-    page = [r"S = P^T V_{xx} P", r"\mathbf{y} = V_x + V_{xx} \mathbf{w}", r"\mathbf{z} = \mathbf{w} - V_x"]
+    page = [r"s = \det V_{xx}", r"\mathbf{y} = V_x + V_{xx} \mathbf{w}", r"\mathbf{z} = \mathbf{w} - V_x"]
     text = proposed([PrintedEquation(each) for each in page])
     assert "'V_{x}' = { is = \"vector\" }" in text
     assert "'V_{x x}' = { is = \"matrix\" }" in text
