@@ -13,7 +13,7 @@ from chasles.reading.notation_file import load_notation
 from chasles.reading.pages import Kind, displayed, kind_of
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.proposal import proposed
-from chasles.vocabulary import latex
+from chasles.vocabulary import latex, symbols_of
 
 NOTATION = r"""
 [symbols]
@@ -339,8 +339,16 @@ def test_a_derivative_of_what_nothing_is_said_of_is_no_zero(text: str, verdicts:
     assert [each.verdict for each in chasles.read(text, letters).equations] == verdicts
 
 
+def test_letters_have_names_of_their_own() -> None:
+    names = ("P_k", "P_k^{-}", "P_k^{+}", "x_0^*", "x_0")
+    letters = load_notation({"symbols": dict.fromkeys(names, "scalar")})
+    page = " + ".join(names) + " = P_k"
+    (part,) = read_equations([PrintedEquation(page)], letters)[0].readings[0].parts
+    assert len({symbol.name for symbol in symbols_of(part.left)}) == len(names)
+
+
 def test_letters_that_differ_in_their_subscripts_may_be_of_several_kinds() -> None:
-    page = [r"s = \det V_{xx}", r"\mathbf{y} = V_x + V_{xx} \mathbf{w}", r"\mathbf{z} = \mathbf{w} - V_x"]
+    page = [r"S = \det V_{xx}", r"\mathbf{y} = V_x + V_{xx} \mathbf{w}", r"\mathbf{z} = \mathbf{w} - V_x"]
     text = proposed([PrintedEquation(each) for each in page])
     assert "'V_{x}' = { is = \"vector\" }" in text
     assert "'V_{x x}' = { is = \"matrix\" }" in text

@@ -25,6 +25,8 @@ KINDS: dict[str, tuple[int, int]] = {
 }  # fmt: skip
 """What a letter may be, and the shape that it then has unless the file says another."""
 TYPEFACE_NAMES = ("mathbf", "boldsymbol", "mathrm", "operatorname")
+SIGNS = {"*": "star", "+": "plus", "-": "minus"}
+"""How signs in a letter's scripts are called in its name."""
 OTHERS = ("component", "entry", "index")
 KNOWN_KEYS: dict[str, type] = {
     "is": str, "unit": str, "constant": bool, "positive": bool, "shape": object, "size": int, "of": str,
@@ -183,6 +185,6 @@ def named(letter: Glyph) -> str:
     """A name for a symbol, in letters and digits."""
     primes = "'" * letter.primes
     said = " ".join((*letter.before, letter.base, *letter.accents, letter.sub, *letter.sups))
-    words = [word for word in re.findall(r"\w+", said) if word not in TYPEFACE_NAMES]
+    words = [SIGNS.get(word, word) for word in re.findall(r"\w+|[*+-]", said) if word not in TYPEFACE_NAMES]
     arguments = [word.strip("\\") for word in letter.arguments.split() if word.strip("\\") not in TYPEFACE_NAMES]
     return ("_".join(words) or letter.base) + primes + (f"({' '.join(arguments)})" if arguments else "")
