@@ -332,7 +332,7 @@ def test_what_a_formula_abbreviates(text, parts):
 @pytest.mark.parametrize(
     ("text", "why"),
     [
-        (r"a \dots b = 0", r"\dots stands for what is left out"),
+        (r"a \vdots b = 0", r"\vdots stands for what is left out"),
         (r"v \in \mathbb{R}^3", r"\in claims nothing"),
         (r"a = \lim", r"no word for \lim"),
         (r"a = \left\{ \begin{bmatrix} 1 \end{bmatrix} \right.", "\\{ is not closed"),

@@ -34,6 +34,8 @@ ENOUGH = 0.9
 """A step has to leave less than this of the equations."""
 PRECISION = 1e-9
 """Relative to the size of the sides: what is left of equations that hold."""
+DAMPING = 1e-12
+"""Relative to the largest sum of squares: slopes below its root are not followed."""
 MOST_NUMBERS = 600
 """With more free numbers no motion is looked for that satisfies equations."""
 SMALL_CHANGE = 1e-7
@@ -160,7 +162,7 @@ def satisfying(
         if not np.all(np.isfinite(residual)):
             raise NotInMotion
         slopes = (residual[:, 1:] - residual[:, :1]) / SMALL_CHANGE * ease
-        steps = np.outer(ease * np.linalg.lstsq(slopes, -residual[:, 0], rcond=1e-9)[0], SHORTER)
+        steps = np.outer(ease * _least_solution(slopes, -residual[:, 0]), SHORTER)
         residual, size = _residual(equations, _at(motion, numbers, places, steps, rules, running, terms))
         tried = np.max(np.abs(residual), axis=0)
         best = int(np.nanargmin(tried))
@@ -171,6 +173,20 @@ def satisfying(
         if tried[best] < PRECISION * size:
             return motion.with_numbers(numbers)
     raise NotInMotion
+
+
+def _least_solution(slopes: Array, wanted: Array) -> Array:
+    """The smallest solution of linear equations, or what comes nearest to one.
+
+    It is that of the normal equations with a little damping (Levenberg and Marquardt), as Newton's method goes on from
+    there: a decomposition into singular values takes ten times as long.
+    """
+    is_wide = slopes.shape[0] <= slopes.shape[1]
+    square = slopes @ slopes.T if is_wide else slopes.T @ slopes
+    damping = DAMPING * max(float(np.max(np.diag(square))), np.finfo(float).tiny)
+    square[np.diag_indices_from(square)] += damping
+    found = np.linalg.solve(square, wanted if is_wide else slopes.T @ wanted)
+    return np.asarray(slopes.T @ found if is_wide else found)
 
 
 def _at(
