@@ -19,12 +19,13 @@ from random import Random
 from statistics import median
 from time import process_time
 
+from chasles.deciding import decided
 from chasles.decisions.session import Session
-from chasles.prover.decide import decide_problem
 from chasles.repairs.repair import Repair, repair
 from chasles.statements import Chapter, Claim, Statement, load, problem_of
 from chasles.verdict import Fails
-from chasles.vocabulary import Block, Misfit, Negative, Node, Sum, children, plain
+from chasles.vocabulary import Block, Misfit, Negative, Node, Number, Scale, Sum, children, plain
+from chasles.vocabulary.sizes import sizes_of
 
 from .meaning import Meaning
 from .mutation import Mutant, mutants_of
@@ -112,7 +113,7 @@ def _first(mutants: Iterable[Planted], count: int, session: Session) -> Iterator
 
 def _is_false(mutant: Statement, session: Session) -> bool:
     try:
-        verdict = decide_problem(problem_of(mutant, "printed", session.accepted), mutant.assuming)
+        verdict = decided(problem_of(mutant, "printed", session.accepted), mutant.assuming)
     except (Misfit, TypeError):
         return False
     return isinstance(verdict, Fails)
@@ -131,7 +132,12 @@ def outcome_of(case: Planted, chapter: Chapter, session: Session) -> Outcome:
 
 def _says(found: Repair, case: Planted) -> bool:
     """Whether a repair says what the original says, or a multiple of it, whatever its letters are."""
-    meaning, sides = case.meaning.of_words, case.original.printed
+    sides = case.original.printed
+    if sizes_of(sides):
+        shown = found.left, found.right
+        multiples = ([Scale(Number(times), side) for side in sides] for times in map(Fraction, ("1", "-1", "2", "1/2")))
+        return any(all(_same_in_words(a, b, case) for a, b in zip(shown, said, strict=True)) for said in multiples)
+    meaning = case.meaning.of_words
     if all(meaning(a) == meaning(b) for a, b in zip((found.left, found.right), sides, strict=True)):
         return True
     if not isinstance(meaning(sides[1]), tuple):
@@ -150,7 +156,7 @@ def _same_in_words(one: Node, other: Node, case: Planted) -> bool:
     try:
         return (
             plain(one) == plain(other)
-            or decide_problem(problem_of(Claim("0", one, other, assuming=case.original.assuming))).true
+            or decided(problem_of(Claim("0", one, other, assuming=case.original.assuming))).true
         )
     except (Misfit, TypeError):
         return False

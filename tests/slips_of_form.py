@@ -41,7 +41,7 @@ def transposes(node: Node, is_symmetric: Callable[[Node], bool]) -> Iterator[Sli
         return
     if isinstance(node, Transpose):
         yield "transpose lost", node.of
-    elif rows == columns > 1:
+    elif rows == columns != 1:
         factors = _factors(node)
         if [_mirrored(factor) for factor in reversed(factors)] != factors:
             yield "transpose added", Transpose(node)

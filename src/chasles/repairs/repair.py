@@ -14,6 +14,7 @@ from itertools import islice
 from chasles.algebra.work_limit import OutOfTime, within
 from chasles.deciding import decided
 from chasles.display import Displayed
+from chasles.repairs.any_size import at_numbers, changes_at_any_size
 from chasles.repairs.one_term import Change
 from chasles.repairs.ranking import Nearest, given_sides
 from chasles.repairs.well_formed import WellFormedRepair, fitting
@@ -102,7 +103,9 @@ def _of_claim(near: Nearest) -> Iterator[Repair]:
     statement = near.statement
     if not isinstance(statement, Claim) or statement.solves is not None:
         return
-    for changes in _candidates(near):
+    sized = at_numbers(statement)
+    at_points = () if sized is None else (changes_at_any_size(statement, *sized, near.letters, near.accepted),)
+    for changes in at_points or _candidates(near):
         found = list(_proved(near, changes))
         yield from found
         if found:

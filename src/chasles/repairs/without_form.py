@@ -15,7 +15,7 @@ from chasles.rewriting.coefficients import ONE
 from chasles.rewriting.places import everywhere
 from chasles.statements import Problem, Statement, problem_of
 from chasles.statements.goals import AcceptedSides
-from chasles.vocabulary import Misfit, Negative, Node, Number, Power, Quotient, Scale, Sum, Symbol, printed
+from chasles.vocabulary import Block, Misfit, Negative, Node, Number, Power, Quotient, Scale, Sum, Symbol, printed
 from chasles.vocabulary.families import Entry, Index, Member
 from chasles.vocabulary.functions import FunctionOf
 from chasles.vocabulary.shorthand import opened
@@ -53,8 +53,10 @@ def edits_of(side: Node, letters: list[Symbol], indices: Iterable[Index] = ()) -
     yield from chain(single_edits(side), in_letters(side, letters), exchanged_letters(side))
     parts = dict(everywhere(side))
     for path, part in parts.items():
-        in_product = bool(path) and isinstance(parts[path[:-1]], Scale | Quotient)
-        for new, effort in (*_of_functions(part), *_of_indices(part, indices)):
+        parent = parts[path[:-1]] if path else None
+        in_product = isinstance(parent, Scale | Quotient)
+        alone = () if part.is_scalar or not isinstance(parent, Block | None) else _of_matrices(part)
+        for new, effort in (*_of_functions(part), *_of_indices(part, indices), *alone):
             whole = placed(side, path, new)
             if whole.fault is None and not (in_product and new == ONE):
                 yield SingleEdit(whole, instead(new, part), effort)
@@ -80,6 +82,13 @@ def _of_functions(part: Node) -> Iterator[tuple[Node, int]]:
         yield from ((Scale(Number(Fraction(factor)), part), FACTOR) for factor in (2, Fraction(1, 2)))
         if isinstance(part, Sum | Power):
             yield printed(lambda: FunctionOf("sqrt", (part,))), FORM
+
+
+def _of_matrices(part: Node) -> Iterator[tuple[Node, int]]:
+    """A whole side, or a block of one, with another sign or factor."""
+    yield (part.term if isinstance(part, Negative) else Negative(part)), SIGN
+    yield Scale(Number(Fraction(2)), part), FACTOR
+    yield Scale(Number(Fraction(1, 2)), part), FACTOR + 1
 
 
 def _of_indices(part: Node, indices: Iterable[Index]) -> Iterator[tuple[Node, int]]:

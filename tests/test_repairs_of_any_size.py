@@ -1,0 +1,73 @@
+"""What is wrong in a claim on matrices of any size is repaired, the original first or among the first."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from chasles.checker.certificate import check
+from chasles.repairs.repair import repair
+from chasles.statements import Claim, nonzero, symmetric
+from chasles.statements.matrices import invertible
+from chasles.vocabulary import (
+    CPM,
+    Identity,
+    Node,
+    cross,
+    det,
+    inverse,
+    matrix,
+    plain,
+    rate,
+    square,
+    tr,
+    vector,
+)
+from chasles.vocabulary.partial import gradient, partial
+from chasles.vocabulary.sizes import Size, rectangular
+
+UNITS = False
+n, m = Size("n"), Size("m")
+A, B, P, X = (square(name, name, "", size=n) for name in "ABPX")
+D, R = square("D", "D", "", size=m), square("R", "R", "", size=m)
+H, U, V = rectangular("H", "H", "", m, n), rectangular("U", "U", "", n, m), rectangular("V", "V", "", m, n)
+a, b, x, u, v = (vector(name, name, "", size=n) for name in "abxuv")
+S = H @ P @ H.T + R
+c, e = vector("c", "c", ""), vector("e", "e", "")
+
+SLIPPED: list[tuple[Node, Node, str, tuple[Any, ...]]] = [
+    (inverse(A @ B), inverse(A) @ inverse(B), "B^-1 A^-1", (invertible(A), invertible(B))),
+    (det(Identity(n) + u @ v.T), 1 - v.T @ u, "1 + v^T u", ()),
+    ((x - a).T @ A @ (x - a), x.T @ A @ x + 2 * a.T @ A @ x + a.T @ A @ a, "x^T A x - 2 a^T A x + a^T A a",
+     (symmetric(A),)),
+    (H @ P @ H.T @ inverse(S), Identity(m) + R @ inverse(S), "1 - R (H P H^T + R)^-1", (invertible(S),)),
+    (rate(inverse(X)), -(inverse(X) @ rate(X) @ X), "-X^-1 X_dot X^-1", (invertible(X),)),
+    (gradient(x.T @ A @ x, x), (A - A.T) @ x, "(A + A^T) x", ()),
+    (gradient(x.T @ A @ x, x), A @ x, "2 A x", (symmetric(A),)),
+    (partial(tr(A @ X @ B), X), A.T @ B, "A^T B^T", ()),
+    (partial(a.T @ X @ b, X), b @ a.T, "a b^T", ()),
+    (inverse(A + u @ v.T), inverse(A) + inverse(A) @ u @ v.T @ inverse(A) / (1 + v.T @ inverse(A) @ u),
+     "A^-1 - A^-1 u v^T A^-1 / (1 + v^T A^-1 u)", (invertible(A), nonzero(1 + v.T @ inverse(A) @ u))),
+    (det(matrix([A, U], [V, D])), det(A) * det(D + V @ inverse(A) @ U), "det(A) det(D - V A^-1 U)", (invertible(A),)),
+    (inverse(matrix([A, U], [0, D])), matrix([inverse(A), inverse(A) @ U @ inverse(D)], [0, inverse(D)]),
+     "[A^-1, -A^-1 U D^-1; 0, D^-1]", (invertible(A), invertible(D))),
+    (x.T @ (A + A.T) @ x, 2 * x.T @ x, "2 x^T A x", ()),
+    (partial(cross(c, e), c), CPM(e), "-CPM(e)", ()),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("left", "right", "meant", "assuming"), SLIPPED, ids=lambda said: str(said)[:60])
+def test_slips_are_repaired(left: Node, right: Node, meant: str, assuming: Any) -> None:
+    repairs = repair(Claim("1", left, right, assuming=assuming))
+    found = [plain(each.right) for each in repairs]
+    assert meant in found[:2], found
+    first = repairs[found.index(meant)]
+    check(Claim("1", first.left, first.right, assuming=assuming), "printed", first.verdict.certificate)
+
+
+def test_what_is_true_of_one_size_only_is_no_repair() -> None:
+    """At n = 2 the adjugate is linear in the matrix; that is proved for no other size."""
+    claim = Claim("1", det(A + Identity(n)), det(A) - tr(A) + 1)
+    assert all("tr" not in plain(each.right) or each.verdict.true for each in repair(claim))
+    assert not [each for each in repair(claim) if plain(each.right) == "det(A) + tr(A) + 1"]
