@@ -9,7 +9,7 @@
 #include <string.h>
 
 #if CHASLES_VECTORS && defined(__SSE2__)
-#include <emmintrin.h>
+#include <immintrin.h>
 #endif
 
 /* The floating-point state around a batch. On x86 with SSE it is one register, far quicker than <fenv.h>, which
@@ -169,46 +169,49 @@ static int overlaps(
     return over;
 }
 
-/* Copies `width` bytes of each of some items that lie so far apart. */
+/* Copies `width` bytes of each of some items that lie so far apart, as many at a time as one move takes. */
 static void copy_some(ptrdiff_t width, char *to, ptrdiff_t to_step, const char *from, ptrdiff_t from_step, ptrdiff_t items)
 {
+    ptrdiff_t done = 0;
 #define COPY(bytes) \
-    for (ptrdiff_t i = 0; i < items; i++) { \
-        memcpy(to + i * to_step, from + i * from_step, (size_t)(bytes)); \
-    } \
-    break
-    switch (width) {
-    case 4:
-        COPY(4);
-    case 8:
-        COPY(8);
-    case 12:
-        COPY(12);
-    case 16:
-        COPY(16);
-    case 24:
-        COPY(24);
-    case 32:
-        COPY(32);
-    case 48:
-        COPY(48);
-    default:
-        COPY(width);
+    for (; width - done >= (bytes); done += (bytes)) { \
+        for (ptrdiff_t i = 0; i < items; i++) { \
+            memcpy(to + i * to_step + done, from + i * from_step + done, (bytes)); \
+        } \
     }
+    COPY(96)
+    COPY(48)
+    COPY(32)
+    COPY(24)
+    COPY(16)
+    COPY(8)
+    COPY(4)
 #undef COPY
 }
 
 #if CHASLES_VECTORS && defined(__SSE2__)
+#define NUMBERS(at) ((double *)(void *)(at))
+
 /* Copies an even number of pairs from two rows to items that lie `step` apart, or back. */
 static void copy_pairs(char *first, char *second, char *together, ptrdiff_t step, ptrdiff_t items, int back)
 {
-    for (ptrdiff_t i = 0; i < items; i += 2) {
-        double *const one = (double *)(void *)(together + i * step), *const other = (double *)(void *)(together + (i + 1) * step);
-        double *const a = (double *)(void *)(first + i * 8), *const b = (double *)(void *)(second + i * 8);
-        const __m128d x = _mm_loadu_pd(back ? one : a), y = _mm_loadu_pd(back ? other : b);
-        _mm_storeu_pd(back ? a : one, _mm_unpacklo_pd(x, y));
-        _mm_storeu_pd(back ? b : other, _mm_unpackhi_pd(x, y));
+#define MOVE(from_a, from_b, to_a, to_b) \
+    do { \
+        const __m128d x = _mm_loadu_pd(NUMBERS(from_a)), y = _mm_loadu_pd(NUMBERS(from_b)); \
+        _mm_storeu_pd(NUMBERS(to_a), _mm_unpacklo_pd(x, y)); \
+        _mm_storeu_pd(NUMBERS(to_b), _mm_unpackhi_pd(x, y)); \
+    } while (0)
+    char *at = together;
+    if (back) {
+        for (ptrdiff_t i = 0; i < items * 8; i += 16, at += 2 * step) {
+            MOVE(at, at + step, first + i, second + i);
+        }
+    } else {
+        for (ptrdiff_t i = 0; i < items * 8; i += 16, at += 2 * step) {
+            MOVE(first + i, second + i, at, at + step);
+        }
     }
+#undef MOVE
 }
 #define CHASLES_PAIRS 1
 #else
@@ -219,28 +222,105 @@ static void copy_pairs(char *first, char *second, char *together, ptrdiff_t step
 #define CHASLES_PAIRS 0
 #endif
 
+#if CHASLES_PAIRS && CHASLES_LEVELS >= 2
+/* Copies four rows of numbers, a multiple of four, to items that lie `step` apart, or back. */
+__attribute__((target("avx2"))) static void copy_fours(char *const *rows, char *together, ptrdiff_t step, ptrdiff_t items, int back)
+{
+    char *const a = rows[0], *const b = rows[1], *const c = rows[2], *const d = rows[3];
+#define MOVE(from_a, from_b, from_c, from_d, to_a, to_b, to_c, to_d) \
+    do { \
+        const __m256d w = _mm256_loadu_pd(NUMBERS(from_a)), x = _mm256_loadu_pd(NUMBERS(from_b)); \
+        const __m256d y = _mm256_loadu_pd(NUMBERS(from_c)), z = _mm256_loadu_pd(NUMBERS(from_d)); \
+        const __m256d even = _mm256_unpacklo_pd(w, x), odd = _mm256_unpackhi_pd(w, x); \
+        const __m256d even_ = _mm256_unpacklo_pd(y, z), odd_ = _mm256_unpackhi_pd(y, z); \
+        _mm256_storeu_pd(NUMBERS(to_a), _mm256_permute2f128_pd(even, even_, 0x20)); \
+        _mm256_storeu_pd(NUMBERS(to_b), _mm256_permute2f128_pd(odd, odd_, 0x20)); \
+        _mm256_storeu_pd(NUMBERS(to_c), _mm256_permute2f128_pd(even, even_, 0x31)); \
+        _mm256_storeu_pd(NUMBERS(to_d), _mm256_permute2f128_pd(odd, odd_, 0x31)); \
+    } while (0)
+    char *at = together;
+    if (back) {
+        for (ptrdiff_t i = 0; i < items * 8; i += 32, at += 4 * step) {
+            MOVE(at, at + step, at + 2 * step, at + 3 * step, a + i, b + i, c + i, d + i);
+        }
+    } else {
+        for (ptrdiff_t i = 0; i < items * 8; i += 32, at += 4 * step) {
+            MOVE(a + i, b + i, c + i, d + i, at, at + step, at + 2 * step, at + 3 * step);
+        }
+    }
+#undef MOVE
+}
+#define CHASLES_FOURS 1
+#else
+static void copy_fours(char *const *rows, char *together, ptrdiff_t step, ptrdiff_t items, int back)
+{
+    (void)rows, (void)together, (void)step, (void)items, (void)back;
+}
+#define CHASLES_FOURS 0
+#endif
+
+#if defined(__GNUC__)
+#define CHASLES_PREFETCH(at, nearness) __builtin_prefetch(at, 0, nearness)
+#else
+#define CHASLES_PREFETCH(at, nearness) ((void)(at))
+#endif
+
+/* Asks for the memory of a row of numbers from its byte `first` to before its byte `last`, as near as can be or not quite.
+ * Among so many rows no machine guesses what comes next. */
+static void prefetch_row(const char *row, ptrdiff_t first, ptrdiff_t last, int soon)
+{
+    for (ptrdiff_t byte = first; byte < last; byte += CHASLES_LINE) {
+        const char *const line = (const char *)((uintptr_t)row + (uintptr_t)byte);
+        if (soon) {
+            CHASLES_PREFETCH(line, 3);
+        } else {
+            CHASLES_PREFETCH(line, 2);
+        }
+    }
+}
+
+/* Where entry e of the first item lies. */
+static char *entry_of(chasles_shape shape, Stride stride, char *apart, ptrdiff_t e)
+{
+    return apart + e / shape.columns * stride.down + e % shape.columns * stride.across;
+}
+
 /* Copies `items` items from where their strides say to `together`, where they lie one after the other, or back. */
 static void copy(
     ptrdiff_t number, chasles_shape shape, Stride stride, char *apart, ptrdiff_t step, char *together, ptrdiff_t items,
-    int back)
+    int back, int level)
 {
     const ptrdiff_t entries = (ptrdiff_t)shape.rows * shape.columns, size = number * entries;
     const ptrdiff_t row = stride.across == number ? shape.columns : 1, wide = stride.dense ? entries : row;
-    const ptrdiff_t paired = CHASLES_PAIRS && number == 8 && step == number && entries > 1 ? items - items % 2 : 0;
-    for (ptrdiff_t e = 0; e < entries; e += paired > 0 ? 1 : wide) {
-        char *const here = together + e * number;
-        char *const there = apart + e / shape.columns * stride.down + e % shape.columns * stride.across;
-        if (paired > 0 && (e % 2 == 0 || e + 1 == entries)) {
-            /* Two entries at a time, of an odd number of them the last one with the one before it. */
-            const ptrdiff_t f = e + 1 < entries ? e + 1 : e - 1;
-            char *const other = apart + f / shape.columns * stride.down + f % shape.columns * stride.across;
-            copy_pairs(f > e ? there : other, f > e ? other : there, f > e ? here : here - number, size, paired, back);
+    const ptrdiff_t widest = CHASLES_FOURS && level > 0 && entries >= 4 ? 4 : 2;
+    const int in_rows = CHASLES_PAIRS && number == 8 && step == number && entries > 1;
+    const ptrdiff_t turned = in_rows ? items - items % widest : 0, rest = items - turned;
+    const ptrdiff_t at_once = turned > 0 ? widest : wide, width = number * (turned > 0 ? 1 : wide);
+    for (ptrdiff_t e = 0; e < entries; e += at_once) {
+        /* Of the last entries some come again, so that they are as many. */
+        const ptrdiff_t first = e + at_once > entries ? entries - at_once : e;
+        char *const start = together + first * number;
+        char *rows[4];
+        for (ptrdiff_t k = 0; k < (turned > 0 ? at_once : 1); k++) {
+            char *const here = start + k * number + turned * size;
+            rows[k] = entry_of(shape, stride, apart, first + k);
+            if (back) {
+                copy_some(width, rows[k] + turned * step, step, here, size, rest);
+            } else {
+                copy_some(width, here, size, rows[k] + turned * step, step, rest);
+            }
+            if (back && turned > 0) {
+                /* What comes next, and this row in the next block. */
+                if (first + k + at_once < entries) {
+                    prefetch_row(entry_of(shape, stride, apart, first + k + at_once), 0, turned * step, 1);
+                }
+                prefetch_row(rows[k], turned * step, 2 * turned * step, 0);
+            }
         }
-        const ptrdiff_t width = number * (paired > 0 ? 1 : wide), rest = items - paired;
-        if (back) {
-            copy_some(width, there + paired * step, step, here + paired * size, size, rest);
-        } else {
-            copy_some(width, here + paired * size, size, there + paired * step, step, rest);
+        if (turned > 0 && at_once == 4) {
+            copy_fours(rows, start, size, turned, back);
+        } else if (turned > 0) {
+            copy_pairs(rows[0], rows[1], start, size, turned, back);
         }
     }
 }
@@ -255,7 +335,7 @@ typedef struct {
  * again up to `filled`. */
 static void gather(
     const chasles_loop *loop, Part *part, const Part *batch, const Stride *strides, const int *in_place, ptrdiff_t items,
-    ptrdiff_t filled, char *store)
+    ptrdiff_t filled, char *store, int level)
 {
     for (int k = 0; k < loop->operands; k++) {
         const ptrdiff_t size = size_of(loop, k);
@@ -267,7 +347,7 @@ static void gather(
         part->at[k] = store;
         part->steps[k] = size;
         if (k < loop->inputs) {
-            copy(loop->number, loop->shapes[k], strides[k], batch->at[k], batch->steps[k], store, items, 0);
+            copy(loop->number, loop->shapes[k], strides[k], batch->at[k], batch->steps[k], store, items, 0, level);
             for (ptrdiff_t i = items; i < filled; i++) {
                 memcpy(store + i * size, store + (items - 1) * size, (size_t)size);
             }
@@ -279,11 +359,11 @@ static void gather(
 /* Copies `items` items of each output that is not in place to their places. */
 static void scatter(
     const chasles_loop *loop, const Part *part, const Part *batch, const Stride *strides, const int *in_place,
-    ptrdiff_t items)
+    ptrdiff_t items, int level)
 {
     for (int k = loop->inputs; k < loop->operands; k++) {
         if (in_place == NULL || !in_place[k]) {
-            copy(loop->number, loop->shapes[k], strides[k], batch->at[k], batch->steps[k], part->at[k], items, 1);
+            copy(loop->number, loop->shapes[k], strides[k], batch->at[k], batch->steps[k], part->at[k], items, 1, level);
         }
     }
 }
@@ -385,6 +465,7 @@ typedef struct {
     const chasles_loop *loop;
     chasles_block *block;
     const Stride *strides;
+    int level;
     int shift;
     ptrdiff_t lanes;
     Part rest;
@@ -430,9 +511,9 @@ static ptrdiff_t run_gathered(Run *run, ptrdiff_t left, char *store)
     const ptrdiff_t items = in_place != NULL ? most >> run->shift << run->shift : most;
     const ptrdiff_t filled = (items + run->lanes - 1) >> run->shift << run->shift;
     Part part;
-    gather(run->loop, &part, &run->rest, run->strides, in_place, items, filled, store);
+    gather(run->loop, &part, &run->rest, run->strides, in_place, items, filled, store, run->level);
     advance(run, &part, items, &nothing);
-    scatter(run->loop, &part, &run->rest, run->strides, in_place, items);
+    scatter(run->loop, &part, &run->rest, run->strides, in_place, items, run->level);
     go_on(run, items);
     return items;
 }
@@ -502,6 +583,7 @@ void chasles_run(
     run.loop = loop;
     run.block = loop->blocks[level];
     run.strides = strides;
+    run.level = level;
     run.shift = shift_of(loop, level);
     run.lanes = (ptrdiff_t)1 << run.shift;
     run.in_place = over ? NULL : in_place_each;
