@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from typing import Any
 
 import pytest
@@ -125,6 +126,17 @@ def test_they_are_printed() -> None:
     assert latex(total(x - y, j) * 2) == r"\left[ \sum_{i=1}^{n} \left( x_i - y_i \right) \right] 2"
     assert plain(total(x, j)) == "sum over i to n of x_i"
     assert total(m * r, i).measure == (m * r).measure
+
+
+def test_units_are_the_chapters() -> None:
+    """Who imports all names of a module of words keeps units, and a sum has those of its members."""
+    assert not [name for name in sys.modules if name.startswith("chasles.") and hasattr(sys.modules[name], "UNITS")]
+    assert total(m, i).measure == m.measure
+    assert (total(m, i) * c + total(m * r, i)).fault is None
+
+
+def test_the_sum_of_python_adds() -> None:
+    assert sum([r, a, c]) == r + a + c  # type: ignore[list-item]
 
 
 def test_mistakes_are_told() -> None:

@@ -15,7 +15,7 @@ class Integral(OfOne):
 
     The `density`, and the quantities `over` which the integral is taken, differ from element to element; so does what
     a rule makes of them. Everything else is the same for all elements. An element's mass, density times volume, does
-    not change with time.
+    not change with time. Without a `body` it is a sum over members, which have no volume.
     """
 
     density: Symbol
@@ -23,7 +23,7 @@ class Integral(OfOne):
     body: str = r"\mathcal{B}"
 
     def _measured(self) -> Measure:
-        return scaled(measured(self.of), LENGTH**3 if is_measured(self.density) else NO_DIMENSION)
+        return scaled(measured(self.of), LENGTH**3 if self.body and is_measured(self.density) else NO_DIMENSION)
 
     @property
     def running(self) -> frozenset[Symbol]:

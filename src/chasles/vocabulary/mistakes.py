@@ -64,6 +64,10 @@ def _remedies(name: str, value: Any, hint: Any, others: Parameters) -> Iterator[
         yield f"call it, as {value.__name__}(…)"
     if fits("", hint) and isinstance(value, int | float | Fraction):
         yield f'write "{value}"'
+    if _said(hint) == "a Hypothesis" and type(value).__name__ == "Relation":
+        yield f"write inequality({value}), of chasles.statements.inequalities"
+    if _said(hint) == "a Statement" and isinstance(value, str):
+        yield "write the Python name of the statement, without quotes"
     if "an expression" in _said(hint):
         yield from _expressions(value)
     for other, parameter in others.items() if _shown(value).startswith(("a ", "an ")) else ():

@@ -53,8 +53,8 @@ class Node(Displayed, Fitted):
     def __add__(self, other: Node | int | Fraction) -> Sum:
         return Sum((*_terms(self), lifted(other)))
 
-    def __radd__(self, other: int | Fraction) -> Sum:
-        return Sum((lifted(other), self))
+    def __radd__(self, other: int | Fraction) -> Node:
+        return self if other == 0 else Sum((lifted(other), self))
 
     def __sub__(self, other: Node | int | Fraction) -> Sum:
         return Sum((*_terms(self), Negative(lifted(other))))
@@ -112,7 +112,7 @@ class Node(Displayed, Fitted):
 
     def __pow__(self, exponent: int) -> Power:
         if not isinstance(exponent, int) or isinstance(exponent, bool):
-            raise TypeError(f"the exponent of {self} is {exponent!r}; it must be a whole number")
+            raise TypeError(f"the exponent of {self} is {exponent}; it must be a whole number")
         return Power(self, exponent)
 
     def __getitem__(self, places: int | slice | tuple[int | slice, int | slice]) -> Node:
@@ -166,7 +166,8 @@ def lifted(value: Node | int | Fraction) -> Node:
         return value
     if isinstance(value, int | Fraction) and not isinstance(value, bool):
         return Number(Fraction(value))
-    raise TypeError(f"expected an expression, an integer or a Fraction, got {value!r}")
+    exact = f": write {Fraction(value).limit_denominator(1000)!r}" if isinstance(value, float) else ""
+    raise TypeError(f"expected an expression, an integer or a Fraction, got {value!r}{exact}")
 
 
 def _terms(node: Node) -> tuple[Node, ...]:

@@ -18,8 +18,7 @@ from chasles.vocabulary.shorthand import Shorthand
 if TYPE_CHECKING:
     from chasles.vocabulary.spelling import Piece, Style
 
-UNITS = False
-MEMBER = Symbol("member", "1", uniform((1, 1)), "what each member counts for", constant=True, home=__name__)
+MEMBER = Symbol("member", "1", uniform((1, 1)), "what each member counts for", constant=True)
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +55,7 @@ class Total(Shorthand):
 
     @property
     def definition(self) -> Node:
-        return Integral(self.of, MEMBER, self.index.symbols)
+        return Integral(self.of, MEMBER, self.index.symbols, "")
 
     @property
     def running(self) -> frozenset[Symbol]:
