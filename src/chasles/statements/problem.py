@@ -26,7 +26,16 @@ from chasles.statements.inverses import Inverses, reached
 from chasles.statements.lengths import Lengths
 from chasles.statements.of_all_members import summed
 from chasles.statements.rules import behind, passed_on, rated, refuse_circles
-from chasles.statements.statement import Claim, Condition, Equation, Statement, Theorem, bare, is_rule
+from chasles.statements.statement import (
+    Claim,
+    Condition,
+    Equation,
+    Statement,
+    Theorem,
+    bare,
+    is_rule,
+    with_their_definitions,
+)
 from chasles.statements.varied import opened_parts
 from chasles.vocabulary import Negative, Node, Rate, Sum, Symbol, members_of, plain, walk
 from chasles.vocabulary.families import indices_of
@@ -112,7 +121,7 @@ def _given(statement: Decidable, accepted: AcceptedSides) -> tuple[list[Equation
     rules: list[Equation] = []
     conditions: list[Goal] = []
     unknowns: dict[Symbol, None] = {}
-    for given in statement.given:
+    for given in with_their_definitions(statement.given):
         left, right = accepted(given)
         if isinstance(given, Condition) and given.solution is not None:
             raise TypeError(

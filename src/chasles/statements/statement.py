@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from dataclasses import replace as with_fields
 from typing import ClassVar
@@ -201,3 +201,21 @@ def is_rule(statement: Statement) -> bool:
     if isinstance(left, Symbol) and left.stands_for is not None:
         return False
     return isinstance(undotted(left)[0], Symbol)
+
+
+def with_their_definitions(given: Iterable[Statement]) -> tuple[Statement, ...]:
+    """What is given, and the definitions by which definitions among it say what their letters are.
+
+    What is given itself comes first: of a letter of which it says something, no other definition is added.
+    """
+    found = dict.fromkeys(given)
+    known = {undotted(bare(each.left))[0] for each in found}
+    waiting = [each for each in found if isinstance(each, Definition)]
+    while waiting:
+        for each in waiting.pop(0).given:
+            letter = undotted(bare(each.left))[0]
+            if isinstance(each, Definition) and is_rule(each) and letter not in known:
+                known.add(letter)
+                found[each] = None
+                waiting.append(each)
+    return tuple(found)
