@@ -8,7 +8,6 @@ that a Jacobian is as good as what it is of.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from functools import lru_cache
 from math import factorial
 from typing import Any
@@ -68,24 +67,15 @@ def _regular(expression: sympy.Basic, angle: sympy.Expr) -> Any:
         case sympy.Piecewise():
             return _pieces(expression, angle)
         case sympy.Add():
-            terms = [part for term in expression.args for part in _distributed(term, angle)]
-            singular = [term for term in terms if _orders(term, angle)[0] < 0]
+            singular = [term for term in expression.args if _orders(term, angle)[0] < 0]
             whole = _together(singular, angle) if len(singular) > 1 else None
             if whole is not None:
-                rest = [_regular(term, angle) for term in terms if term not in singular]
+                rest = [_regular(term, angle) for term in expression.args if term not in singular]
                 return sympy.Add(whole, *rest)
         case sympy.Mul():
             return _product(expression, angle)
     changed = [_regular(part, angle) for part in expression.args]
     return expression if changed == list(expression.args) else expression.func(*changed)
-
-
-def _distributed(term: sympy.Expr, angle: sympy.Expr) -> Sequence[sympy.Expr]:
-    """The term, or its terms where one of its factors is a sum that divides by the angle."""
-    sums = (factor for factor in sympy.Mul.make_args(term) if isinstance(factor, sympy.Add))
-    if isinstance(term, sympy.Mul) and any(_orders(part, angle)[1] < 0 for factor in sums for part in factor.args):
-        return list(sympy.Add.make_args(sympy.expand_mul(term, deep=False)))
-    return [term]
 
 
 def _pieces(expression: sympy.Piecewise, angle: sympy.Expr) -> Any:
