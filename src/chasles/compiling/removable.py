@@ -103,8 +103,10 @@ def _says_zero(where: Any, angle: sympy.Expr) -> bool:
 def _together(terms: list[sympy.Expr], angle: sympy.Expr) -> Any:
     """The sum of terms none of which has a limit; None where it has none either."""
     total = sympy.Add(*terms)
-    whole = limited(sum_of(total, angle), angle)
-    if whole is None:
+    found = sum_of(total, angle)
+    whole = limited(found, angle)
+    # Of a sum in which what is singular stands for itself the same would come out again.
+    if found is None:
         total = sympy.together(total)
         if isinstance(total, sympy.Mul) and _orders(total, angle)[0] >= 0:
             whole = _product(total, angle)
