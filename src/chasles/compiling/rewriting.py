@@ -11,12 +11,19 @@ from chasles.compiling.elementary import functions_by_class
 from chasles.compiling.variables import Substitution, outermost
 from chasles.lowering.builder import Builder
 
+
+def _expanded(function: Any) -> Any:
+    """In other functions; those of Bessel in sums of quotients, whose limits are looked for."""
+    written = sympy.expand_func(function, deep=False)
+    return written.expand() if isinstance(function, sympy.jn | sympy.yn) else written
+
+
 _KNOWN = {*functions_by_class(Builder()), sympy.log, sympy.Piecewise}
 _LOSING = (sympy.hyper, sympy.meijerg, sympy.lerchphi)
 """What SymPy writes these in cancels where it has a limit."""
 _WAYS: tuple[Callable[[Any], Any], ...] = (
     lambda function: function.rewrite(sympy.Piecewise, deep=False),
-    lambda function: _expanded(function),
+    _expanded,
     lambda function: function.rewrite(sympy.gamma, deep=False),
     lambda function: function.rewrite(sympy.atan2, deep=False),
 )
@@ -33,12 +40,6 @@ def in_known_functions(expressions: Iterable[sympy.Basic]) -> list[Any]:
             break
         found = list(map(Substitution(table).of, found))
     return found
-
-
-def _expanded(function: Any) -> Any:
-    """In other functions; those of Bessel in sums of quotients, whose limits are looked for."""
-    written = sympy.expand_func(function, deep=False)
-    return written.expand() if isinstance(function, sympy.jn | sympy.yn) else written
 
 
 def _is_unknown(node: object) -> bool:
