@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from fractions import Fraction
 from itertools import chain, islice
 from typing import Any, TypeVar
 
@@ -148,13 +149,14 @@ def _contradicting(
 
 def _proof(context: Context) -> Proof | None:
     """A combination of what vanishes that cannot vanish, if one is found."""
+    ring = context.field.ring
     positive = [h is not None and _is_positive(context, h) for h, _ in context.nonzero]
     basis = completed(context.basis)
     for powers in _powers(positive):
         product = context.field.power_product(powers)
         cofactors, rest = basis.reduce(product)
         is_positive = all(power % 2 == 0 or positive[k] for k, power in enumerate(powers))
-        if rest == 0 or (is_positive and _is_nonnegative(context, -rest)):
+        if rest == 0 or (is_positive and _one_sign(context, ring.terms(rest)) == -1):
             return cofactors, powers, rest
     return _square_sum(context, basis)
 
@@ -178,11 +180,10 @@ def _square_sum(context: Context, basis: Basis) -> Proof | None:
     for number, generator in enumerate(basis.generators):
         others = Basis(ring, _without(basis.generators, number), _without(basis.origins, number), complete=False)
         cofactors, rest = others.reduce(generator)
-        for exponents, coefficient in ring.terms(rest):
+        terms = ring.terms(rest)
+        for exponents, coefficient in terms if _one_sign(context, terms) else ():
             scale = ring.constant(1 / coefficient)
-            if _is_nonnegative(context, rest * scale) and {k for k, power in enumerate(exponents) if power} <= {
-                *places
-            }:
+            if {k for k, power in enumerate(exponents) if power} <= {*places}:
                 powers = [0] * len(context.nonzero)
                 for k, j in places.items():
                     powers[j] = exponents[k]
@@ -198,14 +199,12 @@ def _without(items: tuple[Item, ...], place: int) -> tuple[Item, ...]:
     return items[:place] + items[place + 1 :]
 
 
-def _is_nonnegative(context: Context, polynomial: Polynomial) -> bool:
-    """Whether every term is: a positive number times squares, norms and what is declared positive."""
-    ring = context.field.ring
+def _one_sign(context: Context, terms: list[tuple[tuple[int, ...], Fraction]]) -> int:
+    """The sign of all terms, numbers times squares, norms and what is declared positive; 0 if they have no such."""
+    signs = {1 if coefficient > 0 else -1 for _, coefficient in terms}
     free = {k for k, v in enumerate(context.variables) if v.kind == "norm"} | _greater(context).keys()
-    return all(
-        coefficient > 0 and all(power % 2 == 0 or k in free for k, power in enumerate(exponents))
-        for exponents, coefficient in ring.terms(polynomial)
-    )
+    squares = (power % 2 == 0 or k in free for exponents, _ in terms for k, power in enumerate(exponents))
+    return signs.pop() if len(signs) == 1 and all(squares) else 0
 
 
 def _greater(context: Context) -> dict[int, Hypothesis]:

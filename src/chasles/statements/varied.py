@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import fields
 from dataclasses import replace as with_fields
+from functools import lru_cache
 from typing import Any
 
 from chasles.statements.forms import Exists, Form, Minimum, Unique
@@ -18,7 +19,8 @@ from chasles.vocabulary import Node, Symbol, replace
 Rules = Mapping[Node, Node]
 
 
-def opened_parts(node: Node) -> Iterator[Node]:
+@lru_cache(maxsize=8192)
+def opened_parts(node: Node) -> tuple[Node, ...]:
     """The node and all below it, abbreviations opened, each once."""
     seen: dict[Node, None] = {}
     waiting = [node]
@@ -26,9 +28,9 @@ def opened_parts(node: Node) -> Iterator[Node]:
         node = waiting.pop()
         if node not in seen:
             seen[node] = None
-            yield node
             waiting += node.below[::-1]
             waiting += [node.stands_for] if isinstance(node, Symbol) and node.stands_for is not None else []
+    return tuple(seen)
 
 
 def varied_symbol(form: Form) -> tuple[Symbol, Node | None] | None:
