@@ -339,6 +339,25 @@ def test_a_derivative_of_what_nothing_is_said_of_is_no_zero(text: str, verdicts:
     assert [each.verdict for each in chasles.read(text, letters).equations] == verdicts
 
 
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (r"p = \pdiff{L}{\dot q}", r"p=\frac{\partialL}{\partial\dot{q}}"),
+        (r"p = \bbm 1 & 2 \ebm \mat{A} \mbs{v}^\T", r"p=\begin{bmatrix}1&2\end{bmatrix}\mathbf{A}\mathbf{v}^\top"),
+        (r"\dif p = L \dif q", r"\mathrm{d}p=L\mathrm{d}q"),
+        (r"p = \operatorname{tr}(L \partial q)", r"p=\text{tr}\left(L\partialq\right)"),
+        (r"\newcommand\mat[1]{\begin{pmatrix} #1 \end{pmatrix}} p = \mat{1 & 2}", r"p=\begin{bmatrix}1&2\end{bmatrix}"),
+    ],
+)
+def test_usual_names_of_macros_need_no_style_file(text: str, expected: str) -> None:
+    printed = displayed(f"$${text}$$", "md")
+    notation = proposed(printed)
+    assert "partial L" not in notation
+    (read,) = read_equations(printed, load_notation(notation))
+    (part,) = read.readings[0].parts
+    assert f"{latex(part.left)} {part.sign} {latex(part.right)}".replace(" ", "") == expected
+
+
 def test_letters_have_names_of_their_own() -> None:
     names = ("P_k", "P_k^{-}", "P_k^{+}", "x_0^*", "x_0")
     letters = load_notation({"symbols": dict.fromkeys(names, "scalar")})

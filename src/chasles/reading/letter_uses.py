@@ -29,6 +29,7 @@ NO_LETTERS = frozenset([*WITHOUT_WORD, r"\partial"])
 DIFFERENTIAL = re.compile(r"\\o?int\b|\bd t\b|\\mathrm \{ d \}")
 GRID = re.compile(r"\\begin\{(?:\w*matrix|array)\}|[])] \^ \{ (?:- 1|T) \}")
 """A matrix that is written out, or brackets that are inverted or transposed."""
+DERIVED = (["d"], [r"\partial"])
 IDENTITIES = (r"\mathbf 1", r"\mathbf I", "I")
 BARE = (r"\pi", "e", "0", r"\mathbf 0", r"\mathrm d", *IDENTITIES)
 """What is no letter of the page where it has no subscript."""
@@ -169,7 +170,7 @@ def _note(terms: Terms | None, within: str, noting: _Noting) -> None:
                 before = name
                 continue
             if (
-                name == "d"
+                name in ("d", r"\partial")
                 and isinstance(after, Atom)
                 and (after.kind == "LETTER" or after.text in TYPEFACES)
                 and not _is_derivative(terms, within)
@@ -184,7 +185,7 @@ def _note(terms: Terms | None, within: str, noting: _Noting) -> None:
                 else inside
             )
             inside = "[]" if piece.text == "[]" and _is_letter_alone(piece) else inside
-            inside = "d" if len(piece.arguments) == 2 and upright(piece.arguments[0])[:1] == ["d"] else inside
+            inside = "d" if len(piece.arguments) == 2 and upright(piece.arguments[0])[:1] in DERIVED else inside
             for inner in terms_in(piece):
                 _note(inner, inside, noting)
             if piece.kind == "LETTER" or piece.text in TYPEFACES or piece.text in MARKS:

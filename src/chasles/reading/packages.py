@@ -9,7 +9,17 @@ ALWAYS = r"""
 \newcommand\vect[1]{\vec{#1}} \newcommand\vb[1]{\mathbf{#1}} \newcommand\mbf[1]{\mathbf{#1}}
 \newcommand\Exp{\operatorname{Exp}} \newcommand\Log{\operatorname{Log}} \newcommand\tr{\operatorname{tr}}
 \newcommand\diag{\operatorname{diag}} \newcommand\R{\mathbb{R}} \newcommand\half{\frac{1}{2}}
-\newcommand\bs[1]{\boldsymbol{#1}}
+\newcommand\bs[1]{\boldsymbol{#1}} \newcommand\mbs[1]{\boldsymbol{#1}} \newcommand\mb[1]{\mathbf{#1}}
+\newcommand\mat[1]{\mathbf{#1}} \newcommand\mtx[1]{\mathbf{#1}} \newcommand\vct[1]{\mathbf{#1}}
+\newcommand\uvec[1]{\hat{\mathbf{#1}}} \newcommand\uvect[1]{\hat{\mathbf{#1}}} \newcommand\unitvec[1]{\hat{\mathbf{#1}}}
+\newcommand\pdiff[2]{\frac{\partial #1}{\partial #2}} \newcommand\pder[2]{\frac{\partial #1}{\partial #2}}
+\newcommand\pdv[2]{\frac{\partial #1}{\partial #2}} \newcommand\dv[2]{\frac{d #1}{d #2}}
+\newcommand\dif{\mathrm{d}} \newcommand\mathd{\mathrm{d}} \newcommand\dd{\mathrm{d}} \newcommand\ud{\mathrm{d}}
+\newcommand\T{\top} \newcommand\transp{\top} \newcommand\tran{\top} \newcommand\comma{,}
+\newcommand\SO{\operatorname{SO}} \newcommand\SE{\operatorname{SE}}
+\newcommand\asin{\arcsin} \newcommand\acos{\arccos} \newcommand\atan{\arctan}
+\newcommand\bbm{\begin{bmatrix}} \newcommand\ebm{\end{bmatrix}}
+\newcommand\bpm{\begin{pmatrix}} \newcommand\epm{\end{pmatrix}}
 """
 """What is the same in every package that has it, or a usual name for it where the page does not define it."""
 
