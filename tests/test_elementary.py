@@ -338,3 +338,32 @@ def test_what_is_given_to_be_equal_may_stand_in_a_function(lhs: Any, rhs: Any, g
     assert not wrong.true
     if isinstance(wrong, Fails):
         recheck(wrong, lhs, 2 * rhs, given=given)
+
+
+LOGARITHMS = [
+    (acosh(p + 1), log(p + 1 + sqrt((p + 1) ** 2 - 1))),
+    (acosh(x), log(x + sqrt(x**2 - 1))),
+    (acosh(x), log(x + sqrt(x - 1) * sqrt(x + 1))),
+    (asinh(x), sp.sign(x) * acosh(sqrt(x**2 + 1))),
+    (2 * atanh(tan(x / 2)), log((1 + sin(x)) / cos(x))),
+    (atanh(-p), log((1 - p) / (1 + p)) / 2),
+    (log(sqrt(p) - Abs(x)) + log(sqrt(p) + Abs(x)), log(p - x**2)),
+]
+
+
+@pytest.mark.parametrize(("lhs", "rhs"), LOGARITHMS, ids=name)
+def test_sums_of_logarithms_are_compared_by_what_they_are_of(lhs: Any, rhs: Any) -> None:
+    verdict = prove(lhs, rhs)
+    assert isinstance(verdict, Holds | HoldsUnder)
+    recheck(verdict, lhs, rhs)
+    assert isinstance(prove(lhs, rhs + log(2)), Fails)
+
+
+@pytest.mark.parametrize("multiple", [0, -1, "0"])
+def test_a_zeroth_power_shows_nothing(multiple: Any) -> None:
+    verdict = prove(acosh(x), log(x + sqrt(x**2 - 1)))
+    assert isinstance(verdict, HoldsUnder)
+    forged = replace(verdict, certificate={**verdict.certificate, "raised": {"1,1": multiple}, "entries": {}})
+    for wrong in (log(x + sqrt(x**2 - 1)) + log(2), log(2 * x), log(x + sqrt(x**2 - 1))):
+        with pytest.raises(Rejected):
+            recheck(forged, acosh(x), wrong)

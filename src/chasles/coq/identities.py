@@ -34,6 +34,7 @@ OTHERWISE = {
     "frames": "of matrices of any size",
     "equal": "by products of roots",
     "turned": "by the angle of a point",
+    "raised": "by the exponentials of both sides",
     "variant": "of squares",
 }
 """Parts of certificates of which no proof is written for Coq."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from itertools import product
 from typing import Any
 
 import sympy
@@ -48,11 +49,14 @@ def ask(lhs: Any, rhs: Any, given: Any, nonzero: Any) -> Question | IllFormed | 
     elementary = Elementary()
     expressions = _rewritten(elementary, expressions, conditions)
     first, size = len(declared), left.shape[0] * left.shape[1]
-    for k in range(size):
-        found = turned(expressions[first + k], expressions[first + k + size], elementary.arcs)
-        if found:
-            expressions[first + k], expressions[first + k + size] = found[0], sympy.S.One
-            elementary.halvings[k // left.shape[1], k % left.shape[1]] = found[1]
+    logs = any(side.has(*elementary.logs) for item in conditions.equations for pair in item.pairs for side in pair)
+    for k, place in enumerate(product(range(left.shape[0]), range(left.shape[1]))):
+        sides = expressions[first + k], expressions[first + k + size]
+        if cosine := turned(*sides, elementary.arcs):
+            expressions[first + k], expressions[first + k + size] = cosine[0], sympy.S.One
+            elementary.halvings[place] = cosine[1]
+        elif not logs and (raised := elementary.exponentials(sides[0] - sides[1])):
+            expressions[first + k], expressions[first + k + size], elementary.multiples[place] = raised
     question = _Asking(conditions, expressions, len(declared), left.shape, elementary).question(
         (lhs, rhs, given, nonzero)
     )

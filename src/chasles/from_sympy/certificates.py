@@ -58,6 +58,7 @@ class Writing:
             "positive": list(self._positive(context)),
             "squares": list(self._squares(context)),
             "turned": {f"{i + 1},{j + 1}": halvings for (i, j), halvings in self.elementary.halvings.items()},
+            "raised": {f"{i + 1},{j + 1}": multiple for (i, j), multiple in self.elementary.multiples.items()},
             "angles": {word.name: _product(powers) for word, powers in self.reader.angles.products.items()},
             "substituted": {str(atom): text for text, atom, _ in self.given.substitutions},
             "words": list(self._words(context)),

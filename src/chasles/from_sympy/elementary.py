@@ -8,6 +8,7 @@ none is missed is Schanuel's conjecture, so that these variables serve to prove,
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from math import lcm
 from typing import Any
 
 import sympy
@@ -88,6 +89,20 @@ class Elementary(Placeholders):
         if e.func in CIRCULAR and self.arcs:
             return without_arcs(e.func, arguments[0], self.arcs)
         return e.func(*arguments)
+
+    def exponentials(self, difference: Any) -> tuple[Any, Any, int] | None:
+        """Two products that are equal exactly where a sum of logarithms is zero, and of which multiple they are."""
+        if not difference.has(*self.logs) or any(power.exp.is_Integer for power in difference.atoms(sympy.Pow)):
+            return None
+        terms = [term.as_coeff_Mul() for term in sympy.Add.make_args(sympy.expand(difference))]
+        if not all(c.is_Rational and rest in self.logs for c, rest in terms):
+            return None
+        multiple = lcm(*(int(c.q) for c, _ in terms))
+        one, other = (
+            sympy.Mul(*(self._raised(self.logs[rest], abs(c) * multiple) for c, rest in terms if c * sign > 0))
+            for sign in (1, -1)
+        )
+        return one, other, multiple
 
     def _arc(self, turn: Any, sign: int, function: type, arguments: tuple[Any, ...]) -> Any:
         """Turn + sign * arc; a value that SymPy knows is no arc."""

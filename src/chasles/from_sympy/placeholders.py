@@ -21,7 +21,8 @@ class Placeholders:
 
     Where they are real is collected in `needs`, with something that is defined nowhere else; what has to be defined for
     that in `defined`. `equations` are what roots of higher order satisfy. `halvings` tell in which entries a cosine is
-    compared with one, and of which part of the difference. `units` and `signs` say which denominators exponents have,
+    compared with one, and of which part of the difference; `multiples` in which entries exponentials are, and of which
+    multiple of it. `units` and `signs` say which denominators exponents have,
     and which sign the factors of logarithms have; they are learned in one round and used in the next.
     """
 
@@ -40,6 +41,7 @@ class Placeholders:
         self.logs: dict[Any, Any] = {}
         self.arcs: dict[FunctionSymbol, Arc] = {}
         self.halvings: dict[tuple[int, int], int] = {}
+        self.multiples: dict[tuple[int, int], int] = {}
         self._known: dict[Any, Any] = {}
 
     def _atom(self, e: Any) -> Any:

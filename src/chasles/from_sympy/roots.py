@@ -63,6 +63,7 @@ class _Resolver:
         self.known: set[Key] = set()
         self.values: list[tuple[Node, Node]] = []
         self.symbols = set(reader.atoms.words.values())
+        self.negative = {word.name for atom, word in reader.atoms.words.items() if atom.is_nonpositive}
         self.positive = {PI.name, *(word.name for atom, word in reader.atoms.words.items() if atom.is_nonnegative)}
 
     def resolved(self) -> Roots:
@@ -198,7 +199,10 @@ class _Resolver:
         reserve, swing = Fraction(0), Fraction(0)
         for exponents, coefficient in context.field.ring.terms(polynomial):
             odd = [context.variables[k] for k, e in enumerate(exponents) if e % 2]
-            if coefficient > 0 and all(v.name in self.positive | self.numbers.names for v in odd):
+            sign = (-1) ** sum(v.name in self.negative for v in odd)
+            if sign * coefficient > 0 and all(
+                v.name in self.positive | self.negative | self.numbers.names for v in odd
+            ):
                 reserve += coefficient if not any(exponents) else 0
             elif all(v.kind in ("cos", "sin") for v in odd) and all(
                 v.kind in ("cos", "sin") for k, v in enumerate(context.variables) if exponents[k]

@@ -54,6 +54,15 @@ class Functions:
             total = self.reading.normal(total * factor)
         return total
 
+    def raised(self, value: Polynomial, multiple: int) -> Polynomial:
+        """What vanishes only where a sum of logarithms does: the exponential of a multiple of it, less one."""
+        sums = [exponents(monomial) for monomial in value.terms]
+        if multiple < 1 or not all(len(p) == 1 and p[0][0] in self.bases and p[0][1] == 1 for p in sums):
+            raise Rejected("what is said to be a sum of logarithms is none")
+        sides = ({m: multiple * abs(c) for m, c in value.terms.items() if c * sign > 0} for sign in (1, -1))
+        above, below = (self.exp(Polynomial(side, value.below)) for side in sides)
+        return self.reading.normal(above - below)
+
     def _exponential(self, monomial: int, multiple: Fraction) -> Polynomial:
         match exponents(monomial):
             case [(place, 1)] if place in self.bases:
@@ -165,7 +174,9 @@ class Functions:
                 total += half * number(Fraction(power, 2))
                 continue
             total += (self.exponents[place] if place in self.exponents else self._of_base(base)) * number(power)
-            if power % 2 and not is_positive(self.reading, base):
+            if power % 2 and is_positive(self.reading, -base):
+                sign = -sign
+            elif power % 2 and not is_positive(self.reading, base):
                 odd ^= {terms_of(base)}
         if not (evident or size):
             self._require_positive(value, odd, sign)
@@ -179,9 +190,14 @@ class Functions:
         for base, power in self.factors(value):
             if (known := constant(base)) is not None:
                 sign *= -1 if known < 0 and power % 2 else 1
-            elif power % 2 and not (base.places <= self.reading.words or is_positive(self.reading, base)):
+            elif power % 2 and is_positive(self.reading, -base):
+                sign = -sign
+            elif power % 2 and not (self._is_root(base) or is_positive(self.reading, base)):
                 odd ^= {terms_of(base)}
         return odd, sign
+
+    def _is_root(self, base: Polynomial) -> bool:
+        return len(base.terms) == 1 and base.places <= self.reading.words
 
     def require_positive(self, value: Polynomial) -> None:
         """Something is positive: that is visible, or has to be said."""

@@ -118,6 +118,8 @@ class KnownRoots(Symbolic):
             if (square := constant(inside)) is not None:
                 return self._of_number(square) * outside
             scale, key = _key(inside)
+        if key not in self._roots and (root := self._by_factors(inside)) is not None:
+            self._roots[key] = scale, root
         if key not in self._roots:
             sides = [] if (whole := root_of_square(inside)) is None else [whole, -whole]
             if (root := next(filter(self.is_seen, sides), None)) is not None:
@@ -129,6 +131,16 @@ class KnownRoots(Symbolic):
             raise Rejected("the certificate does not say what a root is")
         known, root = self._roots[key]
         return self.normal(root * self._of_number(scale / known) * outside)
+
+    def _by_factors(self, inside: Polynomial) -> Polynomial | None:
+        """The root of a product of what known roots are of."""
+        total = ONE
+        for key, (scale, root) in [*self._roots.items()]:
+            square = Polynomial(dict(key)) * number(scale)
+            while constant(inside) is None and (rest := quotient(inside, square)) is not None:
+                inside, total = rest, total * root
+        positive = constant(inside)
+        return self.normal(total * self._of_number(positive)) if positive is not None and positive > 0 else None
 
     def _lowest(self, numerator: Polynomial, below: Mapping[int, int]) -> tuple[Polynomial, dict[int, int]]:
         """A fraction without the divisors that are factors of its numerator."""

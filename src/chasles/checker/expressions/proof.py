@@ -24,8 +24,8 @@ from chasles.checker.sparse import ONE, Polynomial, Rejected, number, parsed, va
 
 Data = Mapping[str, Any]
 PARTS = frozenset((
-    "variant", "names", "positive", "squares", "turned", "angles", "substituted", "words", "roots", "equal", "frames",
-    "divisors", "entries", "turns", "witness",
+    "variant", "names", "positive", "squares", "turned", "raised", "angles", "substituted", "words", "roots",
+    "equal", "frames", "divisors", "entries", "turns", "witness",
 ))  # fmt: skip
 """What a certificate may say."""
 MALFORMED = (ArithmeticError, AssertionError, AttributeError, LookupError, RecursionError, TypeError, ValueError)
@@ -73,9 +73,10 @@ def _check(certificate: Data, needs: Sequence[str], asked: Asked, witness: Any) 
 
 
 def claims_of(asked: Asked, reading: Proven, certificate: Data) -> dict[tuple[int, int], Polynomial]:
-    """What vanishes where both sides are equal; a sum of angles may vanish where its cosine is one.
+    """What vanishes where both sides are equal.
 
-    Sides that are not negative are equal where their squares are.
+    A sum of angles may vanish where its cosine is one, and a sum of logarithms does where its exponential is. Sides
+    that are not negative are equal where their squares are.
     """
     if certificate["variant"] == 2:
         return {place: _of_squares(reading, left, asked.right[place]) for place, left in asked.left.items()}
@@ -83,6 +84,9 @@ def claims_of(asked: Asked, reading: Proven, certificate: Data) -> dict[tuple[in
     for label, halvings in certificate.get("turned", {}).items():
         row, column = (int(part) - 1 for part in label.split(","))
         claims[row, column] = reading.arcs.turned(claims[row, column], int(halvings))
+    for label, multiple in certificate.get("raised", {}).items():
+        row, column = (int(part) - 1 for part in label.split(","))
+        claims[row, column] = reading.functions.raised(claims[row, column], int(multiple))
     return claims
 
 
