@@ -137,7 +137,7 @@ class KnownRoots(Symbolic):
         total = ONE
         for key, (scale, root) in [*self._roots.items()]:
             square = Polynomial(dict(key)) * number(scale)
-            while constant(inside) is None and (rest := quotient(inside, square)) is not None:
+            while constant(square) is None is constant(inside) and (rest := quotient(inside, square)) is not None:
                 inside, total = rest, total * root
         positive = constant(inside)
         return self.normal(total * self._of_number(positive)) if positive is not None and positive > 0 else None
