@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import sys
 from fractions import Fraction
 
 import mpmath
@@ -399,3 +400,17 @@ def test_operations_are_shared_between_results():
     more = chasles.compile(n_link_pendulum_on_cart(2)).program
     assert more.operations[Op.DIVIDE] == one.operations[Op.DIVIDE]
     assert more.operations.total() == one.operations.total()
+
+
+def test_what_was_made_of_a_method_is_not_made_again(tmp_path, monkeypatch):
+    monkeypatch.setenv("CHASLES_CACHE", str(tmp_path))
+    asked = [{}, {"outputs": "state_rates"}, {"outputs": "accelerations", "jacobian": True, "wrt": "q"}]
+    asked.append(asked[-1] | {"wrt": "u"})
+    pendulum = n_link_pendulum_on_cart(1)
+    made = [chasles.compile(pendulum, **options) for options in asked]
+    monkeypatch.delattr(sys.modules["chasles.compiling.mechanics"], "program_of")
+    again = [chasles.compile(n_link_pendulum_on_cart(1), **options) for options in asked]
+    assert [kernel.program for kernel in again] == [kernel.program for kernel in made]
+    assert len({repr(kernel.program) for kernel in made}) == len(asked)
+    with pytest.raises(NameError):
+        chasles.compile(pendulum, outputs="state_rates", name="other")

@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import Any
 
 from chasles.compiling.derived import derived_from
-from chasles.compiling.kernel import CompiledKernel, kernel_for, kernel_of
+from chasles.compiling.kernel import CompiledKernel, kernel_for
 from chasles.compiling.operands import inputs_of, outputs_of, require_kernel_name
 from chasles.compiling.recall import key_of
 from chasles.lowering.program import Program
@@ -84,7 +84,7 @@ def compile(
         from chasles.compiling.mechanics import program_of_method
 
         options = {"kinds": kinds, "wrt": wrt, "coo": coo}
-        return kernel_of(program_of_method(require_kernel_name(name), expr, inputs, outputs, **options), levels)
+        return kernel_for(*program_of_method(require_kernel_name(name), expr, inputs, outputs, **options), levels)
     given = inputs_of(inputs)
     results = outputs_of(expr, given, outputs)
     given_as = [(item.argument, [symbol.name for symbol in item.symbols]) for item in given]

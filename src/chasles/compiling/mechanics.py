@@ -7,7 +7,7 @@ Levinson, Dynamics, 1985, section 4.11). With constraints it is neither, and row
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import count
@@ -21,6 +21,7 @@ from chasles.compiling.derived import derived_from
 from chasles.compiling.elimination import solved, solved_definite
 from chasles.compiling.operands import inputs_of, outputs_of
 from chasles.compiling.program_of import program_of
+from chasles.compiling.recall import key_of
 from chasles.compiling.variables import Substitution, variables_of
 from chasles.lowering.builder import Builder
 from chasles.lowering.evaluate import decimals, run
@@ -54,11 +55,13 @@ class EquationsOfMotion:
     constrained: bool
 
 
-def program_of_method(name: str, method: Any, inputs: Any, outputs: Any, **options: Any) -> Program:
+def program_of_method(
+    name: str, method: Any, inputs: Any, outputs: Any, **options: Any
+) -> tuple[str, Callable[[], Program]]:
     """The program of a method whose equations are formed, for the results that `outputs` names, and their derivatives.
 
-    The options are those of `derived_from`. Raises `LoweringError` where there are no equations yet, and for results
-    that are not offered.
+    It is made when it is called for; all that it depends on is in the key. The options are those of `derived_from`.
+    Raises `LoweringError` where there are no equations yet, and for results that are not offered.
     """
     equations = _equations(method)
     wanted = (outputs,) if isinstance(outputs, str) else USUAL if outputs is None else tuple(outputs)
@@ -67,11 +70,19 @@ def program_of_method(name: str, method: Any, inputs: Any, outputs: Any, **optio
         raise LoweringError(f"outputs of {type(method).__name__} are some of {', '.join(offered)}; not {outputs!r}")
     parts = [equations.matrix, equations.right, sympy.Matrix(equations.rates)]
     given = inputs_of(dict(_groups(equations, parts)) if inputs is None else inputs)
-    stated = program_of(name, given, outputs_of(parts, given, None))
-    build, results = _finished(stated, equations, wanted)
-    derived = derived_from(given, results, **options)
-    results = derived.results(build, results)
-    return pruned(Program(name, (*stated.arguments, *derived.more), build.steps, tuple(results)))
+    stated_results = outputs_of(parts, given, None)
+
+    def made() -> Program:
+        stated = program_of(name, given, stated_results)
+        build, results = _finished(stated, equations, wanted)
+        derived = derived_from(given, results, **options)
+        results = derived.results(build, results)
+        return pruned(Program(name, (*stated.arguments, *derived.more), build.steps, tuple(results)))
+
+    entries = (entry for result in stated_results for entry in result.entries)
+    given_as = [(item.argument, [symbol.name for symbol in item.symbols]) for item in given]
+    sizes = equations.rows, len(equations.speeds), equations.constrained
+    return key_of(entries, name, given_as, wanted, sizes, sorted(options.items())), made
 
 
 def _equations(method: Any) -> EquationsOfMotion:
