@@ -27,8 +27,10 @@ from chasles.vocabulary import (
     number,
     rate,
     sin,
+    square,
     tr,
     vect,
+    vector,
 )
 from chasles.vocabulary.arguments import WrongArgument
 from chasles.vocabulary.fitting import word
@@ -155,3 +157,23 @@ def test_a_notation_that_is_none_is_told(own: ModuleType) -> None:
 
 def test_numbers_alone_are_printed_as_usual() -> None:
     assert latex(number(2)) == "2"
+
+
+OMEGA = r"{}^{\mathcal{B}}\boldsymbol{\omega}_{\mathcal{B}/\mathcal{N}}"
+TURNED = r"{}^{I_k}_{G}\mathbf{R}"
+
+
+def test_frames_stand_before_their_letters() -> None:
+    """Dots, powers and components belong to the letter, and not to the scripts that stand before it."""
+    omega, R, p = vector("omega", OMEGA, ""), square("R", TURNED, ""), vector("p", "{}^A p_B", "")
+    printed = {
+        rate(omega): r"{}^{\mathcal{B}}\dot{\boldsymbol{\omega}}_{\mathcal{B}/\mathcal{N}}",
+        omega.x: r"{}^{\mathcal{B}}\omega_{\mathcal{B}/\mathcal{N},x}",
+        rate(rate(R)): r"{}^{I_k}_{G}\ddot{\mathbf{R}}",
+        R[1, 2]: r"{}^{I_k}_{G}R_{12}",
+        R.T: TURNED + "^T",
+        R**2: TURNED + "^2",
+        p.z: "{}^A p_{B,z}",
+    }
+    for node, said in printed.items():
+        assert latex(node) == said

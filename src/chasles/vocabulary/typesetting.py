@@ -15,8 +15,10 @@ BRACKETS = (("(", ")"), ("[", "]"), (r"\{", r"\}"))
 NUMBER = r"(?:\d+|\\frac\{\d+\}\{\d+\})"
 BEGINS_WITH_NUMBER = re.compile(NUMBER)
 ENDS_WITH_NUMBER = re.compile(rf"(?:^|[ -]){NUMBER}$")
-SUBSCRIPT = re.compile(r"\{[^{}]*\}|\\[A-Za-z]+|.")
+SUBSCRIPT = re.compile(r"\{(?:[^{}]|\{[^{}]*\})*\}|\\[A-Za-z]+|.")
 ONE_MARK = re.compile(r".|\\[A-Za-z]+")
+BEFORE = re.compile(r"(?:\{\}(?:[_^](?:\{(?:[^{}]|\{[^{}]*\})*\}|\\[A-Za-z]+|.))+)?")
+"""Scripts before a letter, that of a frame: {}^A_B."""
 CLOSED = (")", "]", r"\}", r"\|", r"\end{bmatrix}")
 INFIX = {"dot": r"\cdot", "cross": r"\times"}
 
@@ -93,9 +95,9 @@ class Latex:
     def rate(self, of: Node, text: str, order: int) -> str:
         dots = r"\d" + "d" * (order - 1) + "ot"
         argument = f"({of.argument})" if isinstance(of, At) else ""
-        stem = text.removesuffix(argument) if argument else text
+        frame, stem = _without_frame(text.removesuffix(argument) if argument else text)
         cut = _end_of_stem(stem)
-        return f"{dots}{{{stem[:cut]}}}{stem[cut:]}{argument}"
+        return f"{frame}{dots}{{{stem[:cut]}}}{stem[cut:]}{argument}"
 
     def derivative(self, text: str, order: int) -> str:
         power = f"^{order}" if order > 1 else ""
@@ -106,13 +108,15 @@ class Latex:
 
     def component(self, text: str, mark: str) -> str:
         """The letter with the mark in its subscript, behind what stands there."""
+        frame, text = _without_frame(text)
         before = next((place for place, sign in _decorations(text) if sign == "_"), None)
         if before is None:
             end = next((place for place, sign in _decorations(text) if sign == "'" or place), len(text))
-            return self.subscripted(text[:end], mark) + text[end:]
+            return frame + self.subscripted(text[:end], mark) + text[end:]
         old = SUBSCRIPT.match(text, before + 1)
         assert old is not None
-        return text[:before] + self.subscripted("", f"{old[0].strip('{}')},{mark}") + text[old.end() :]
+        stands = old[0][1:-1] if old[0].startswith("{") else old[0]
+        return frame + text[:before] + self.subscripted("", f"{stands},{mark}") + text[old.end() :]
 
     def integral(self, of: Piece, body: str) -> Piece:
         return Piece(rf"\int_{{{body}}} {of.text} \, d{body}", Precedence.PRODUCT, of.depth)
@@ -122,6 +126,13 @@ class Latex:
         return rf"\begin{{bmatrix}} {lines} \end{{bmatrix}}"
 
 
+def _without_frame(text: str) -> tuple[str, str]:
+    """The scripts before a letter, and the letter with those behind it."""
+    found = BEFORE.match(text)
+    end = found.end() if found else 0
+    return text[:end], text[end:]
+
+
 def _end_of_stem(text: str) -> int:
     """Where a letter's subscripts and primes begin: the dot of a rate stands over what comes before."""
     return next((position for position, _ in _decorations(text) if position), len(text))
@@ -129,7 +140,7 @@ def _end_of_stem(text: str) -> int:
 
 def _takes_no_superscript(text: str) -> bool:
     """Whether the letter has a superscript already; TeX takes a second one directly behind a prime only."""
-    marks = "".join(mark for _, mark in _decorations(text))
+    marks = "".join(mark for _, mark in _decorations(_without_frame(text)[1]))
     return "^" in marks or "'_" in marks
 
 

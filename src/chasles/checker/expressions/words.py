@@ -28,6 +28,10 @@ DOMAINS = {
 RELATIONS = {"<": sp.Lt, "<=": sp.Le, ">": sp.Gt, ">=": sp.Ge}
 
 
+MOST_RATES = 20
+"""So often what is given for rates is put for them, before it is taken to lead back to itself."""
+
+
 class EntriesOfWords:
     """The entries of expressions as SymPy expressions; where something moves, quantities are functions of time."""
 
@@ -110,7 +114,7 @@ class EntriesOfWords:
             case w.Symbol():
                 return _shaped(node, self._quantity(node))
             case w.Rate(of):
-                return self(of).diff(TIME)
+                return self._with_given_rates(self(of).diff(TIME))
             case w.Number(value):
                 return _one(sp.Rational(value.numerator, value.denominator))
             case w.Identity(size):
@@ -130,6 +134,22 @@ class EntriesOfWords:
                 return _shaped(node, (sp.Piecewise(*zip(each, [*where, True], strict=True)) for each in entries))
             case _:
                 return self._combined(node)
+
+    def _with_given_rates(self, entries: Any) -> Any:
+        """The entries with what is given for the rates of symbols, and for higher rates what follows of it."""
+        given: dict[Any, tuple[int, Any]] = {}
+        for left, right in self.rules.items():
+            base, order = w.undotted(left)
+            if order and isinstance(base, w.Symbol) and base not in self.rules:
+                given |= {q: (order, value) for q, value in zip(self._quantity(base), self(right), strict=True)}
+        for _ in range(MOST_RATES):
+            rates = [each for each in entries.atoms(sp.Derivative) if each.expr in given]
+            known = {each: given[each.expr] for each in rates if each.derivative_count >= given[each.expr][0]}
+            if not known:
+                return entries
+            values = {each: value.diff((TIME, each.derivative_count - k)) for each, (k, value) in known.items()}
+            entries = entries.xreplace(values)
+        raise Rejected("what is given for rates leads back to them")
 
     def _combined(self, node: w.Node) -> Any:
         match node:

@@ -1,0 +1,50 @@
+"""What is given for a rate is put for it wherever functions are differentiated."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from chasles.checker.certificate import check
+from chasles.decisions.session import Session
+from chasles.statements import Claim, Definition
+from chasles.verdict import Fails, Holds, HoldsUnder
+from chasles.vocabulary import CPM, Identity, cos, dot, rate, scalar, sin, vector
+from chasles.vocabulary.functions import exp, log, sqrt
+
+UNITS = False
+x, y, V = scalar("x", "x", ""), scalar("y", "y", ""), scalar("V", "V", "")
+s, w = vector("s", "s", ""), vector("w", "w", "")
+grows = Definition("1", rate(x), y)
+swings = Definition("2", rate(rate(x)), -x)
+turns = Definition("3", rate(s), ((1 - dot(s, s)) * Identity(3) + 2 * CPM(s) + 2 * s @ s.T) @ w / 4)
+energy = Definition("4", V, 2 * log(1 + dot(s, s)))
+
+TRUE: list[tuple[Any, Any, Any]] = [
+    (rate(log(1 + x**2)), 2 * x * y / (1 + x**2), (grows,)),
+    (rate(rate(exp(x))), exp(x) * (y**2 + rate(y)), (grows,)),
+    (rate(rate(exp(x))), exp(x) * (rate(x) ** 2 - x), (swings,)),
+    (rate(rate(rate(exp(x)))), exp(x) * (rate(x) ** 3 - 3 * x * rate(x) - rate(x)), (swings,)),
+    (rate(sqrt(1 + sin(x) ** 2)), y * sin(x) * cos(x) / sqrt(1 + sin(x) ** 2), (grows,)),
+    (rate(V), dot(s, w), (energy, turns)),
+]
+FALSE: list[tuple[Any, Any, Any]] = [
+    (rate(log(1 + x**2)), x * y / (1 + x**2), (grows,)),
+    (rate(rate(exp(x))), exp(x) * y**2, (grows,)),
+    (rate(V), dot(s, w) / 2, (energy, turns)),
+]
+
+
+@pytest.mark.parametrize(("left", "right", "given"), TRUE, ids=str)
+def test_true_ones_are_proved(left: Any, right: Any, given: Any) -> None:
+    """Once these were refuted, by a rate that is not the given one."""
+    claim = Claim("5", left, right, given=given)
+    verdict = Session().decide(claim).verdict
+    assert isinstance(verdict, Holds | HoldsUnder), verdict
+    check(claim, "printed", verdict.certificate)
+
+
+@pytest.mark.parametrize(("left", "right", "given"), FALSE, ids=str)
+def test_false_ones_are_refuted(left: Any, right: Any, given: Any) -> None:
+    assert isinstance(Session().decide(Claim("5", left, right, given=given)).verdict, Fails)
