@@ -383,6 +383,14 @@ def test_what_is_written_out_has_its_shape_wherever_it_stands() -> None:
     assert all(f"'{name}' = {{ is = \"matrix\", shape = [{rows}, 2] }}" in text for name, rows in (("A", 2), ("C", 3)))
 
 
+def test_what_does_not_fit_together_with_a_derivative_in_it_is_told() -> None:
+    letters = {"symbols": {"H": "scalar", "F": "matrix", "t": "scalar", "K": "scalar"}}
+    page = chasles.read(
+        r"\begin{align} K &= 2 K_0 \\ K &= H + \frac{\partial F}{\partial t} \end{align}", letters, "tex"
+    )
+    assert [each.verdict for each in page.equations] == ["unread", "ill-formed"]
+
+
 def test_capitals_are_matrices_at_first_only_where_the_page_has_some() -> None:
     energies = proposed([PrintedEquation(text) for text in (r"L = T - V", r"p = \frac{\partial L}{\partial \dot q}")])
     assert "'L' = { is = \"scalar\" }" in energies

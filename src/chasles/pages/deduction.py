@@ -86,6 +86,8 @@ class Deduction:
 
     def _as_said(self, claim: Claim) -> Claim:
         """The claim without derivatives of what the page has not said to depend on anything."""
+        if claim.fault:
+            return claim
         left, right = (without_unsaid_derivatives(side, self.premises.defined()) for side in claim.printed)
         return claim if claim.printed == (left, right) else with_fields(claim, left=left, right=right)
 
