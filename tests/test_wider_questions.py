@@ -9,7 +9,7 @@ import pytest
 import sympy as sp
 from sympy import Abs, Eq, Max, Min, Rational, cbrt, cos, root, sin, sqrt
 
-from chasles.prove import Rejected, prove, recheck
+from chasles.prove import Rejected, Untreatable, prove, recheck
 from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder
 
 x, y, z, a = sp.symbols("x y z a", real=True)
@@ -168,3 +168,9 @@ def test_a_function_that_is_given_has_its_value_at_other_arguments_too() -> None
     point = Counterexample({"f(s)": Rational(5), "s": Rational(1)}, (1, 1), "5", "1")
     with pytest.raises(Rejected):
         recheck(Fails(point), sp.Function("f")(s), s, Eq(sp.Function("f")(q), q))
+
+
+def test_a_symbol_without_a_name_is_refused() -> None:
+    nameless = sp.Symbol("", real=True)
+    with pytest.raises(Untreatable, match="has no name"):
+        prove(sp.exp(nameless) * sp.exp(y), sp.exp(nameless + y))

@@ -94,6 +94,8 @@ def _followed(verdict: Verdict, asked: tuple[Any, ...]) -> Verdict:
     try:
         match verdict:
             case Holds() | HoldsUnder():
+                if "unread" in verdict.certificate:
+                    raise Rejected(verdict.certificate["unread"])
                 check_proof(verdict, *asked)
             case Fails(found):
                 check_refutation(found, *asked)
