@@ -8,14 +8,15 @@ import pytest
 
 from chasles.checker.certificate import check
 from chasles.decisions.session import Session
-from chasles.statements import Claim, Definition
+from chasles.statements import Claim, Definition, symmetric
 from chasles.verdict import Fails, Holds, HoldsUnder
-from chasles.vocabulary import CPM, Identity, cos, dot, rate, scalar, sin, vector
+from chasles.vocabulary import CPM, Identity, cos, dot, rate, scalar, sin, square, vector
 from chasles.vocabulary.functions import exp, log, sqrt
 
 UNITS = False
 x, y, V = scalar("x", "x", ""), scalar("y", "y", ""), scalar("V", "V", "")
 s, w = vector("s", "s", ""), vector("w", "w", "")
+A = square("A", "A", "", constant=True)
 grows = Definition("1", rate(x), y)
 swings = Definition("2", rate(rate(x)), -x)
 turns = Definition("3", rate(s), ((1 - dot(s, s)) * Identity(3) + 2 * CPM(s) + 2 * s @ s.T) @ w / 4)
@@ -28,6 +29,10 @@ TRUE: list[tuple[Any, Any, Any]] = [
     (rate(rate(rate(exp(x)))), exp(x) * (rate(x) ** 3 - 3 * x * rate(x) - rate(x)), (swings,)),
     (rate(sqrt(1 + sin(x) ** 2)), y * sin(x) * cos(x) / sqrt(1 + sin(x) ** 2), (grows,)),
     (rate(V), dot(s, w), (energy, turns)),
+]
+SYMMETRIC: list[tuple[Any, Any]] = [
+    (exp(x) * dot(s, A @ w), exp(x) * dot(w, A @ s)),
+    (rate(dot(s, A @ s) / 2 + log(1 + x**2)), dot(s, A @ rate(s)) + 2 * x * rate(x) / (1 + x**2)),
 ]
 FALSE: list[tuple[Any, Any, Any]] = [
     (rate(log(1 + x**2)), x * y / (1 + x**2), (grows,)),
@@ -42,6 +47,16 @@ def test_true_ones_are_proved(left: Any, right: Any, given: Any) -> None:
     claim = Claim("5", left, right, given=given)
     verdict = Session().decide(claim).verdict
     assert isinstance(verdict, Holds | HoldsUnder), verdict
+    check(claim, "printed", verdict.certificate)
+
+
+@pytest.mark.parametrize(("left", "right"), SYMMETRIC, ids=str)
+def test_symmetric_matrices_beside_functions(left: Any, right: Any) -> None:
+    """A symmetric matrix says twice of each pair of entries that they are equal: once is enough."""
+    claim = Claim("6", left, right, assuming=(symmetric(A),))
+    verdict = Session().decide(claim).verdict
+    assert isinstance(verdict, HoldsUnder), verdict
+    assert verdict.needs == ("A is symmetric",)
     check(claim, "printed", verdict.certificate)
 
 

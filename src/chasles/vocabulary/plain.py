@@ -86,7 +86,7 @@ class _Plain:
         return f"{text}_{mark}"
 
     def integral(self, of: Piece, body: str) -> Piece:
-        sign = self.subscripted("int", body)
+        sign = self.subscripted("int", body) if body else "sum"
         return Piece(f"{sign}({of.text})", Precedence.ATOM, of.depth)
 
     def block(self, rows: list[list[str]]) -> str:

@@ -119,7 +119,8 @@ class Latex:
         return frame + text[:before] + self.subscripted("", f"{stands},{mark}") + text[old.end() :]
 
     def integral(self, of: Piece, body: str) -> Piece:
-        return Piece(rf"\int_{{{body}}} {of.text} \, d{body}", Precedence.PRODUCT, of.depth)
+        text = rf"\int_{{{body}}} {of.text} \, d{body}" if body else rf"\sum {of.text}"
+        return Piece(text, Precedence.PRODUCT, of.depth)
 
     def block(self, rows: list[list[str]]) -> str:
         lines = r" \\ ".join(" & ".join(row) for row in rows)

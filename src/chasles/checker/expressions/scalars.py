@@ -92,6 +92,9 @@ def scalar_question(problem: Problem, proving: bool = True) -> ScalarQuestion:
     stated += [("", abs(symbol), symbol) for symbol in problem.nonnegative if symbol in entries.rules]
     for text, one, other in stated:
         for equation in entries.equations(one, other):
+            # That a matrix is symmetric says of each pair of entries twice that they are equal.
+            if sp.Eq(equation.rhs, equation.lhs, evaluate=False) in given:
+                continue
             given.append(equation)
             sources[f"{equation.lhs} = {equation.rhs}"] = text
     for hypothesis in assumed:
