@@ -345,7 +345,10 @@ def many_terms(operations):
 def calls_to_make(operations):
     """How many functions are called until there is a program, and until there are its texts."""
     numbers, expression = many_terms(operations)
-    inputs = inputs_of({"x": sp.Matrix(numbers)})
+    return calls_for(expression, inputs_of({"x": sp.Matrix(numbers)}))
+
+
+def calls_for(expression, inputs):
     count = 0
 
     def counted(_frame, event, _argument):
@@ -364,6 +367,15 @@ def test_making_takes_time_with_the_size():
     calls_to_make(50)
     few, many = calls_to_make(100), calls_to_make(400)
     assert many < 6 * few
+
+
+def test_what_is_nested_and_shared_takes_time_with_what_differs():
+    expression, calls = x, []
+    for depth in range(1, 17):
+        expression = sp.sin(expression) * y + sp.cos(expression + depth)
+        if depth in (4, 8, 16):
+            calls.append(calls_for(expression, inputs_of([x, y])))
+    assert calls[2] < 4 * calls[1]
 
 
 def test_a_long_program_that_calls_functions_is_cut_into_parts_that_do():

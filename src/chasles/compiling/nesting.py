@@ -11,7 +11,8 @@ from functools import reduce
 
 import sympy
 
-_HELD = (sympy.sin, sympy.cos, sympy.exp, sympy.log)
+from chasles.compiling.variables import HELD
+
 Monomial = dict[sympy.Expr, int]
 """Whole powers by what is raised to them; the number in front has the key 1, and the power 1."""
 
@@ -24,7 +25,7 @@ def nested(expression: sympy.Basic, done: dict[sympy.Basic, sympy.Basic] | None 
     if expression not in done:
         parts = [nested(part, done) for part in expression.args]
         # Functions of what is the same are not evaluated again: SymPy would ask what it knows of it for long.
-        held = {"evaluate": False} if isinstance(expression, _HELD) else {}
+        held = {"evaluate": False} if isinstance(expression, HELD) else {}
         changed = expression if list(expression.args) == parts else expression.func(*parts, **held)
         done[expression] = (
             _sum([_factors(term) for term in changed.args]) if isinstance(changed, sympy.Add) else changed

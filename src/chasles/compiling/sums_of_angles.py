@@ -56,7 +56,11 @@ def angle_of(function: Any) -> sympy.Expr:
 
 def square_of(angle: sympy.Expr) -> sympy.Expr:
     """What an angle is the root of; its square, if it is no root."""
-    return angle.base if isinstance(angle, sympy.Pow) and angle.exp == sympy.S.Half else angle**2
+    return (
+        angle.base
+        if isinstance(angle, sympy.Pow) and angle.exp == sympy.S.Half
+        else sympy.Pow(angle, 2, evaluate=not angle.is_Add)
+    )
 
 
 def degree_of_power(factor: sympy.Expr, angle: sympy.Expr) -> sympy.Rational | None:

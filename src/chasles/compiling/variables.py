@@ -21,6 +21,7 @@ from chasles.lowering.refusal import LoweringError
 
 _KINDS = (sympy.Symbol, sympy.Derivative, AppliedUndef, sympy.Indexed)
 _BINDING = (ExprWithLimits, sympy.Lambda, sympy.Subs)
+HELD = (sympy.sin, sympy.cos, sympy.exp, sympy.log)
 _MATRICES = (sympy.MatrixExpr, sympy.MatrixBase)
 
 
@@ -134,7 +135,9 @@ class Substitution:
                 args = []
                 for part in node.args:
                     args.append(self._replaced(part) if isinstance(part, sympy.Basic) else part)
-                found = node if all(map(is_, args, node.args)) else node.func(*args)
+                # Functions of the same by another name are not evaluated again: SymPy would ask what it knows for long.
+                held = {"evaluate": False} if isinstance(node, HELD) else {}
+                found = node if all(map(is_, args, node.args)) else node.func(*args, **held)
             self._done[node] = found
         self._matrices |= isinstance(found, _MATRICES)
         return found
