@@ -537,3 +537,18 @@ def test_what_is_proposed_for_inverses_and_for_primes_behind_brackets() -> None:
     lines = proposed([PrintedEquation(text) for text in page]).splitlines()
     assert "quantity = [\"#''\"]  # ? what these marks make of an expression" in lines
     assert any(line.startswith("'\\foo' = { is = \"matrix\"") for line in lines)
+
+
+@pytest.mark.parametrize(
+    ("letter", "text"),
+    [("E", "E[x] y = E[x y]"), (r"\mathbb{E}", r"\mathbb{E}\{x\} y = \mathbb{E}\{x y\}"),
+     (r"\mathrm{Var}", r"\mathrm{Var}[x y] = \mathrm{Var}[x] y"),
+     (r"\mathcal{L}", r"\mathcal{L}\{x y\} = \mathcal{L}\{x\} y")],
+)  # fmt: skip
+def test_an_expectation_is_no_product(letter: str, text: str) -> None:
+    """Where a page has E, a word or a letter in script only before brackets, it is a function."""
+    scalars = {each: {"is": "scalar"} for each in (letter, "x", "y")}
+    (found,) = chasles.read(text, {"symbols": scalars}).equations
+    assert found.verdict == "defined"
+    (whole,) = chasles.read(f"{letter} x [x + y] = {letter} x^2 + {letter} x y", {"symbols": scalars}).equations
+    assert whole.verdict == "holds"

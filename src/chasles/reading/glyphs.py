@@ -20,6 +20,10 @@ ARROWS = frozenset({r"\vec", r"\underline", r"\overrightarrow", r"\underrightarr
 NAME = re.compile(r"\\(?:operatorname|text)\{(.*)\}$")
 
 
+OTHER_BRACKETS = ("[]", r"\{\}")
+OF_OPERATORS = frozenset((r"\mathbb", r"\mathcal", r"\mathscr", r"\mathrm"))
+
+
 @dataclass(frozen=True, slots=True)
 class Glyph:
     r"""A letter with its accents from the inside out, its subscript, primes and superscripts, each as one text.
@@ -136,10 +140,23 @@ def letter_of(atom: Atom) -> Glyph:
 
 
 def with_arguments(letter: Glyph, bracket: Atom) -> Glyph | None:
-    """The letter with what the round brackets behind it hold as its arguments; None for other brackets."""
-    if bracket.text != "()" or not bracket.inside:
+    r"""The letter with what brackets behind it hold as its arguments; None for others than round ones.
+
+    What is not round holds the argument of an expectation E[x], or of what is set upright, in script or with double
+    strokes: \mathcal{L}\{f\}.
+    """
+    if not bracket.inside or bracket.text not in ("()", *(OTHER_BRACKETS if is_operator(letter) else ())):
         return None
     return replace(letter, arguments=" , ".join(map(text_of, bracket.inside)))
+
+
+def is_operator(letter: Glyph) -> bool:
+    """Whether other brackets than round ones hold the argument of a letter: of E, of words, and in such typefaces."""
+    return (
+        letter.base == "E"
+        or letter.base.split(" ")[0] in OF_OPERATORS
+        or (len(letter.base) > 1 and letter.base.isalpha())
+    )
 
 
 def joined(atoms: Sequence[Atom | Token]) -> Atom | None:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from chasles.reading.commands import MARKS
-from chasles.reading.glyphs import Glyph, letter_of, with_arguments
+from chasles.reading.glyphs import Glyph, is_operator, letter_of, with_arguments
 from chasles.reading.grammar import Atom, Chain, Terms, terms_in
 from chasles.reading.grouping import TYPEFACES
 
@@ -26,11 +26,12 @@ def functions_in(chains: Iterable[Chain]) -> dict[Glyph, bool]:
                 if not isinstance(one, Atom):
                     continue
                 letter = replace(letter_of(one), sups=(), place=None)
-                is_called = isinstance(bracket, Atom) and bracket.text == "()"
+                is_called = isinstance(bracket, Atom) and with_arguments(letter, bracket) is not None
                 found[is_called].add(letter)
                 listed |= {letter} if isinstance(bracket, Atom) and lists_letters(bracket) else set()
                 waiting += terms_in(one)
-    return dict.fromkeys(found[True] - found[False], False) | dict.fromkeys(listed, True)
+    called = found[True] - found[False]
+    return dict.fromkeys(called, False) | dict.fromkeys(listed | set(filter(is_operator, called)), True)
 
 
 def lists_letters(bracket: Atom) -> bool:
