@@ -552,3 +552,19 @@ def test_an_expectation_is_no_product(letter: str, text: str) -> None:
     assert found.verdict == "defined"
     (whole,) = chasles.read(f"{letter} x [x + y] = {letter} x^2 + {letter} x y", {"symbols": scalars}).equations
     assert whole.verdict == "holds"
+
+
+def test_a_derivative_is_that_of_what_is_written_out() -> None:
+    """Neither a definition that is left out nor a letter that the page differentiates makes it zero."""
+    letters = {"symbols": dict.fromkeys("LTVmq", "scalar")}
+    lagrangian = [r"T = \frac{1}{2} m q^2 \dot{q}^2", "L = T - V"]
+    euler = r"\frac{d}{dt} \frac{\partial L}{\partial \dot q} - \frac{\partial L}{\partial q} = 0"
+    of_potential = r"\frac{\partial L}{\partial q} = m q \dot{q}^2 - \frac{\partial V}{\partial q}"
+    without = r"\frac{\partial L}{\partial q} = m q \dot{q}^2"
+    for texts, verdicts in (
+        ([*lagrangian, of_potential, without, euler], ["defined", "open", "open"]),
+        ([lagrangian[0], "L = T", without, euler], ["holds", "open"]),
+        ([lagrangian[0], "L = T", euler], ["open"]),
+    ):
+        page = chasles.read("\n\n".join(f"$${text}$$" for text in texts), letters, "md")
+        assert [each.verdict for each in page.equations[2:]] == verdicts

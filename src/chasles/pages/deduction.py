@@ -38,7 +38,7 @@ from chasles.pages.premises import (
 )
 from chasles.pages.quantities import Quantity, quantities, quantity, symbols_in
 from chasles.pages.refutation import expanded, refuted
-from chasles.pages.unsaid_derivatives import without_unsaid_derivatives
+from chasles.pages.unsaid_derivatives import UnsaidDerivatives
 from chasles.reading.reading import Part, Reading
 from chasles.statements import Claim, Statement, nonzero
 from chasles.verdict import Assumed, Contradictory, Defined, Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
@@ -61,6 +61,7 @@ class Deduction:
     is_proposed: bool = False
     may_follow: dict[str, bool | None] = field(default_factory=dict)
     _foretold: dict[tuple[str, int], PageFinding] = field(default_factory=dict)
+    _derivatives: UnsaidDerivatives = field(default_factory=UnsaidDerivatives)
 
     @cached_property
     def consequences(self) -> Consequences:
@@ -70,6 +71,7 @@ class Deduction:
     def fork(self) -> Deduction:
         """A deduction that goes on from here by itself."""
         other = Deduction(self.premises.copy(), self.session, self.is_proposed, self.may_follow, dict(self._foretold))
+        other._derivatives = self._derivatives
         other.consequences = self.consequences
         return other
 
@@ -88,7 +90,7 @@ class Deduction:
         """The claim without derivatives of what the page has not said to depend on anything."""
         if claim.fault:
             return claim
-        left, right = (without_unsaid_derivatives(side, self.premises.defined()) for side in claim.printed)
+        left, right = self._derivatives.without(claim.printed, self.premises.defined())
         return claim if claim.printed == (left, right) else with_fields(claim, left=left, right=right)
 
     def _assumption(self, name: str, said: Part | Claim) -> PosedEquation:

@@ -2,33 +2,55 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
 
-from chasles.pages.premises import Rules, chosen_rules, free_quantities
+from chasles.pages.premises import Rules, chosen_rules
 from chasles.pages.quantities import symbols_in
 from chasles.reading.fits import OF_ITS_OWN, own_quantity
+from chasles.statements.rules import rated
 from chasles.vocabulary import Node, Symbol, latex, undotted, walk
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.partial import PartialDerivative
 from chasles.vocabulary.tree import replace
 
 
-def without_unsaid_derivatives(side: Node, rules: Rules) -> Node:
-    """The side with a quantity of its own for each derivative of which the rules do not say what it is.
+@dataclass(slots=True)
+class UnsaidDerivatives:
+    """Makes derivatives say what they are of; letters that the page differentiates itself depend on something."""
 
-    They say it where, written out, the letter stands in what is derived, and no function of which only the value is
-    named. A derivative of a letter of which the page has said nothing may be anything.
-    """
-    derived = [part for part in walk(side) if isinstance(part, PartialDerivative)]
-    unsaid = [part for part in derived if part.fault is None and not _is_said(part, rules)]
-    return replace(side, {part: _own(part) for part in unsaid}) if unsaid else side
+    _functions: set[Symbol] = field(default_factory=set)
+
+    def without(self, sides: Sequence[Node], rules: Rules) -> list[Node]:
+        """The sides with a quantity of its own for each derivative of which the rules do not say what it is.
+
+        They say it where, written out, the letter stands in what is derived, and no function of which only the value is
+        named; then it is that of what is written out. A derivative of a letter of which the page has said nothing may
+        be anything.
+        """
+        parts = [part for side in sides for part in walk(side) if isinstance(part, PartialDerivative)]
+        known = {symbol for symbol, _ in rules}
+        self._functions |= {p.of for p in parts if isinstance(p.of, Symbol) and p.of.stands_for is None} - known
+        values: dict[Node, Node] = {part: self._said(part, rules) for part in parts if part.fault is None}
+        return [replace(side, values) if values else side for side in sides]
+
+    def _said(self, derivative: PartialDerivative, rules: Rules) -> Node:
+        by = {undotted(symbol)[0] for symbol in symbols_in((derivative.by,))}
+        chosen = chosen_rules((derivative.of,), rules)
+        written = _written_out(derivative.of, {key: rule for key, rule in chosen.items() if key[0] not in by})
+        found = symbols_in((written,))
+        said = by <= found and not any(_is_value(each) or each in self._functions for each in found - by)
+        if found and not said:
+            return _own(derivative)
+        return derivative if written == derivative.of else PartialDerivative(written, derivative.by)
 
 
-def _is_said(derivative: PartialDerivative, rules: Rules) -> bool:
-    chosen = chosen_rules((derivative.of,), rules)
-    found = {symbol for symbol, _ in free_quantities((derivative.of,), chosen)}
-    by = {undotted(symbol)[0] for symbol in symbols_in((derivative.by,))}
-    return not found or (by <= found and not any(map(_is_value, found - by)))
+def _written_out(node: Node, rules: Rules) -> Node:
+    """The expression with what the rules say of the letters in it."""
+    values = {rated(symbol, order): rule.right for (symbol, order), rule in rules.items()}
+    for _ in rules:
+        node = replace(node, values)
+    return node
 
 
 def _is_value(symbol: Symbol) -> bool:

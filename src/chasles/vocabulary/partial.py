@@ -17,7 +17,7 @@ from chasles.vocabulary.parts import Submatrix
 from chasles.vocabulary.shorthand import opened
 from chasles.vocabulary.sizes import extents_of, partition_of, sizes_of
 from chasles.vocabulary.spatial import Inverse
-from chasles.vocabulary.tree import children, rebuilt, replace, undotted
+from chasles.vocabulary.tree import children, rebuilt, replace, undotted, walk
 
 if TYPE_CHECKING:
     from chasles.vocabulary.spelling import Piece, Style
@@ -74,6 +74,14 @@ def _place_of(by: Node) -> tuple[Node, Node | None]:
     return whole, by if whole is not by else None
 
 
+def _of_rule(key: Node, rules: Mapping[Node, Node]) -> Node:
+    """What a rule says, with every derivative carried out: it does not lead back to the rule."""
+    value = rules[key]
+    if not any(isinstance(part, PartialDerivative) for part in walk(value)):
+        return value
+    return with_derivatives(value, {other: rule for other, rule in rules.items() if other != key})
+
+
 def with_derivatives(node: Node, rules: Mapping[Node, Node]) -> Node:
     """The expression with every derivative carried out; `rules` say what symbols stand for.
 
@@ -89,7 +97,7 @@ def with_derivatives(node: Node, rules: Mapping[Node, Node]) -> Node:
         return node
     whole, entry = _place_of(node.by)
     of = opened(node.of)
-    values = {key: with_derivatives(value, rules) for key, value in rules.items()}
+    values = {key: _of_rule(key, rules) for key in rules}
     while (told := opened(replace(of, values))) != of:
         of = told
     rates: dict[Node, Node] = {}
