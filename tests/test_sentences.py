@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import sys
 from collections.abc import Callable, Iterator
+from fractions import Fraction
 from operator import methodcaller
 from pathlib import Path
 from typing import Any
@@ -56,6 +57,8 @@ from chasles.vocabulary import (
     Misfit,
     Negative,
     Node,
+    Number,
+    Scale,
     Sum,
     Symbol,
     Zero,
@@ -243,7 +246,7 @@ def test_a_restatement_is_a_multiple_of_what_it_restates() -> None:
     by_matrix = Claim("3", Q.T @ Q @ p, Q.T @ a, restates=other, by=Q.T)
     assert goals(by_matrix)[0][1] == Q.T @ Sum((Q @ p, Negative(a)))
     by_number = Claim("4", a, Q @ p, restates=other, by=-1)
-    assert goals(by_number)[0][1] == -1 * Sum((Q @ p, Negative(a)))
+    assert goals(by_number)[0][1] == Scale(Number(Fraction(-1)), Sum((Q @ p, Negative(a))))
     stacked = Claim("5", column(Q @ p, p), column(a, a), restates=(other, Condition("6", p, a)))
     assert goals(stacked)[0][1] == column(Sum((Q @ p, Negative(a))), Sum((p, Negative(a))))
     assert isinstance(decide_problem(problem_of(by_matrix)), Holds)
@@ -252,7 +255,7 @@ def test_a_restatement_is_a_multiple_of_what_it_restates() -> None:
 def test_a_restatement_restates_the_form_that_stands() -> None:
     misread = Condition("1", p, phi, reading=q, on=(p,))
     restated = Claim("2", -p, -q, restates=misread, by=-1)
-    assert goals(restated)[0][1] == -1 * Sum((p, Negative(q)))
+    assert goals(restated)[0][1] == Scale(Number(Fraction(-1)), Sum((p, Negative(q))))
     solution = Claim("3", p, q, solves=misread)
     assert goals(solution) == [(q, q)]
 

@@ -224,7 +224,8 @@ static void copy_pairs(char *first, char *second, char *together, ptrdiff_t step
 
 #if CHASLES_PAIRS && CHASLES_LEVELS >= 2
 /* Copies four rows of numbers, a multiple of four, to items that lie `step` apart, or back. */
-__attribute__((target("avx2"))) static void copy_fours(char *const *rows, char *together, ptrdiff_t step, ptrdiff_t items, int back)
+__attribute__((target("avx2")))
+static void copy_fours(char *const *rows, char *together, ptrdiff_t step, ptrdiff_t items, int back)
 {
     char *const a = rows[0], *const b = rows[1], *const c = rows[2], *const d = rows[3];
 #define MOVE(from_a, from_b, from_c, from_d, to_a, to_b, to_c, to_d) \

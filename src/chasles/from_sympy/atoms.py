@@ -61,8 +61,6 @@ class QuantityNames:
             kind = "does not commute" if atom.is_commutative is False else "is not real"
             raise Untreatable(f"{excerpt(atom)} {kind}: the variables are real numbers")
         text = str(atom)
-        if not text.strip():
-            raise Untreatable("a symbol has no name: give it one")
         if self._spellings.setdefault(text, atom) != atom:
             raise Untreatable(f"two different symbols are both called {text}: rename one")
         function = atom.expr if isinstance(atom, sympy.Derivative) else atom

@@ -49,7 +49,7 @@ class _FewTerms(DeclaredPoints):
     """Points, for what is not long."""
 
     attempts = ATTEMPTS
-    fruitless = 3
+    fruitless = 8
 
     def likely_vanish(self, context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnprovedPart]) -> bool:
         _require_few_terms(context, suspects)

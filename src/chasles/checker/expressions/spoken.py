@@ -71,7 +71,11 @@ class Spoken:
 
     def call(self, text: str) -> tuple[str, list[Polynomial]]:
         """The function of which a text tells a value, and its arguments: a power is one, too."""
-        match ast.parse(self._marked(text), mode="eval").body:
+        try:
+            said = ast.parse(self._marked(text), mode="eval").body
+        except SyntaxError:
+            raise Rejected(f"{text} is no expression") from None
+        match said:
             case ast.Call(ast.Name("log"), [ast.Call(ast.Name("Abs"), [of], [])], []):
                 return "size", [self._read(of)]
             case ast.Call(ast.Name(function), arguments, []):
