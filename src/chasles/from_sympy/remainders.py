@@ -5,21 +5,23 @@ Where n is 4*m + 1, the angle n*pi/2 is pi/2, but for whole turns.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 from math import lcm
 from typing import Any
 
 import sympy
 from sympy.core.function import AppliedUndef
 
+from chasles.from_sympy.divisors import CIRCULAR
 from chasles.from_sympy.opening import parts_of
 
-CIRCULAR = (sympy.sin, sympy.cos, sympy.tan, sympy.cot, sympy.sec, sympy.csc)
 LARGEST_MODULUS = 24
 
 
-def modulus_of(spoken: Iterable[Any]) -> tuple[Any, int] | None:
+def modulus_of(spoken: Sequence[Any]) -> tuple[Any, int] | None:
     """An integer on whose remainder it depends how many half turns something has, and what to divide it by."""
+    if not any(symbol.is_integer for e in spoken for symbol in e.free_symbols):
+        return None
     found: dict[Any, int] = {}
     parts = {part for e in spoken for part in parts_of(e)}
     inside = {s for part in parts if isinstance(part, AppliedUndef | sympy.Derivative) for s in part.free_symbols}
@@ -51,7 +53,7 @@ def at_integer(e: Any, symbol: Any = None, value: Any = None) -> Any:
     if not any(part.is_integer for part in e.free_symbols):
         return e
     arguments = [at_integer(part, symbol, value) for part in e.args]
-    if isinstance(e, CIRCULAR):
+    if type(e) in CIRCULAR:
         terms = sympy.Add.make_args(sympy.expand(arguments[0]))
         left = [term for term in terms if not _is_whole(term / sympy.pi / 2)]
         # SymPy drops half turns of a tangent's argument as if they were whole ones, if they are no numbers.
@@ -67,7 +69,7 @@ def at_integer(e: Any, symbol: Any = None, value: Any = None) -> Any:
 
 def _half_turns(part: Any) -> list[Any]:
     """The terms with integers that say how many half turns an angle, or how many signs a power has."""
-    if isinstance(part, CIRCULAR):
+    if type(part) in CIRCULAR:
         number = sympy.expand(part.args[0]) / sympy.pi
     elif isinstance(part, sympy.Pow) and part.base.is_negative:
         number = part.exp
