@@ -87,7 +87,7 @@ def compile(
         return kernel_for(*program_of_method(require_kernel_name(name), expr, inputs, outputs, **options), levels)
     given = inputs_of(inputs)
     results = outputs_of(expr, given, outputs)
-    given_as = [(item.argument, [symbol.name for symbol in item.symbols]) for item in given]
+    given_as = [item.identity for item in given]
     shapes = [(result.name, result.shape) for result in results]
     derived = derived_from(given, results, kinds, wrt, coo=coo)
     key = key_of(

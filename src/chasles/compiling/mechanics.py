@@ -80,9 +80,8 @@ def program_of_method(
         return pruned(Program(name, (*stated.arguments, *derived.more), build.steps, tuple(results)))
 
     entries = (entry for result in stated_results for entry in result.entries)
-    given_as = [(item.argument, [symbol.name for symbol in item.symbols]) for item in given]
     sizes = equations.rows, len(equations.speeds), equations.constrained
-    return key_of(entries, name, given_as, wanted, sizes, sorted(options.items())), made
+    return key_of(entries, name, [item.identity for item in given], wanted, sizes, sorted(options.items())), made
 
 
 def _equations(method: Any) -> EquationsOfMotion:

@@ -35,6 +35,11 @@ class Input:
     symbols: tuple[sympy.Symbol, ...]
     whole: sympy.MatrixSymbol | None = None
 
+    @property
+    def identity(self) -> tuple[Argument, list[str]]:
+        """What a program depends on: the argument, and the names of the symbols."""
+        return self.argument, [symbol.name for symbol in self.symbols]
+
 
 @dataclass(frozen=True, slots=True)
 class ResultEntries:

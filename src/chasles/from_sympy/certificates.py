@@ -57,8 +57,8 @@ class Writing:
             "names": {word.name: str(atom) for atom, word in self.reader.atoms.words.items()},
             "positive": list(self._positive(context)),
             "squares": list(self._squares(context)),
-            "turned": {f"{i + 1},{j + 1}": halvings for (i, j), halvings in self.elementary.halvings.items()},
-            "raised": {f"{i + 1},{j + 1}": multiple for (i, j), multiple in self.elementary.multiples.items()},
+            "turned": _by_label(self.elementary.halvings),
+            "raised": _by_label(self.elementary.multiples),
             "angles": {word.name: _product(powers) for word, powers in self.reader.angles.products.items()},
             "substituted": {str(atom): text for text, atom, _ in self.given.substitutions},
             "words": list(self._words(context)),
@@ -221,6 +221,11 @@ def _is_zero(atom: Any) -> bool:
 
 def _key(polynomial: Polynomial) -> Key:
     return frozenset(polynomial.terms.items())
+
+
+def _by_label(entries: Mapping[tuple[int, int], int]) -> dict[str, int]:
+    """What is said of entries, by row and column counted from one."""
+    return {f"{i + 1},{j + 1}": said for (i, j), said in entries.items()}
 
 
 def _product(powers: Mapping[Any, int]) -> str:

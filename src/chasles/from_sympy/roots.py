@@ -197,12 +197,11 @@ class _Resolver:
     def _is_nonnegative(self, context: Context, polynomial: Polynomial) -> bool:
         """Whether every term is visibly not negative, a cosine or sine being at least -1."""
         reserve, swing = Fraction(0), Fraction(0)
+        of_sign = self.positive | self.negative | self.numbers.names
         for exponents, coefficient in context.field.ring.terms(polynomial):
             odd = [context.variables[k] for k, e in enumerate(exponents) if e % 2]
             sign = (-1) ** sum(v.name in self.negative for v in odd)
-            if sign * coefficient > 0 and all(
-                v.name in self.positive | self.negative | self.numbers.names for v in odd
-            ):
+            if sign * coefficient > 0 and all(v.name in of_sign for v in odd):
                 reserve += coefficient if not any(exponents) else 0
             elif all(v.kind in ("cos", "sin") for v in odd) and all(
                 v.kind in ("cos", "sin") for k, v in enumerate(context.variables) if exponents[k]

@@ -97,9 +97,9 @@ class Splitting:
         sampling = Sampling(self._left, self._right, self._left.shape[0], self._pairs, self._declared, still=still)
         whole = SplitCase(tuple(map(at_integer, self.spoken)))
         self._require(whole, within=False)
-        signed = switches_in(self.spoken)
-        tree = self._proved(whole) if self._switched else self._decided(whole)
-        if tree is None and signed and not self._switched:
+        switched = self._switched
+        tree = self._proved(whole) if switched else self._decided(whole)
+        if tree is None and not switched and switches_in(self.spoken):
             tree = self._proved(whole)
         if tree is None:
             found = sampling.counterexample() or self._refuted()

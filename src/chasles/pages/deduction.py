@@ -71,7 +71,7 @@ class Deduction:
     def fork(self) -> Deduction:
         """A deduction that goes on from here by itself."""
         other = Deduction(self.premises.copy(), self.session, self.is_proposed, self.may_follow, dict(self._foretold))
-        other._derivatives = self._derivatives
+        other._derivatives = self._derivatives.copy()
         other.consequences = self.consequences
         return other
 

@@ -21,6 +21,10 @@ class UnsaidDerivatives:
 
     _functions: set[Symbol] = field(default_factory=set)
 
+    def copy(self) -> UnsaidDerivatives:
+        """The same, which goes on from here by itself."""
+        return UnsaidDerivatives(set(self._functions))
+
     def without(self, sides: Sequence[Node], rules: Rules) -> list[Node]:
         """The sides with a quantity of its own for each derivative of which the rules do not say what it is.
 

@@ -162,10 +162,9 @@ class Functions:
 
         Of its `size`, it only must not vanish.
         """
-        total, sign, odd = ZERO, 1, frozenset[Terms]()
+        total = ZERO
         for base, power in self.factors(value):
             if (known := constant(base)) is not None:
-                sign *= -1 if known < 0 and power % 2 else 1
                 total += self._of_number(abs(known)) * number(power)
                 continue
             place = next(iter(base.places)) if len(base.terms) == 1 else -1
@@ -174,12 +173,8 @@ class Functions:
                 total += half * number(Fraction(power, 2))
                 continue
             total += (self.exponents[place] if place in self.exponents else self._of_base(base)) * number(power)
-            if power % 2 and is_positive(self.reading, -base):
-                sign = -sign
-            elif power % 2 and not is_positive(self.reading, base):
-                odd ^= {terms_of(base)}
         if not (evident or size):
-            self._require_positive(value, odd, sign)
+            self.require_positive(value)
         elif not evident:
             self.require_nonzero(value)
         return self.reading.normal(total)

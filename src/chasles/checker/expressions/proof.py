@@ -81,12 +81,10 @@ def claims_of(asked: Asked, reading: Proven, certificate: Data) -> dict[tuple[in
     if certificate["variant"] == 2:
         return {place: _of_squares(reading, left, asked.right[place]) for place, left in asked.left.items()}
     claims = differences(reading, {place: (left, asked.right[place]) for place, left in asked.left.items()})
-    for label, halvings in certificate.get("turned", {}).items():
-        row, column = (int(part) - 1 for part in label.split(","))
-        claims[row, column] = reading.arcs.turned(claims[row, column], int(halvings))
-    for label, multiple in certificate.get("raised", {}).items():
-        row, column = (int(part) - 1 for part in label.split(","))
-        claims[row, column] = reading.functions.raised(claims[row, column], int(multiple))
+    for how, compared in (("turned", reading.arcs.turned), ("raised", reading.functions.raised)):
+        for label, number_of_times in certificate.get(how, {}).items():
+            row, column = (int(part) - 1 for part in label.split(","))
+            claims[row, column] = compared(claims[row, column], int(number_of_times))
     return claims
 
 
