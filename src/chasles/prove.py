@@ -16,6 +16,7 @@ from chasles.from_sympy import Question, ask
 from chasles.from_sympy.complex_symbols import by_parts
 from chasles.from_sympy.contradiction import contradiction
 from chasles.from_sympy.decimals import as_decimals
+from chasles.from_sympy.inequalities import without_inequalities
 from chasles.from_sympy.splitting import Splitting
 from chasles.problems.context import build
 from chasles.problems.variables import Untreatable
@@ -40,7 +41,8 @@ def prove(lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), budget: float 
         lhs: a SymPy scalar or matrix.
         rhs: one of the same shape.
         given: equations that hold, as `Eq(a, b)` or as expressions or matrices that are zero, one or a list of them,
-            or the values of symbols as `{x: 1}`; between functions of time they hold at all times.
+            or the values of symbols as `{x: 1}`; between functions of time they hold at all times. Inequalities may be
+            among them; of `a > b` the verdict speaks as a = b + d_1, with a positive symbol d_1.
         nonzero: scalars that do not vanish. Divisors need not be named: the verdict's `needs` lists them.
         budget: seconds after which the verdict is `Undecided`. Without it only the work is limited, so that the verdict
             does not depend on the machine.
@@ -107,7 +109,7 @@ def _followed(verdict: Verdict, asked: tuple[Any, ...]) -> Verdict:
 def _asked(exact: bool, *said: Any) -> tuple[Any, ...]:
     """What was asked, iterators written out, since they are read more than once, and complex symbols by parts."""
     said = tuple(tuple(each) if isinstance(each, Iterator) else each for each in said)
-    return by_parts(tuple(map(as_decimals, said)) if exact else said)
+    return without_inequalities(by_parts(tuple(map(as_decimals, said)) if exact else said))
 
 
 def recheck(verdict: Verdict, lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), exact: bool = False) -> None:

@@ -21,6 +21,7 @@ from chasles.from_sympy.switches import (
     HOLDING,
     WRITTEN,
     deciding,
+    excludes,
     factors_of,
     powers_in,
     ratio_of,
@@ -80,7 +81,7 @@ class SplitCase:
     @property
     def possible(self) -> bool:
         """Whether the known signs do not visibly contradict each other, alone or two of them."""
-        if any(visible_sign(e) not in (None, sign) for e, sign in self.facts):
+        if any(excludes(e, sign) for e, sign in self.facts):
             return False
         pairs = ((ratio_of(e, other), sign, known) for (e, sign), (other, known) in combinations(self.facts, 2))
         return all(ratio is None or sign == ratio * known for ratio, sign, known in pairs)
@@ -135,7 +136,7 @@ class SplitCase:
         return {name: self._with(factor, sign, positive) for name, sign in SIGNS.items()}
 
     def _with(self, factor: Any, sign: int, positive: Any) -> SplitCase:
-        atom = _eliminable(factor, (*self.spoken, *self.equations))
+        atom = None if excludes(factor, sign) else eliminable(factor, (*self.spoken, *self.equations))
         zeros = self.zeros if sign else (*self.zeros, self.back(factor))
         if atom is None:
             equations = self.equations if sign else (*self.equations, factor)
@@ -197,8 +198,11 @@ def _with_value(e: Any, put: Mapping[Any, Any]) -> Any:
         return sympy.zoo
 
 
-def _eliminable(factor: Any, expressions: Iterable[Any]) -> Any:
-    """A symbol in which the factor is linear with a rational coefficient, and whose values need not be of a kind."""
+def eliminable(factor: Any, expressions: Iterable[Any]) -> Any:
+    """A symbol in which the factor is linear with a rational coefficient, and whose values need not be of a kind.
+
+    None if there is no such symbol.
+    """
     inside = {s for e in expressions for f in e.atoms(AppliedUndef, sympy.Derivative) for s in f.free_symbols}
     for symbol in sorted(factor.free_symbols - inside, key=str):
         slope = sympy.diff(factor, symbol)

@@ -20,7 +20,7 @@ def by_parts(said: tuple[Any, ...]) -> tuple[Any, ...]:
 
     Raises `Untreatable` for two symbols that are called the same, whose parts would be.
     """
-    spoken = list(_expressions(said))
+    spoken = list(expressions_in(said))
     known = {z for e in spoken for z in e.atoms(sympy.Symbol) if z.is_complex and z.is_real is None}
     found = {z for z in known if z.is_zero is None and z.is_commutative}
     if not found:
@@ -35,7 +35,7 @@ def by_parts(said: tuple[Any, ...]) -> tuple[Any, ...]:
 
 def taken_as_real(said: tuple[Any, ...]) -> tuple[str, ...]:
     """What is read as real though nothing says so, where a conjugate or a part of it is taken."""
-    calls = {call for e in _expressions(said) for call in e.atoms(*OF_COMPLEX)}
+    calls = {call for e in expressions_in(said) for call in e.atoms(*OF_COMPLEX)}
     return tuple(sorted({f"{atom} is real" for call in calls for atom in atoms_of(call) if atom.is_real is None}))
 
 
@@ -47,12 +47,12 @@ def _parts(z: Any, taken: set[str]) -> Any:
     return re + sympy.I * im
 
 
-def _expressions(value: Any) -> Iterator[Any]:
+def expressions_in(value: Any) -> Iterator[Any]:
     """All SymPy expressions in lists, mappings and matrices."""
     if isinstance(value, list | tuple | MatrixBase):
         for item in value:
-            yield from _expressions(item)
+            yield from expressions_in(item)
     elif isinstance(value, Mapping):
-        yield from _expressions([*value.keys(), *value.values()])
+        yield from expressions_in([*value.keys(), *value.values()])
     elif isinstance(value, sympy.Basic):
         yield value

@@ -143,8 +143,8 @@ def sides(relation: Any, what: str) -> Iterator[tuple[Any, Any]]:
         left, right = opened(relation.lhs, what), opened(relation.rhs, what)
     elif isinstance(relation, Boolean) and not isinstance(relation, sympy.Expr):
         raise Untreatable(
-            f"{what} is {excerpt(relation)}, which is no equation: say `nonzero=[...]` for what does not vanish, "
-            "and Symbol('m', positive=True) for what is positive"
+            f"{what} is {excerpt(relation)}, which is no equation and no inequality: each condition stands in the list "
+            "by itself"
         )
     else:
         left = opened(relation, what)

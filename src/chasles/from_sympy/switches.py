@@ -87,3 +87,9 @@ def visible_sign(e: Any) -> int | None:
             return None
         return 1 if least > 0 else -1 if most < 0 else None
     return 1 if e.is_positive else -1 if e.is_negative else 0 if e.is_zero else None
+
+
+def excludes(e: Any, sign: int) -> bool:
+    """Whether it is seen from an expression alone that it has not this sign."""
+    visible = visible_sign(e)
+    return visible not in (None, sign) or bool(e.is_nonpositive if sign == 1 else sign and e.is_nonnegative)

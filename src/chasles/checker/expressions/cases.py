@@ -15,7 +15,7 @@ from sympy.core.function import AppliedUndef
 
 from chasles.checker.expressions.enclosed import sign_of_number
 from chasles.checker.expressions.remainders import at_integer
-from chasles.checker.expressions.switches import SWITCHES, deciding, sign_of_multiple, visible_sign, written
+from chasles.checker.expressions.switches import SWITCHES, deciding, excludes, sign_of_multiple, visible_sign, written
 from chasles.checker.sparse import Rejected
 
 KINDS = ("integer", "noninteger", "rational", "irrational", "algebraic", "transcendental", "even", "odd", "prime")
@@ -65,7 +65,7 @@ class CheckedCase:
     @property
     def impossible(self) -> bool:
         """Whether what is known here visibly contradicts itself, two facts each other, or what is given."""
-        signs = any(visible_sign(e) not in (None, sign) for e, sign in self.facts)
+        signs = any(excludes(e, sign) for e, sign in self.facts)
         for (e, sign), (other, known) in combinations(self.facts, 2):
             multiple = sign_of_multiple(e, other)
             signs = signs or (multiple is not None and sign != multiple * known)
@@ -145,7 +145,7 @@ class CheckedCase:
     def _with(self, factor: Any, sign: int, positive: Any) -> CheckedCase:
         zeros = self.zeros if sign else (*self.zeros, self.back(factor))
         atom = self._free(factor)
-        if atom is None:
+        if atom is None or excludes(factor, sign):
             equations = self.equations if sign else (*self.equations, factor)
             return replace(self, equations=equations, facts=(*self.facts, (factor, sign)), zeros=zeros)
         value = sympy.expand(atom + (sign * positive - factor) / sympy.diff(factor, atom))

@@ -73,6 +73,12 @@ def visible_sign(e: Any) -> int | None:
     return 1 if e.is_positive else -1 if e.is_negative else 0 if e.is_zero else None
 
 
+def excludes(e: Any, sign: int) -> bool:
+    """Whether an expression has not this sign, whatever its symbols are."""
+    visible = visible_sign(e)
+    return visible not in (None, sign) or bool(e.is_nonpositive if sign == 1 else sign and e.is_nonnegative)
+
+
 def sign_of_multiple(e: Any, known: Any) -> int | None:
     """The sign of the rational number by which one expression is a multiple of another, if it is one."""
     (one, rest), (other, same) = (sympy.expand(side).as_content_primitive() for side in (e, known))
