@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 from typing import Any
 
 import sympy
 from sympy.core.function import AppliedUndef
 
+from chasles.from_sympy.angles_between import between
 from chasles.from_sympy.atoms import ASSUMPTIONS
 from chasles.from_sympy.cases import eliminable
 from chasles.from_sympy.complex_symbols import expressions_in
@@ -18,7 +20,6 @@ from chasles.problems.variables import Untreatable
 
 SIGNS = {sympy.Gt: "positive", sympy.Ge: "nonnegative", sympy.Lt: "negative", sympy.Le: "nonpositive"}
 COMPARED = tuple(SIGNS)
-HALF = sympy.Rational(1, 2)
 Said = tuple[Any, ...]
 """Both sides, the list of what is given, and the list of what does not vanish."""
 
@@ -89,24 +90,12 @@ def _with_angle(said: Said, symbol: Any) -> Said:
     plain = sympy.Dummy(**dict.fromkeys(sign, True))
     if high <= low or not _is_free(symbol, plain, said):
         return said
-    value = _between(low, high, after, before, said)
+    value = between(low, high, after, before, partial(_fresh, said))
+    if value is None:
+        return said
     stated = [item for item in said[2] if item not in (ends[0][2], ends[1][2])]
     lhs, rhs, given, nonzero = each_replaced((*said[:2], stated, said[3]), lambda _: {symbol: value})
     return lhs, rhs, [sympy.Eq(symbol, value, evaluate=False), *given], nonzero
-
-
-def _between(low: Any, high: Any, after: bool, before: bool, said: Said) -> Any:
-    """An angle between two others, which is after the first one, and before the second one, if these are excluded."""
-    half_turns = (high - low) / sympy.pi
-    if after != before and half_turns >= 2:
-        return (low + high) / 2 + half_turns / (2 if after else -2) * sympy.atan2(
-            _fresh("s_1", said), _fresh("c_1", said)
-        )
-    function = sympy.asin if not (after or before) else sympy.atan
-    if after == before and half_turns > HALF:
-        return (low + high) / 2 + half_turns * function(_fresh("s_1", said))
-    size = function(_fresh("s_1", said, **{"positive" if after and before else "nonnegative": True}))
-    return high - 2 * half_turns * size if after and not before else low + 2 * half_turns * size
 
 
 def _with_excess(said: Said, item: Any, number: int) -> Said:
@@ -137,11 +126,11 @@ def _excess(item: Any, name: str, said: Said) -> Any:
     if len(calls) > 1:
         raise Untreatable(f"{excerpt(item)} is not treated: it compares functions of different variables")
     kind = {"positive" if isinstance(item, sympy.Gt | sympy.Lt) else "nonnegative": True}
-    symbol = _fresh(name, said, **kind)
+    symbol = _fresh(said, name, **kind)
     return sympy.Function(symbol.name, **kind)(*calls.pop()) if calls else symbol
 
 
-def _fresh(name: str, said: Said, **assumed: bool) -> Any:
+def _fresh(said: Said, name: str, **assumed: bool) -> Any:
     """A symbol with a name that nothing has."""
     taken = {atom.name for e in expressions_in(said) for atom in (*e.free_symbols, *e.atoms(AppliedUndef))}
     while name in taken:
