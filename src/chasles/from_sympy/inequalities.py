@@ -31,7 +31,7 @@ def without_inequalities(said: Said) -> Said:
     an angle whose tangent, sine or direction may have any value. Else a = b + d_1 for a positive d_1, and where that
     defines a symbol, everything is said by d_1. Inequalities of functions of time hold at all times.
 
-    Raises `Untreatable` for an inequality between functions of different variables.
+    Raises `Untreatable` for an inequality between functions of different variables, or with what is infinite.
     """
     items = [part for _, item in listed(said[2], "given") for part in _plain(item) if part is not sympy.true]
     apart = [item for item in items if isinstance(item, sympy.Ne)]
@@ -52,6 +52,8 @@ def without_inequalities(said: Said) -> Said:
 
 def _plain(item: Any) -> Iterator[Any]:
     """What is said of a size, as two inequalities; of integers, one is less than the other one by one or more."""
+    if isinstance(item, COMPARED) and item.has(sympy.oo, -sympy.oo, sympy.zoo, sympy.nan):
+        raise Untreatable(f"{excerpt(item)} is not treated: it compares with what is infinite")
     if isinstance(item, COMPARED) and isinstance(item.lts, sympy.Abs) and item.lts.args[0].is_real is not False:
         less = sympy.Lt if isinstance(item, sympy.Gt | sympy.Lt) else sympy.Le
         yield from (less(item.lts.args[0], item.gts), less(-item.gts, item.lts.args[0]))

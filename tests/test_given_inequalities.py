@@ -1,0 +1,143 @@
+"""Inequalities that are given to `prove`: signs, differences, and angles between multiples of pi."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+import sympy as sp
+from sympy import Abs, Eq, Max, Min, Ne, Piecewise, Rational, acos, asin, atan, atan2, cos, log, pi, sin, sqrt, tan
+
+from chasles.from_sympy.angles_between import between
+from chasles.prove import Rejected, Untreatable, prove, recheck
+from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder
+
+x, y, z = sp.symbols("x y z", real=True)
+X = sp.Symbol("X")
+p = sp.Symbol("p", positive=True)
+n = sp.Symbol("n", integer=True)
+t, s = sp.symbols("t s")
+f, g = (sp.Function(name)(t) for name in "fg")
+TRUE: list[tuple[Any, Any, list[Any]]] = [
+    (sqrt(x**2), x, [x > 0]),
+    (sqrt(x**2), -x, [Rational(0) >= x]),
+    (sqrt(X**2), X, [X >= 0]),
+    (Abs(x - y), x - y, [x > y]),
+    (Abs(x * y - z), z - x * y, [z > x * y]),
+    (Max(x, y), x, [x >= y]),
+    (Min(x, y, z), z, [x >= y, z < y]),
+    (Max(x, y, z), x, [x >= y, y >= z]),
+    (Piecewise((x, x > y), (y, True)), x, [x >= y]),
+    (sqrt((x - 1) ** 2) + sqrt(x**2), 1, [x > 0, x < 1]),
+    (sqrt(x * y), sqrt(-x) * sqrt(-y), [x < 0, y < 0]),
+    (log(x / y), log(x) - log(y), [x > 1, y > 1]),
+    (sqrt(x**2 - 2 * x * y + y**2), x - y, [x > y, y > 0]),
+    (sqrt(x + 2 * sqrt(x - 1)), sqrt(x - 1) + 1, [x >= 1]),
+    (acos(x), 2 * atan(sqrt((1 - x) / (1 + x))), [Abs(x) < 1]),
+    (atan2(y, x), atan(y / x) + pi, [x < 0, y > 0]),
+    (x * y / y, x, [Ne(y, 0)]),
+    (Abs(n), n, [n > -1]),
+    (sqrt(f**2), f, [f > 0]),
+    (sqrt((f - g) ** 2).diff(t), f.diff(t) - g.diff(t), [f > g]),
+    (acos(cos(x)), x, [x >= 0, x <= pi]),
+    (acos(cos(x)), 2 * pi - x, [x > pi, x < 2 * pi]),
+    (asin(sin(x)), x, [Abs(x) <= pi / 2]),
+    (asin(sin(x)), pi - x, [x >= pi / 2, x <= 3 * pi / 2]),
+    (atan(tan(x)), x, [Abs(x) < pi / 2]),
+    (atan2(sin(x), cos(x)), x, [x > -pi, x <= pi]),
+    (atan2(sin(x), cos(x)), x - 2 * pi, [x > pi, x <= 3 * pi]),
+    (sqrt((1 - cos(x)) / 2), sin(x / 2), [x >= 0, x <= 2 * pi]),
+    (tan(x / 2), sqrt((1 - cos(x)) / (1 + cos(x))), [x >= 0, x < pi]),
+    (Abs(sin(x)), -sin(x), [x > pi, x < 2 * pi]),
+    (acos(cos(p)), p, [p <= pi]),
+    (acos(cos(x)), x, [x > pi / 4, x <= pi / 2]),
+]
+FALSE: list[tuple[Any, Any, list[Any]]] = [
+    (sqrt(x**2), x, [x < 0]),
+    (sqrt(x**2), x, [x > -1]),
+    (x, y, [x > y]),
+    (Max(x, y, z), x, [x >= y, z >= y]),
+    (Max(x, y), x, [x > -1]),
+    (Piecewise((x, x > y), (y - 1, True)), x, [x >= y]),
+    (f.diff(t), 0, [f > 0]),
+    (asin(sin(x)), x, [Abs(x) <= pi]),
+    (acos(cos(x)), x, [x > -pi / 3, x < pi / 2]),
+    (sqrt((1 + cos(x)) / 2), cos(x / 2), [x >= 0, x <= 2 * pi]),
+    (acos(cos(x)), 2 * pi - x, [x > pi / 2, x < 2 * pi]),
+]
+
+
+@pytest.mark.parametrize(("left", "right", "given"), TRUE, ids=str)
+def test_what_holds_where_they_do_is_proved(left: Any, right: Any, given: list[Any]) -> None:
+    verdict = prove(left, right, given)
+    assert isinstance(verdict, Holds | HoldsUnder)
+    recheck(verdict, left, right, given)
+
+
+@pytest.mark.parametrize(("left", "right", "given"), FALSE, ids=str)
+def test_what_fails_somewhere_where_they_hold_is_refuted_there(left: Any, right: Any, given: list[Any]) -> None:
+    verdict = prove(left, right, given)
+    assert isinstance(verdict, Fails)
+    recheck(verdict, left, right, given)
+    at = {symbol: verdict.counterexample.at.get(str(symbol)) for e in given for symbol in e.free_symbols - {t}}
+    if at and None not in at.values():
+        assert all(e.subs({symbol: sp.sympify(value) for symbol, value in at.items()}) == sp.true for e in given)
+
+
+@pytest.mark.parametrize(
+    "given", [[x > 1, x < 0], [x > y, y > x], [x > y, y >= x], [p < 0], [x > 1, Eq(x, 1)]], ids=str
+)
+def test_what_nothing_satisfies_is_contradictory(given: list[Any]) -> None:
+    assert isinstance(prove(x, 2 * y, given), Contradictory)
+
+
+@pytest.mark.parametrize(("left", "right", "given"), TRUE[:12] + TRUE[20:26], ids=str)
+def test_a_proof_does_not_do_without_them(left: Any, right: Any, given: list[Any]) -> None:
+    verdict = prove(left, right, given)
+    assert isinstance(verdict, Holds | HoldsUnder)
+    with pytest.raises(Rejected):
+        recheck(verdict, left, right)
+    opposite = [type(e)(e.rhs, e.lhs) for e in given if not e.has(Abs)]
+    if opposite:
+        with pytest.raises(Rejected):
+            recheck(verdict, left, right, opposite)
+
+
+def test_one_between_functions_of_different_variables_is_refused() -> None:
+    with pytest.raises(Untreatable, match="compares functions of different variables"):
+        prove(x, y, [f > sp.Function("h")(s)])
+
+
+@pytest.mark.parametrize("after", [True, False])
+@pytest.mark.parametrize("before", [True, False])
+@pytest.mark.parametrize(("low", "high"), [(0, 1), (-1, 1), (0, 2), (-2, 2), (-1, 2), (0, 3), (1, 4), (-4, 4), (0, 8)])
+def test_an_angle_between_two_has_all_values_between_them_and_no_other(
+    low: int, high: int, after: bool, before: bool
+) -> None:
+    """In eighths of a turn: the values at small and large numbers come near both ends and stay between them."""
+    least, most = low * pi / 4, high * pi / 4
+    symbols = dict[str, Any]()
+
+    def fresh(name: str, **assumed: bool) -> Any:
+        return symbols.setdefault(name, sp.Symbol(name, real=True, **assumed))
+
+    angle = between(least, most, after, before, fresh)
+    if angle is None:
+        assert not (after or before) or high - low > 4 or low == 1
+        return
+    (first, *others) = symbols.values()
+    bounded = angle.has(asin)
+    numbers = (
+        [k * Rational(1, 8) for k in range(-8, 9)]
+        if bounded
+        else [sign * sp.Integer(10) ** k for k in range(-9, 10, 3) for sign in (1, -1)]
+    )
+    numbers = [
+        v for v in (*numbers, sp.S.Zero) if first.is_nonnegative is None or v > 0 or (v == 0 and not first.is_positive)
+    ]
+    pairs = [{first: v} | dict.fromkeys(others, w) for v in numbers for w in (numbers if others else (0,))]
+    values = [float(angle.xreplace(pair)) for pair in pairs if not others or any(pair.values())]
+    assert min(values) == pytest.approx(float(least), abs=1e-6)
+    assert max(values) == pytest.approx(float(most), abs=1e-6)
+    exact = {angle.xreplace(pair) for pair in pairs if not others or any(pair.values())}
+    assert (least in exact, most in exact) == (not after, not before)
