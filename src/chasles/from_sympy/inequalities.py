@@ -42,7 +42,7 @@ def without_inequalities(said: Said) -> Said:
     for symbol in sorted({s for item in stated if isinstance(item, COMPARED) for s in item.free_symbols}, key=str):
         said = _with_angle(said, symbol)
     while signed := next((values for item in said[2] if (values := _signed(item))), None):
-        said = each_replaced(said, lambda _, values=signed: values)
+        said = _put(said, signed)
     number = 0
     while compared := [item for item in said[2] if isinstance(item, COMPARED)]:
         number += 1
@@ -96,7 +96,7 @@ def _with_angle(said: Said, symbol: Any) -> Said:
     if value is None:
         return said
     stated = [item for item in said[2] if item not in (ends[0][2], ends[1][2])]
-    lhs, rhs, given, nonzero = each_replaced((*said[:2], stated, said[3]), lambda _: {symbol: value})
+    lhs, rhs, given, nonzero = _put((*said[:2], stated, said[3]), {symbol: value})
     return lhs, rhs, [sympy.Eq(symbol, value, evaluate=False), *given], nonzero
 
 
@@ -110,7 +110,7 @@ def _with_excess(said: Said, item: Any, number: int) -> Said:
     defined = eliminable(more - less, expressions_in(said))
     if defined is not None and _is_free(defined, sympy.Dummy(), said):
         value = sympy.expand(defined + (excess - more + less) / sympy.diff(more - less, defined))
-        others = each_replaced(others, lambda _: {defined: value})
+        others = _put(others, {defined: value})
         equation = sympy.Eq(defined, value, evaluate=False)
     lhs, rhs, given, nonzero = others
     return lhs, rhs, [equation, *given], nonzero
@@ -130,6 +130,12 @@ def _excess(item: Any, name: str, said: Said) -> Any:
     kind = {"positive" if isinstance(item, sympy.Gt | sympy.Lt) else "nonnegative": True}
     symbol = _fresh(said, name, **kind)
     return sympy.Function(symbol.name, **kind)(*calls.pop()) if calls else symbol
+
+
+def _put(said: Said, values: dict[Any, Any]) -> Said:
+    """What is said, with these values everywhere."""
+    lhs, rhs, given, nonzero = (each_replaced(part, lambda _: values) for part in said)
+    return lhs, rhs, given, nonzero
 
 
 def _fresh(said: Said, name: str, **assumed: bool) -> Any:
