@@ -9,9 +9,12 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import pytest
 from hypothesis import HealthCheck, settings
+
+from chasles.coq.checking import compile_theories
 
 from .sampling import WHOLE, kept_and_left_out
 
@@ -90,6 +93,18 @@ def report(made_once: Callable[[str, Callable[[Path], object]], Path]) -> dict[s
         assert done.returncode == 0, done.stderr
 
     return {path.name: path.read_text("utf-8") for path in made_once("report", write).iterdir()}
+
+
+@pytest.fixture(scope="session")
+def coq_cache(made_once: Callable[[str, Callable[[Path], object]], Path]) -> Path:
+    """A cache that has nothing but the theories for Coq, compiled; who adds to it makes a copy."""
+
+    def compiled(folder: Path) -> None:
+        with pytest.MonkeyPatch.context() as patch, TemporaryDirectory() as place:
+            patch.setenv("CHASLES_CACHE", str(folder))
+            compile_theories(Path(place))
+
+    return made_once("coq", compiled)
 
 
 @contextmanager

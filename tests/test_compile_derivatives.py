@@ -163,13 +163,13 @@ def test_what_is_not_zero_by_construction(in_numpy):
 
 def test_a_gradient_of_many_costs_little_more_than_the_function():
     """As back propagation has it: not more than five times (Griewank and Walther, section 4.6)."""
-    q = sp.Matrix(sp.symbols("q1:81"))
+    q = sp.Matrix(sp.symbols("q1:41"))
     whole = sp.exp(-sp.sqrt(sum(sp.sin(a) * sp.cos(b) for a, b in pairwise(q)) ** 2 + 1) * q[0])
     made = program(whole, {"q": q}, "jacobian")
     assert made.operations.total() < 5 * program(whole, {"q": q}).operations.total()
     assert made.operations[Op.DIVIDE] < 5
-    column = program(sp.Matrix([sp.sin(x * k) / (1 + x**k) for k in range(1, 40)]), [x], "jacobian")
-    assert column.operations[Op.SINE] == 39
+    column = program(sp.Matrix([sp.sin(x * k) / (1 + x**k) for k in range(1, 20)]), [x], "jacobian")
+    assert column.operations[Op.SINE] == 19
 
 
 def test_seeds_that_meet_are_summed(in_numpy):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 
 import mpmath
 import numpy as np
@@ -37,11 +38,17 @@ UNITS = 24
 """Roundoffs of 2^-53: what a chain of a few functions of libm may lose."""
 
 
+@cache
+def in_mpmath(expression):
+    return sp.lambdify([x, y], expression, "mpmath")
+
+
+@cache
 def exact(expression, a, b):
     """The value to 400 digits, NaN where it is not real or there is none."""
     with mpmath.workdps(400):
         try:
-            value = sp.lambdify([x, y], expression, "mpmath")(mpmath.mpf(a), mpmath.mpf(b))
+            value = in_mpmath(expression)(mpmath.mpf(a), mpmath.mpf(b))
             return math.nan if isinstance(value, mpmath.mpc) and value.imag else float(getattr(value, "real", value))
         except OverflowError:
             return math.inf

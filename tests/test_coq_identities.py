@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -131,17 +132,19 @@ def test_a_verdict_writes_its_theorem() -> None:
 
 
 @pytest.mark.skipif(coq_version() is None, reason=MISSING)
-def test_coq_accepts_them_and_nothing_else() -> None:
+def test_coq_accepts_them_and_nothing_else(coq_cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("CHASLES_CACHE", str(coq_cache))
     true = [asked(number, *question) for number, question in enumerate(QUESTIONS)]
     assert [claim.why_not for claim in true if claim.why_not] == []
     false = []
-    for claim in true[:8]:
+    for claim in true[:3]:
         name = claim.name.replace("identity", "mutant")
         head, end, last = claim.said.replace(claim.name, name).rpartition(" = ")
         false.append(
             replace(claim, name=name, said=f"{head}{end}1 + {last}", proof=claim.proof.replace(claim.name, name))
         )
-    found = {each.claim.name: each for each in verdicts_of_coq(chunks([*true, *false]))}
+    parts = [*chunks(true), *(replace(part, number="false") for part in chunks(false))]
+    found = {each.claim.name: each for each in verdicts_of_coq(parts)}
     assert [
         (each.claim.says, each.why_not) for each in found.values() if not each.accepted and each.claim in true
     ] == []

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from contextlib import suppress
-from functools import cache
 from hashlib import sha256
 
 from chasles.cache import folder, keep
 from chasles.coq.checking import CoqVerdict
-from chasles.coq.names import THEORIES, theory
+from chasles.coq.names import hash_of_theories
 from chasles.coq.theorems import Claimed
 
 KEPT = "coq.txt"
@@ -41,9 +40,5 @@ def _kept() -> list[str]:
 
 
 def _digest(claim: Claimed, version: str) -> str:
-    return sha256("\0".join((_theories(version), claim.said, claim.proof)).encode()).hexdigest()
+    return sha256("\0".join((hash_of_theories(version), claim.said, claim.proof)).encode()).hexdigest()
 
-
-@cache
-def _theories(version: str) -> str:
-    return sha256("\0".join((version, *map(theory, THEORIES))).encode()).hexdigest()

@@ -8,12 +8,14 @@ import shutil
 import subprocess
 from collections.abc import Container, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from chasles import cache
 from chasles.coq.folder import Chunk
-from chasles.coq.names import THEORIES, theory
+from chasles.coq.names import THEORIES, hash_of_theories, theory
 from chasles.coq.theorems import Claimed
 from chasles.decisions.processes import processors
 
@@ -72,11 +74,29 @@ def verdicts_of_coq(parts: Sequence[Chunk], known: Container[str] = ()) -> Itera
         return
     with TemporaryDirectory(prefix="chasles-coq-") as name:
         folder = Path(name)
-        for each in THEORIES:
-            _require(folder, each, theory(each))
+        compile_theories(folder)
         with ThreadPoolExecutor(max_workers=min(processors(), AT_ONCE)) as pool:
             for found in pool.map(lambda each: _judged(folder, *each), todo):
                 yield from found
+
+
+def compile_theories(folder: Path) -> None:
+    """Put the theories into a folder, compiled: as an earlier run has kept them, where there is a cache.
+
+    Raises `ChildProcessError` if Coq refuses one.
+    """
+    root = cache.folder()
+    kept = root and root / f"coq-{hash_of_theories(coq_version() or '')}"
+    if kept and kept.is_dir():
+        shutil.copytree(kept, folder, dirs_exist_ok=True)
+        return
+    for each in THEORIES:
+        _require(folder, each, theory(each))
+    if kept:
+        with suppress(OSError):  # a cache that cannot be written is none; of two who write it, the second leaves it
+            kept.parent.mkdir(parents=True, exist_ok=True)
+            with TemporaryDirectory(dir=kept.parent) as draft:
+                shutil.copytree(folder, Path(draft) / kept.name).rename(kept)
 
 
 def _require(folder: Path, name: str, text: str) -> None:

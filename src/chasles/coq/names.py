@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from functools import cache
+from hashlib import sha256
 from importlib.resources import files
 
 from chasles import vocabulary as w
@@ -21,6 +22,12 @@ OF_COQ = (
 def theory(name: str) -> str:
     """The text of a theory."""
     return (files("chasles.coq") / "theories" / f"{name}.v").read_text("utf-8")
+
+
+@cache
+def hash_of_theories(version: str) -> str:
+    """The hash of the theories' texts and of the version of Coq that reads them."""
+    return sha256("\0".join((version, *map(theory, THEORIES))).encode()).hexdigest()
 
 
 @cache
