@@ -12,6 +12,8 @@ from sympy import Abs, Eq, I, Matrix, conjugate, cos, exp, im, re, sin, sqrt, ta
 from chasles.prove import Rejected, Untreatable, prove, recheck
 from chasles.verdict import Fails, Holds, HoldsUnder
 
+from .sampling import WHOLE
+
 x, y, u, v = sp.symbols("x y u v")
 p = sp.Symbol("p", positive=True)
 z, w = x + I * y, u + I * v
@@ -152,7 +154,6 @@ OF_COMPLEX_SYMBOLS: list[tuple[Any, Any, dict[str, Any], bool]] = [
     (1 / Z, conjugate(Z), {"given": Eq(re(Z), 1)}, False),
     (Z**2, -1, {"given": {Z: I}}, True),
     (Z**2, 1, {"given": {Z: I}}, False),
-    (sp.tanh(Z + W), (sp.tanh(Z) + sp.tanh(W)) / (1 + sp.tanh(Z) * sp.tanh(W)), {}, True),
     (conjugate(Z), Z, {}, False),
     (im(Z), 0, {}, False),
     (re(Z) ** 2 + im(Z) ** 2, Abs(Z) ** 2, {}, True),
@@ -161,6 +162,7 @@ OF_COMPLEX_SYMBOLS: list[tuple[Any, Any, dict[str, Any], bool]] = [
     (tan(x + I * y), (sin(2 * x) + I * sp.sinh(2 * y)) / (cos(2 * x) + sp.cosh(2 * y)), {}, True),
     (sp.coth(x + I * y), (sp.sinh(2 * x) - I * sin(2 * y)) / (sp.cosh(2 * x) - cos(2 * y)), {}, True),
     (tan(x + I * y), tan(x) + I * tan(y), {}, False),
+    *[(sp.tanh(Z + W), (sp.tanh(Z) + sp.tanh(W)) / (1 + sp.tanh(Z) * sp.tanh(W)), {}, True)] * WHOLE,
 ]
 
 

@@ -33,6 +33,8 @@ from chasles.vocabulary import (
 )
 from chasles.vocabulary.functions import FunctionOf
 
+from .sampling import WHOLE, sample
+
 Pair = tuple[Node, Node]
 Facts = Callable[[Symbol], tuple[Hypothesis, ...]]
 """What is known of a symbol."""
@@ -53,8 +55,7 @@ def test_a_verdict_of_a_chapter_is_foretold(chapter: str) -> None:
     told = {True: 0, False: 0}
     book = load(chapter)
     session = session_of(book)
-    for entry in book:
-        claim = entry.statement
+    for claim in sample((each.statement for each in book), 4):
         if not isinstance(claim, Claim) or claim.fault:
             continue
         verdict = session.decide(claim).verdict
@@ -66,9 +67,10 @@ def test_a_verdict_of_a_chapter_is_foretold(chapter: str) -> None:
         found = [asked.may_follow(goal.left, goal.right, known[0]) for goal in problem.goals]
         if None not in found:
             told[verdict.true] += 1
-            assert all(found) == verdict.true, entry.name
-    assert told[True] > 60
-    assert sum(told.values()) > 200
+            assert all(found) == verdict.true, claim
+    of_all = 1 if WHOLE else 5
+    assert told[True] * of_all > 60
+    assert sum(told.values()) * of_all > 200
 
 
 a, b, e, p = (vector(name, name, "a vector") for name in "abep")

@@ -98,7 +98,7 @@ CONTRADICTORY: dict[str, tuple[tuple[Statement, ...], Assumed, Assumed]] = {
 CLAIMS = {"true": (p, p), "false": (p, q)}
 
 
-@pytest.mark.sampled(7)
+@pytest.mark.sampled(13)
 @pytest.mark.parametrize("says", CLAIMS)
 @pytest.mark.parametrize("name", CONTRADICTORY)
 def test_what_contradicts_itself_is_named_and_nothing_is_decided_under_it(name: str, says: str) -> None:

@@ -30,7 +30,7 @@ from chasles.vocabulary import (
 from chasles.vocabulary.quaternions import quaternion_product, rotation_of_quaternion
 
 from .planted import outcome_of, planted, table
-from .sampling import WHOLE
+from .sampling import WHOLE, sample
 
 ARMS = Path(__file__).parent / "arms"
 REPAIRED, FIRST = Fraction(95, 100), Fraction(85, 100)
@@ -39,7 +39,8 @@ REPAIRED, FIRST = Fraction(95, 100), Fraction(85, 100)
 @pytest.mark.slow
 def test_slips_in_entries_are_repaired_and_the_original_comes_first() -> None:
     chapter, session = load(ARMS), Session()
-    outcomes = [outcome_of(case, chapter, session) for case in planted(chapter, session, each=6 if WHOLE else 1)]
+    cases = sample(planted(chapter, session, each=6 if WHOLE else 1), 2)
+    outcomes = [outcome_of(case, chapter, session) for case in cases]
     report = "\n".join([*map(str, outcomes), *table(outcomes)])
     assert sum(bool(each.repairs) for each in outcomes) >= REPAIRED * len(outcomes), report
     assert sum(each.place == 0 for each in outcomes) >= FIRST * len(outcomes), report

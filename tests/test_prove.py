@@ -539,9 +539,9 @@ from tests import test_prove as cases
 from tests.sampling import sample
 from chasles.prove import prove
 
-answers = [prove(lhs, rhs) for lhs, rhs in sample(cases.TRUE, 7)]
-answers += [prove(lhs, rhs, **under) for lhs, rhs, under, _ in sample(cases.CONDITIONAL, 7)]
-answers += [prove(lhs, rhs, **under) for lhs, rhs, under in sample(cases.FALSE, 7)]
+answers = [prove(lhs, rhs) for lhs, rhs in sample(cases.TRUE, 20)]
+answers += [prove(lhs, rhs, **under) for lhs, rhs, under, _ in sample(cases.CONDITIONAL, 20)]
+answers += [prove(lhs, rhs, **under) for lhs, rhs, under in sample(cases.FALSE, 20)]
 print(json.dumps([str(answer) for answer in answers]))
 """
 
@@ -557,7 +557,7 @@ def test_both_kinds_of_polynomials_say_the_same() -> None:
         assert done.returncode == 0, done.stderr
         said.append(json.loads(done.stdout))
     assert said[0] == said[1]
-    assert len(said[0]) == sum(len(sample(cases, 7)) for cases in (TRUE, CONDITIONAL, FALSE))
+    assert len(said[0]) == sum(len(sample(cases, 20)) for cases in (TRUE, CONDITIONAL, FALSE))
 
 
 SEEDED = """

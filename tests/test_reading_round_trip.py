@@ -12,6 +12,7 @@ from chasles.reading.page_notation import in_module
 from chasles.reading.printed import PrintedEquation
 from chasles.vocabulary import At, Group, Identity, Node, Number, Rate, Symbol, Zero, latex, walk
 
+from .sampling import WHOLE
 from .test_read_back import LETTERS, Q, b, expressions, s
 from .test_reading import ungrouped
 
@@ -27,7 +28,7 @@ MODULE.__dict__.update(one=Identity(3), zero=Zero(3, 3))
 NOTATION = in_module(MODULE)
 
 
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=400 if WHOLE else 150, deadline=None)
 @given(st.sampled_from(("scalar", "vector", "matrix")).flatmap(lambda kind: expressions(kind, 2)))
 def test_a_random_word_is_read_back(node: Node) -> None:
     """A letter alone in brackets is left out: behind a letter it is an argument."""

@@ -169,7 +169,7 @@ HOPELESS = (
 )
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("claim", HOPELESS, ids=lambda claim: plain(claim.right))
 def test_the_hopeless_is_not_repaired(claim: Claim) -> None:
     assert repair(claim) == ()

@@ -69,6 +69,7 @@ from chasles.vocabulary.quaternions import (
 )
 from chasles.vocabulary.rotation_vectors import cayley, exp_of_vector, left_jacobian, right_jacobian
 
+from .sampling import WHOLE
 from .second_opinion.opinion import opinion_on
 from .test_verdicts import differences, line
 
@@ -226,7 +227,7 @@ def _walked(node: Node) -> list[Node]:
 def test_a_word_means_what_others_mean_by_it(name: str) -> None:
     word, other = WORDS[name]
     draws = np.random.default_rng(7)
-    for _ in range(20):
+    for _ in range(20 if WHOLE else 5):
         values = {symbol: draws.standard_normal(symbol.shape) for symbol in symbols_in(word)}
         if T in values:
             values[T][:3, :3] = Rotation.random(rng=draws).as_matrix()

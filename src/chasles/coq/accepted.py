@@ -41,4 +41,3 @@ def _kept() -> list[str]:
 
 def _digest(claim: Claimed, version: str) -> str:
     return sha256("\0".join((hash_of_theories(version), claim.said, claim.proof)).encode()).hexdigest()
-
