@@ -120,3 +120,23 @@ def rational(residue: int) -> Fraction | None:
     if below[1] == 0 or abs(below[1]) > bound:
         return None
     return Fraction(above[1], below[1])
+
+
+def inverted(rows: Sequence[Column]) -> tuple[list[Column], int]:
+    """The inverse of a square matrix and its determinant; no inverse where the determinant is zero."""
+    size, determinant = len(rows), 1
+    lines = [[*row, *(int(k == place) for k in range(size))] for place, row in enumerate(rows)]
+    for k in range(size):
+        lead = next((i for i in range(k, size) if lines[i][k]), None)
+        if lead is None:
+            return [], 0
+        if lead != k:
+            lines[k], lines[lead] = lines[lead], lines[k]
+            determinant = -determinant
+        determinant = determinant * lines[k][k] % MODULUS
+        factor = pow(lines[k][k], -1, MODULUS)
+        lines[k] = pivot = [entry * factor % MODULUS for entry in lines[k]]
+        for i, line in enumerate(lines):
+            if i != k and (other := line[k]):
+                lines[i] = [(a - other * b) % MODULUS for a, b in zip(line, pivot, strict=True)]
+    return [line[size:] for line in lines], determinant

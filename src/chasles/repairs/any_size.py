@@ -2,32 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
 from dataclasses import replace as with_fields
-from itertools import chain, islice, product
+from itertools import islice
 
 from chasles.checker.any_size.at_sizes import PointAtSizes
 from chasles.checker.sparse import Rejected
 from chasles.points.at_sizes import points_at_sizes
-from chasles.repairs.local_edits import FORM, SingleEdit
-from chasles.repairs.one_term import LEFT_OUT, Change, instead
-from chasles.repairs.single_edits import placed
-from chasles.repairs.without_form import edits_of
-from chasles.rewriting.places import everywhere
+from chasles.repairs.modular_testing import ModularTest
+from chasles.repairs.one_term import Change
+from chasles.repairs.ranking import Nearest
+from chasles.repairs.without_form import MOST, edits_of
 from chasles.rewriting.term_basis import fit
 from chasles.statements import Claim, problem_of
 from chasles.statements.goals import AcceptedSides
 from chasles.statements.matrices import with_sizes
+from chasles.statements.statement import Equation, with_their_definitions
 from chasles.vocabulary import (
-    Block,
     Contract,
     Identity,
-    Inverse,
     Misfit,
-    Negative,
     Node,
-    Scale,
-    Sum,
     Symbol,
     Transpose,
     Zero,
@@ -39,64 +35,71 @@ from chasles.vocabulary import (
 from chasles.vocabulary.measure import Extent
 from chasles.vocabulary.sizes import at_sizes, sizes_of
 
-SMALLEST, MOST = 2, 600
-"""The first number that is put for a size; so many edits of a side are tried."""
+SMALLEST = (2, 3)
+"""The first number that is put for a size."""
 DRAWN, POINTS = 60, 6
 """So many points are drawn, of which so many are used, those of the largest sizes first."""
 
 
-def at_numbers(claim: Claim) -> tuple[Claim, dict[str, int]] | None:
-    """The claim at different small numbers for the letters, and these; None where no letter stands for a size."""
+def nearest_at_numbers(claim: Claim, accepted: AcceptedSides) -> NearestAtNumbers | None:
+    """What can be changed in a claim on matrices of any size that fails; None where no letter stands for a size.
+
+    For the letters stand different small numbers at which it fails: there are claims that are true of even sizes only.
+    """
     hypotheses = [node for h in claim.assuming for node in (*h.subjects, *h.nonvanishing)]
     sizes = sizes_of([claim.left, claim.right, *hypotheses])
-    if not sizes:
-        return None
-    numbers = {size.name: SMALLEST + place for place, size in enumerate(sizes)}
-    return with_sizes(claim, numbers), numbers
+    for smallest in SMALLEST if sizes else ():
+        numbers = {size.name: smallest + place for place, size in enumerate(sizes)}
+        known: dict[tuple[str, int], Equation] = {}
+        for given in with_their_definitions(claim.given):
+            left, right = accepted(given)
+            known[given.number, given.part] = at_sizes(left, numbers), at_sizes(right, numbers)
+        near = NearestAtNumbers(
+            with_sizes(claim, numbers),
+            lambda given: known[given.number, given.part],  # noqa: B023
+            tuple(side for pair in known.values() for side in pair),
+            at_points=_PointTest(claim, accepted),
+            back=at_letters(claim, numbers),
+        )
+        if smallest == SMALLEST[-1] or not near.agree(*near.statement.printed):
+            return near
+    return None
 
 
-def changes_at_any_size(
-    claim: Claim, sized: Claim, numbers: dict[str, int], letters: Iterable[Symbol], accepted: AcceptedSides
-) -> Iterator[Change]:
-    """The sides with one edit on either that agree at points of several sizes; `sized` is the claim at numbers."""
-    test = _PointTest(claim, accepted)
-    back = at_letters(claim, numbers)
-    of_numbers = [sized_letter for each in letters if isinstance(sized_letter := at_sizes(each, numbers), Symbol)]
-    for place, side in enumerate(sized.printed):
-        edits = chain(edits_of(side, of_numbers), _inverses(side), _inserted(side, of_numbers))
-        for new, words, effort in islice(edits, MOST):
-            sides = list(claim.printed)
-            sides[place] = printed(lambda: back(new))  # noqa: B023
-            left, right = sides
-            if left != right and fit(left, right) and test.agree(left, right):
-                yield Change(left, right, (words,), effort + _awkward(new) - _awkward(side))
+@dataclass
+class NearestAtNumbers(Nearest):
+    """The same at numbers for sizes; what is not true at points of several sizes is no change."""
 
+    at_points: _PointTest = field(kw_only=True)
+    back: Callable[[Node], Node] = field(kw_only=True)
 
-def _inverses(side: Node) -> Iterator[SingleEdit]:
-    """An inverse lost or added."""
-    for path, part in everywhere(side):
-        square = isinstance(part, Symbol) and part.shape[0] == part.shape[1] != 1
-        new = part.of if isinstance(part, Inverse) else Inverse(part) if square else None
-        whole = None if new is None else placed(side, path, new)
-        if new is not None and whole is not None and whole.fault is None:
-            yield SingleEdit(whole, instead(new, part), FORM)
+    @property
+    def lifted(self) -> Iterator[Change]:
+        """The changes, said of any size again."""
+        left, right = self.statement.printed
+        for change in self.changes(left, right):
+            sides = self._back(change)
+            more = sum(_awkward(new) - _awkward(old) for new, old in zip(sides, (left, right), strict=True))
+            yield with_fields(change, left=sides[0], right=sides[1], effort=change.effort + more)
 
+    def _back(self, change: Change) -> tuple[Node, Node]:
+        left, right = (printed(lambda: self.back(side)) for side in (change.left, change.right))  # noqa: B023
+        return left, right
 
-def _inserted(side: Node, letters: list[Symbol]) -> Iterator[SingleEdit]:
-    """A letter, its transpose or its inverse, before or behind a factor."""
-    parts = dict(everywhere(side))
-    matrices = [letter for letter in letters if max(letter.shape) > 1]
-    for path, part in parts.items():
-        if part.is_scalar or isinstance(part, Sum | Negative | Scale | Block | Contract):
-            continue
-        for letter in matrices:
-            kinds = (letter, Transpose(letter), *((Inverse(letter),) if letter.shape[0] == letter.shape[1] else ()))
-            for factor, pair in product(kinds, (True, False)):
-                one, other = (factor, part) if pair else (part, factor)
-                if one.shape[1] == other.shape[0] and (new := Contract((one, other))).shape == part.shape:
-                    whole = placed(side, path, new)
-                    if whole.fault is None:
-                        yield SingleEdit(whole, instead(new, part), LEFT_OUT)
+    def _holds(self, test: ModularTest, change: Change) -> bool:
+        return super()._holds(test, change) and self._agrees(change)
+
+    def _agrees(self, change: Change) -> bool:
+        left, right = self._back(change)
+        return left != right and fit(left, right) and self.at_points.agree(left, right)
+
+    def _without_form(self, left: Node, right: Node) -> Iterator[Change]:
+        if not self.is_tested(left, right):
+            tried = [Change(left, new, (words,), effort) for new, words, effort in edits_of(right, self.letters)][:MOST]
+            tried += [Change(new, right, (words,), effort) for new, words, effort in edits_of(left, self.letters)][
+                :MOST
+            ]
+            yield from filter(self._agrees, tried)
 
 
 def _awkward(side: Node) -> int:

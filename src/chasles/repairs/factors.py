@@ -12,7 +12,23 @@ from chasles.repairs.required_values import quotient, value
 from chasles.repairs.residues import Sampled
 from chasles.rewriting.coefficients import ONE
 from chasles.rewriting.coefficients import product as product_of
-from chasles.vocabulary import Block, Call, Node, Number, Power, Rate, Skew, Sum, Symbol, Transpose, walk
+from chasles.vocabulary import (
+    Block,
+    Call,
+    Determinant,
+    Group,
+    Inverse,
+    Negative,
+    Node,
+    Number,
+    Quotient,
+    Rate,
+    Scale,
+    Skew,
+    Symbol,
+    Transpose,
+    walk,
+)
 from chasles.vocabulary.shorthand import Shorthand
 
 MOST_FACTORS = 48
@@ -39,8 +55,12 @@ class Factors:
         found = [part for part in parts if not any(inner in without for inner in walk(part))]
         self.letters = tuple(part for part in found if isinstance(part, Symbol))
         squares = [part for part in found if (_is_named(part) or part in own) and _is_factor(part)]
-        self.matrices = (*squares, *map(Transpose, squares))
+        inverses = dict.fromkeys(part for part in found if isinstance(part, Inverse) and not part.is_scalar)
+        declared = (node for h in test.problem.hypotheses for node in h.nonvanishing if isinstance(node, Determinant))
+        inverses |= dict.fromkeys(Inverse(node.of) for node in declared if inverses or isinstance(node.of, Symbol))
+        self.matrices = (*squares, *map(Transpose, squares), *inverses)
         scalars = [part for part in found if part.is_scalar]
+        scalars += [Determinant(each.of) for each in inverses]
         both = [Call(f, node.argument) for node in scalars if isinstance(node, Call) for f in ("cos", "sin")]
         moving = [s for s in self.letters if s.is_scalar and not s.constant and s.stands_for is None]
         rates = [Rate(s) for s in moving] if any(isinstance(part, Rate) for part in parts) else []
@@ -76,8 +96,8 @@ class Factors:
     @cached_property
     def simple(self) -> tuple[Node, ...]:
         """The scalars that are no products."""
-        kinds = Symbol | Call | Rate | Power | Sum
-        return tuple(islice((node for node in self.columns if isinstance(node, kinds)), MOST_FACTORS))
+        products = Scale | Quotient | Negative | Group | Number
+        return tuple(islice((node for node in self.columns if not isinstance(node, products)), MOST_FACTORS))
 
 
 def _times(one: Node, other: Node) -> Node:

@@ -21,6 +21,7 @@ from chasles.vocabulary import (
     Dot,
     Group,
     Identity,
+    Inverse,
     Negative,
     Node,
     Norm,
@@ -73,7 +74,7 @@ def edits_at(part: Node, parent: Node | None = None, *, turned: bool = True) -> 
 
 def _of_form(node: Node) -> Iterator[Node]:
     match node:
-        case Transpose(of):
+        case Transpose(of) | Inverse(of):
             yield of
         case Call(function, argument):
             yield Call({"sin": "cos", "cos": "sin"}[function], argument)
@@ -195,6 +196,8 @@ def _of_rates(node: Node, parent: Node | None) -> Iterator[Node]:
             yield of
         case Symbol() if not node.constant and node.stands_for is None and not isinstance(parent, Rate):
             yield Rate(node)
+        case Inverse():
+            yield Rate(node)
         case Scale() | Cross() | Dot() | Contract((_, _)):
             match children(node):
                 case (Rate(left), right) if not isinstance(right, Rate):
@@ -208,10 +211,11 @@ def _exchanged(items: tuple[_T, ...], k: int, n: int) -> tuple[_T, ...]:
 
 
 def turned_signs(node: Node) -> Iterator[SingleEdit]:
-    """A sum with the sign of one term turned."""
-    if isinstance(node, Sum):
-        for k, term in enumerate(node.terms):
-            yield SingleEdit(Sum((*node.terms[:k], _opposite(term), *node.terms[k + 1 :])), "", SIGN)
+    """A sum with the sign of one term turned, or blocks with that of one block."""
+    parts = children(node) if isinstance(node, Sum | Block) else ()
+    for k, part in enumerate(parts):
+        if not isinstance(part, Zero | Block) and not (isinstance(node, Block) and isinstance(part, Sum)):
+            yield SingleEdit(rebuilt(node, (*parts[:k], _opposite(part), *parts[k + 1 :])), "", SIGN)
 
 
 def _with_factor(node: Node) -> Iterator[SingleEdit]:

@@ -28,16 +28,12 @@ from chasles.vocabulary import (
     PI,
     Block,
     Call,
-    Contract,
-    Identity,
-    Inverse,
     Misfit,
     Negative,
     Node,
     Quotient,
     Rate,
     Scale,
-    Sum,
     Symbol,
     children,
     plain,
@@ -76,8 +72,6 @@ class ModularTest:
 
     def residual_of(self, at: Sampled, left: Node, right: Node) -> Column:
         """The residual of an equation with other sides, less the difference that the statement allows."""
-        if isinstance(left, Inverse):
-            return at.flat(Sum((Identity(left.shape[0]), Negative(Contract((left.of, right))))))
         residual = minus(at.flat(left), at.flat(right))
         if isinstance(self.statement, Claim) and self.statement.restates is not None:
             allowed = at.flat(self.problem.goals[0].right)
@@ -106,7 +100,7 @@ class ModularTest:
         return self._contributions[key]
 
     def _contribution_of(self, at: Sampled, place: Place, term: Node) -> Column:
-        if place.apart and fit(place.node, term) and not isinstance(self.left, Inverse):
+        if place.apart and fit(place.node, term):
             return _lifted(at, self.right, place.path, term)
         more = put(self.right, place.path, with_term(place.node, term))
         return minus(self.residual(at), self.residual_of(at, self.left, more))

@@ -93,6 +93,8 @@ def new_coefficients(test: ModularTest) -> Iterator[Change]:
         contribution = test.contribution(test.probe, place)
         ratio = multiple(residual, contribution)
         number = None if ratio is None else rational(ratio)
+        if number == -1 and not place.path:
+            continue  # if nothing that is printed stays, nothing was repaired
         if number is not None:
             new, words = rescaled(place.node, number + 1)
             yield Change(test.left, put(test.right, place.path, new), (words,), other_number(number + 1))

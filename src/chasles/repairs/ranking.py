@@ -27,7 +27,20 @@ from chasles.rewriting.term_basis import TermBasis, fit, term_basis
 from chasles.statements import Claim, Statement
 from chasles.statements.goals import AcceptedSides
 from chasles.statements.statement import bare
-from chasles.vocabulary import Call, Inverse, Node, Number, Quotient, Rate, Symbol, Zero, children, symbols_of, walk
+from chasles.vocabulary import (
+    Call,
+    Determinant,
+    Inverse,
+    Node,
+    Number,
+    Quotient,
+    Rate,
+    Symbol,
+    Zero,
+    children,
+    symbols_of,
+    walk,
+)
 
 
 @dataclass
@@ -46,8 +59,8 @@ class Nearest:
             yield Change(left, right, ())
             return
         stages = (
+            self._one_change,
             self._misread_letters,
-            self.single_changes,
             self._other_objects,
             self._several_changes,
             self._inner_changes,
@@ -75,11 +88,10 @@ class Nearest:
         """One change to the right side; in a second turn, with letters that it does not have."""
         for turn, (test, basis) in enumerate(islice(self._tests(left, right), turns)):
             changes = [*self._edits(test, turn), *other_terms(test, basis)]
-            if not isinstance(left, Inverse):
-                turned = [*self._edits(test.turned, turn)]
-                if isinstance(right, Zero):
-                    turned += other_terms(test.turned, basis)
-                changes += [with_fields(change, left=change.right, right=change.left) for change in turned]
+            turned = [*self._edits(test.turned, turn)]
+            if isinstance(right, Zero):
+                turned += other_terms(test.turned, basis)
+            changes += [with_fields(change, left=change.right, right=change.left) for change in turned]
             found = [change for change in changes if self._holds(test, change)]
             yield from found
             if found:
@@ -97,11 +109,18 @@ class Nearest:
         without = frozenset((bare(left),)) if test.exchanged else self.own
         yield from true_edits(test, Factors(test, (right, left), self.given_sides if turn else (), without))
 
+    def _one_change(self, left: Node, right: Node) -> Iterator[Change]:
+        """Another letter for one that nothing introduces, or any other change."""
+        for meant, words, effort in self.introduced(left, right):
+            if self.agree(left, meant):
+                yield Change(left, meant, (words,), effort)
+        yield from self.single_changes(left, right)
+
     def _misread_letters(self, left: Node, right: Node) -> Iterator[Change]:
-        """Another letter for one that nothing introduces, and one change more if need be."""
+        """Another letter for one that nothing introduces, and one change more."""
         for meant, words, _ in self.introduced(left, right):
-            true = [Change(left, meant, ())] if self.agree(left, meant) else self.single_changes(left, meant, turns=1)
-            yield from (with_fields(change, words=(words, *change.words)) for change in true)
+            for change in self.single_changes(left, meant, turns=1):
+                yield with_fields(change, words=(words, *change.words))
 
     def _holds(self, test: ModularTest, change: Change) -> bool:
         if bare(change.left) == bare(change.right):
@@ -137,7 +156,9 @@ class Nearest:
 
     def _tests(self, left: Node, right: Node) -> Iterator[tuple[ModularTest, TermBasis]]:
         """The equation at points, first with the symbols of its right side alone, then with all that are at hand."""
-        for turn, nodes in enumerate(([right], [right, left, *self.given_sides])):
+        declared = [node for h in self.statement.assuming for node in h.nonvanishing if isinstance(node, Determinant)]
+        inverses = [Inverse(node.of) for node in declared if isinstance(node.of, Symbol)]
+        for turn, nodes in enumerate(([right], [right, left, *self.given_sides, *inverses])):
             key = left, right, turn
             if key not in self._known_tests:
                 order = max(map(_order, nodes)) if turn else 0

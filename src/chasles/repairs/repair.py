@@ -10,11 +10,13 @@ from collections.abc import Container, Iterable, Iterator
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
 from itertools import islice
+from os.path import commonprefix
+from re import findall
 
 from chasles.algebra.work_limit import OutOfTime, within
 from chasles.deciding import decided
 from chasles.display import Displayed
-from chasles.repairs.any_size import at_numbers, changes_at_any_size
+from chasles.repairs.any_size import nearest_at_numbers
 from chasles.repairs.one_term import Change
 from chasles.repairs.ranking import Nearest, given_sides
 from chasles.repairs.well_formed import WellFormedRepair, fitting
@@ -103,9 +105,8 @@ def _of_claim(near: Nearest) -> Iterator[Repair]:
     statement = near.statement
     if not isinstance(statement, Claim) or statement.solves is not None:
         return
-    sized = at_numbers(statement)
-    at_points = () if sized is None else (changes_at_any_size(statement, *sized, near.letters, near.accepted),)
-    for changes in at_points or _candidates(near):
+    sized = nearest_at_numbers(statement, near.accepted)
+    for changes in _candidates(near) if sized is None else (sized.lifted,):
         found = list(_proved(near, changes))
         yield from found
         if found:
@@ -176,7 +177,7 @@ def _proved(near: Nearest, changes: Iterable[Change]) -> Iterator[Repair]:
     """The candidates that the prover confirms: those of the least number of changes, the smallest changes first."""
     left, right = near.statement.printed
     known = {*walk(left), *walk(right)}
-    ranked = sorted(changes, key=lambda change: _rank(change, left, known))
+    ranked = sorted(changes, key=lambda change: _rank(change, (left, right), known))
     best: Change | None = None
     seen: set[tuple[Node, Node]] = set()
     for change in ranked:
@@ -192,11 +193,31 @@ def _proved(near: Nearest, changes: Iterable[Change]) -> Iterator[Repair]:
             yield Repair(change.left, change.right, change.words, edits, verdict, change.modulo, marks=change.marks)
 
 
-def _rank(change: Change, left: Node, known: Container[Node]) -> tuple[int, int, bool, int, int, str, str]:
-    """The fewest changes first, then the smallest, right before left, what keeps to printed parts, the shortest."""
-    strange = sum(part not in known for side in (change.left, change.right) for part in walk(side))
-    right = plain(change.right)
-    return len(change.words), change.effort, change.left != left, strange, len(right), right, plain(change.left)
+def _rank(
+    change: Change, sides: tuple[Node, Node], known: Container[Node]
+) -> tuple[int, int, int, bool, int, int, str]:
+    """The fewest changes first, then the smallest, those of the fewest marks, right before left, what is printed."""
+    new = change.left, change.right
+    strange = sum(part not in known for side in new for part in walk(side))
+    marks = sum(_changed_marks(plain(one), plain(other)) for one, other in zip(sides, new, strict=True))
+    text = plain(change.right)
+    return (
+        len(change.words),
+        change.effort,
+        marks,
+        change.left != sides[0],
+        strange,
+        len(text),
+        text + plain(change.left),
+    )
+
+
+def _changed_marks(one: str, other: str) -> int:
+    """How many letters, numbers and signs stand between what two texts begin and what they end with alike."""
+    old, new = (findall(r"\w+|\S", text) for text in (one, other))
+    before = len(commonprefix([old, new]))
+    behind = len(commonprefix([old[: before - 1 if before else None : -1], new[: before - 1 if before else None : -1]]))
+    return len(old) + len(new) - 2 * (before + behind)
 
 
 def _verdict(near: Nearest, claim: Statement) -> Holds | HoldsUnder | None:

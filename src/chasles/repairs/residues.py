@@ -12,7 +12,7 @@ from fractions import Fraction
 from itertools import chain, islice
 from random import Random
 
-from chasles.algebra.modular import MODULUS, Column
+from chasles.algebra.modular import MODULUS, Column, inverted
 from chasles.algebra.rings import Polynomial
 from chasles.algebra.work_limit import check
 from chasles.evaluation.interpreter import Interpreter
@@ -22,7 +22,22 @@ from chasles.problems.context import Context
 from chasles.problems.variables import Untreatable
 from chasles.prover.conditions import Solved
 from chasles.statements.lengths import Lengths
-from chasles.vocabulary import Node, Norm, Scale, Symbol, replace, symbols_of
+from chasles.vocabulary import (
+    Contract,
+    Determinant,
+    Inverse,
+    Negative,
+    Node,
+    Norm,
+    Rate,
+    Scale,
+    Symbol,
+    replace,
+    symbols_of,
+    walk,
+)
+from chasles.vocabulary.differentiation import NoRule, rate_of
+from chasles.vocabulary.partial import PartialDerivative, with_derivatives
 
 Point = Mapping[str, int]
 
@@ -91,6 +106,42 @@ class Sampled(Interpreter):
         below = self.scalar(denominator).inverse
         return each(numerator, lambda entry: entry * below)
 
+    def entries(self, node: Node) -> Matrix:
+        match node:
+            case _ if node in self.rules:
+                return super().entries(node)
+            case Inverse(of):
+                found, _ = self._inverted(of)
+                if not found:
+                    raise SingularResidue("a matrix has no inverse at a generic point")
+                return found
+            case Determinant(of):
+                return [[self._inverted(of)[1]]]
+            case PartialDerivative():
+                try:
+                    return self(with_derivatives(node, self.rules))
+                except NoRule:
+                    raise Unsampled(node) from None
+            case Rate(Inverse(of)):
+                return self(Negative(Contract((Inverse(of), Rate(of), Inverse(of)))))
+            case Rate(of) if not isinstance(of, Symbol) and any(map(_is_foreign, walk(of))):
+                try:
+                    return self(rate_of(of))
+                except NoRule:
+                    raise Unsampled(node) from None
+            case _:
+                return super().entries(node)
+
+    def _inverted(self, of: Node) -> tuple[Matrix, Residues]:
+        """The inverse of a square matrix, none where it is singular at a point, and its determinant."""
+        rows = self(of)
+        found = [inverted([[entry.at[k] for entry in row] for row in rows]) for k in range(len(self.points))]
+        determinant = Residues([each for _, each in found])
+        if not all(determinant.at):
+            return [], determinant
+        places = range(len(rows))
+        return [[Residues([each[i][j] for each, _ in found]) for j in places] for i in places], determinant
+
     def own(self, node: Node) -> Matrix:
         """What only the prover's own unfolding knows: free symbols, rates, norms, angles."""
         field = self.context.unfold.field
@@ -114,6 +165,11 @@ class Sampled(Interpreter):
     def _at(self, polynomial: Polynomial) -> Residues:
         coded = _coded(self.context, polynomial)
         return Residues([_value(coded, point) for point in self.points])
+
+
+def _is_foreign(part: Node) -> bool:
+    """Whether the prover unfolds it by other words only."""
+    return isinstance(part, Inverse) or part.has_no_polynomial_form
 
 
 def generic_points(context: Context, solved: tuple[Solved, ...], count: int) -> tuple[list[Point], list[Point]]:

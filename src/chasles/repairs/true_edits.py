@@ -79,9 +79,10 @@ def _multiplied(node: Node, parent: Node | None, factors: Factors) -> Iterator[S
     """A vector or a matrix with one more matrix as a factor."""
     parts = node.factors if isinstance(node, Contract) else (node,)
     outside = Sum | Negative | Scale | Quotient | Group | Zero
-    if node.is_scalar or isinstance(parent, Contract | Transpose) or isinstance(node, outside):
+    alone = node.is_scalar and not isinstance(node, Contract)
+    if alone or isinstance(parent, Contract | Transpose) or isinstance(node, outside):
         return
-    for k in range(len(parts) + 1):
+    for k in range(node.is_scalar, len(parts) + (not node.is_scalar)):
         for factor in factors.matrices:
             size = parts[k].shape[0] if k < len(parts) else parts[-1].shape[1]
             if factor.shape[0] == size:

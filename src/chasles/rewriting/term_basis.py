@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
-from itertools import combinations, combinations_with_replacement, islice, product
+from itertools import combinations, combinations_with_replacement, islice, pairwise, product
 
 from chasles.rewriting.coefficients import ONE
 from chasles.rewriting.coefficients import product as product_of
@@ -24,6 +24,7 @@ from chasles.vocabulary import (
     Dot,
     Group,
     Identity,
+    Inverse,
     Misfit,
     Negative,
     Node,
@@ -45,6 +46,10 @@ from chasles.vocabulary.shorthand import Shorthand
 
 MOST_TERMS = 100
 """So many terms of one kind are tried, the simpler first."""
+LONGEST = 5
+"""So many factors has a product of which each factor is printed beside the next one somewhere."""
+MOST_CHAINS = 400
+"""So many such products of one length are looked at."""
 VECTOR, SQUARE, SCALAR = (3, 1), (3, 3), (1, 1)
 Shape = tuple[int, int]
 
@@ -70,12 +75,16 @@ def dimension_of(node: Node) -> Dimension | None:
 
 @dataclass(slots=True)
 class TermBasis:
-    """What terms are made of: vectors, scalars, 3 x 3 matrices and other arrays, in the order in which they occur."""
+    """What terms are made of: vectors, scalars, 3 x 3 matrices and other arrays, in the order in which they occur.
+
+    What is `beside` a factor follows it in some product.
+    """
 
     vectors: dict[Node, None] = field(default_factory=dict)
     scalars: dict[Node, None] = field(default_factory=dict)
     squares: dict[Node, None] = field(default_factory=dict)
     arrays: dict[Node, None] = field(default_factory=dict)
+    beside: dict[Node, dict[Node, None]] = field(default_factory=dict)
     without: frozenset[Node] = frozenset()
     _weights: dict[Dimension, list[Node]] = field(default_factory=dict)
     _shaped: dict[Shape, list[tuple[Node, Dimension | None]]] = field(default_factory=dict)
@@ -136,6 +145,7 @@ class TermBasis:
                 yield from self._matrices()
             case (1, 1):
                 yield ONE
+                yield from self._chains(shape)
                 for one, square, other in product(self.vectors, self.squares, self.vectors):
                     yield from _fitting(_contracted, Transpose(one), Contract((square, other)))
             case _:
@@ -169,11 +179,26 @@ class TermBasis:
         """Arrays of a shape, and products of two and of three."""
         everything = [*self.arrays, *self.squares, *self.vectors]
         yield from (node for node in everything if node.shape == shape)
+        yield from self._chains(shape)
         pairs = [made for one, other in product(everything, everything) for made in _fitting(_contracted, one, other)]
         yield from (node for node in pairs if node.shape == shape)
+        flipped = [Transpose(node) for node in self.arrays if isinstance(node, Symbol)]
+        yield from (node for node in flipped if node.shape == shape)
+        for one, other in (*product(flipped, everything), *product(everything, flipped)):
+            if (one.shape[0], other.shape[1]) == shape:
+                yield from _fitting(_contracted, one, other)
         for one, pair in product(self.arrays, pairs):
             if (one.shape[0], pair.shape[1]) == shape:
                 yield from _fitting(_contracted, one, pair)
+
+    def _chains(self, shape: Shape) -> Iterator[Node]:
+        """Products of a shape in which each factor stands beside one that it is printed beside, the shorter first."""
+        chains = [(node,) for node in self.beside]
+        for _ in range(1, LONGEST):
+            chains = [(*chain, node) for chain in chains for node in self.beside.get(chain[-1], ())][:MOST_CHAINS]
+            for chain in chains:
+                if (chain[0].shape[0], chain[-1].shape[1]) == shape:
+                    yield from _fitting(_contracted, chain[0], Contract(chain[1:]) if len(chain) > 2 else chain[1])
 
 
 def term_basis(nodes: Iterable[Node], without: frozenset[Node] = frozenset(), order: int = 0) -> TermBasis:
@@ -224,6 +249,12 @@ def _collect(basis: TermBasis, node: Node, without: frozenset[Node], *, factor: 
             basis.scalars.setdefault(Quotient(ONE, denominator))
         case Sum() if factor and not node.is_scalar and not any(part in without for part in walk(node)):
             _enter(basis, node)
+        case Inverse() | Transpose(Symbol()) if _is_array(node) and not any(part in without for part in walk(node)):
+            _enter(basis, node)
+        case Contract(factors):
+            for one, other in pairwise(factors):
+                if not any(part in without for factor in (one, other) for part in walk(factor)):
+                    basis.beside.setdefault(one, {})[other] = None
         case _:
             pass
     grouped = isinstance(node, Group | Sum | Negative | Block)
@@ -234,6 +265,11 @@ def _collect(basis: TermBasis, node: Node, without: frozenset[Node], *, factor: 
 def _enter(basis: TermBasis, node: Node) -> None:
     kinds = {VECTOR: basis.vectors, SQUARE: basis.squares, SCALAR: basis.scalars}
     kinds.get(node.shape, basis.arrays).setdefault(node)
+
+
+def _is_array(node: Node) -> bool:
+    """Whether its shape is not that of the vectors of space, of what acts on them, or of numbers."""
+    return not {node.shape, node.shape[::-1]} & {VECTOR, SQUARE, SCALAR} or isinstance(node, Inverse)
 
 
 def _contracted(left: Node, right: Node) -> Node:

@@ -149,7 +149,9 @@ class SymbolicReading(BlockAlgebra):
     def _inverting(self) -> Iterator[tuple[Words, Words]]:
         """What is said to have an inverse, with its inverse, and inverses with what they are the inverses of."""
         for node in self.divisors:
-            if isinstance(node, w.Determinant) and len(self(node.of).heights) == 1:
+            if not isinstance(node, w.Determinant) or any(isinstance(part, w.Determinant) for part in w.walk(node.of)):
+                continue  # what has determinants in it would be read in order to read one
+            if len(self(node.of).heights) == 1:
                 yield self(node.of).rows[0][0], self._inverse(node.of).rows[0][0]
         yield from tuple(self.inverses.values())
 
