@@ -22,7 +22,7 @@ from chasles.repairs.residues import Unsampled
 from chasles.repairs.several_terms import combined_changes
 from chasles.repairs.single_edits import exchanged_letters, in_letters
 from chasles.repairs.true_edits import true_edits
-from chasles.repairs.without_form import changes_without_form
+from chasles.repairs.without_form import RealTest, changes_without_form, real_test
 from chasles.rewriting.term_basis import TermBasis, fit, term_basis
 from chasles.statements import Claim, Statement
 from chasles.statements.goals import AcceptedSides
@@ -152,7 +152,13 @@ class Nearest:
             yield from (change for change in block_edits(test, basis) if self._holds(test, change))
 
     def _without_form(self, left: Node, right: Node) -> Iterator[Change]:
-        yield from changes_without_form(self.statement, left, right, self.letters, self.accepted)
+        test = self.in_floats(left, right)
+        if test is not None:
+            yield from changes_without_form(test, left, right, self.letters)
+
+    def in_floats(self, left: Node, right: Node) -> RealTest | None:
+        """The equation at points in floating point, where there are no others at which changes can be tried."""
+        return None if self.is_tested(left, right) else real_test(self.statement, left, right, self.accepted)
 
     def _tests(self, left: Node, right: Node) -> Iterator[tuple[ModularTest, TermBasis]]:
         """The equation at points, first with the symbols of its right side alone, then with all that are at hand."""

@@ -10,7 +10,6 @@ from collections.abc import Container, Iterable, Iterator
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
 from itertools import islice
-from os.path import commonprefix
 from re import findall
 
 from chasles.algebra.work_limit import OutOfTime, within
@@ -126,7 +125,7 @@ def _candidates(near: Nearest) -> Iterator[Iterable[Change]]:
     elif not statement.fault:
         indexed = any(map(indices_of, statement.printed))
         yield () if indexed else near.changes(*statement.printed)
-        if indexed or not near.is_tested(*statement.printed):
+        if indexed or not (near.is_tested(*statement.printed) or near.in_floats(*statement.printed)):
             yield _decided_edits(near)
     else:
         yield (_marked(f, change) for f in once for change in near.single_changes(f.left, f.right))
@@ -215,9 +214,10 @@ def _rank(
 def _changed_marks(one: str, other: str) -> int:
     """How many letters, numbers and signs stand between what two texts begin and what they end with alike."""
     old, new = (findall(r"\w+|\S", text) for text in (one, other))
-    before = len(commonprefix([old, new]))
-    behind = len(commonprefix([old[: before - 1 if before else None : -1], new[: before - 1 if before else None : -1]]))
-    return len(old) + len(new) - 2 * (before + behind)
+    while old and new and old[-1] == new[-1]:
+        old.pop(), new.pop()
+    before = next((k for k, (a, b) in enumerate(zip(old, new, strict=False)) if a != b), min(len(old), len(new)))
+    return max(len(old), len(new)) - before
 
 
 def _verdict(near: Nearest, claim: Statement) -> Holds | HoldsUnder | None:

@@ -2,50 +2,83 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
-from itertools import chain, islice
+from itertools import chain, islice, product
 from random import Random
 from typing import Any
 
+from chasles.problems.variables import entry_name
 from chasles.repairs.local_edits import FORM, SingleEdit, turned_signs
 from chasles.repairs.one_term import FACTOR, SIGN, Change, instead
+from chasles.repairs.real_values import NO_VALUE, RealPoint
 from chasles.repairs.single_edits import exchanged_letters, in_letters, placed, single_edits
-from chasles.rewriting.coefficients import ONE
+from chasles.rewriting.coefficients import ONE, times
 from chasles.rewriting.places import everywhere
 from chasles.statements import Problem, Statement, problem_of
 from chasles.statements.goals import AcceptedSides
-from chasles.vocabulary import Block, Misfit, Negative, Node, Number, Power, Quotient, Scale, Sum, Symbol, printed
+from chasles.vocabulary import (
+    Block,
+    Group,
+    Misfit,
+    Negative,
+    Node,
+    Number,
+    Power,
+    Quotient,
+    Scale,
+    Sum,
+    Symbol,
+    printed,
+    symbols_of,
+    walk,
+)
 from chasles.vocabulary.families import Entry, Index, Member
 from chasles.vocabulary.functions import FunctionOf
-from chasles.vocabulary.shorthand import opened
 
 _AtPoint = Callable[[tuple[float, ...]], list[float] | None]
 POINTS, TRIES, NEAR, LARGEST = 4, 400, 1e-9, 1e9
 """So many points are compared, of so many that are tried; sides so near to each other agree, none may be larger."""
 TURNED = {"arcsin": "arccos", "arccos": "arcsin", "sinh": "cosh", "cosh": "sinh", "max": "min", "min": "max"}
-MOST = 400
+MOST = 2000
 """Edits of a side that are tried."""
 OTHER_NUMBERS = (2, Fraction(1, 2), -1, 4, Fraction(1, 4), 3, Fraction(1, 3))
 
 
-def changes_without_form(
-    statement: Statement, left: Node, right: Node, letters: list[Symbol], accepted: AcceptedSides
-) -> Iterator[Change]:
+def changes_without_form(test: RealTest, left: Node, right: Node, letters: list[Symbol]) -> Iterator[Change]:
     """The sides with one edit on either that agree at points where the hypotheses hold; none where none is found."""
-    try:
-        problem = problem_of(statement.saying(left, right), "printed", accepted)
-        test = _FloatTest(problem) if problem.has_functions else None
-    except (Misfit, TypeError, ValueError):
-        return
-    if test is None or not test.points:
-        return
-    for new, words, effort in islice(edits_of(right, letters), MOST):
+    scalars = dict.fromkeys(part for side in (left, right) for part in walk(side) if part.is_scalar)
+    for new, words, effort in islice(chain(edits_of(right, letters), _with_scalars(right, scalars)), MOST):
         if test.agree(left, new):
             yield Change(left, new, (words,), effort)
-    for new, words, effort in islice(edits_of(left, letters), MOST):
+    for new, words, effort in islice(chain(edits_of(left, letters), _with_scalars(left, scalars)), MOST):
         if test.agree(new, right):
             yield Change(new, right, (words,), effort)
+
+
+def real_test(statement: Statement, left: Node, right: Node, accepted: AcceptedSides) -> RealTest | None:
+    """The test in floating point of an equation that has no other; None where no points are found."""
+    try:
+        test = RealTest(
+            problem_of(statement.saying(left, right), "printed", accepted), (*symbols_of(left), *symbols_of(right))
+        )
+    except (Misfit, TypeError, ValueError):
+        return None
+    return test if test.points else None
+
+
+def _with_scalars(side: Node, scalars: Iterable[Node]) -> Iterator[SingleEdit]:
+    """The side with a term multiplied or divided by a scalar that is printed somewhere."""
+    for path, part in everywhere(side):
+        if isinstance(part, Number | Scale | Quotient | Negative | Group):
+            continue
+        for scalar in scalars:
+            if isinstance(scalar, Number | Negative | Scale | Quotient) or scalar == part:
+                continue
+            for new in (times(scalar, part), Quotient(part, scalar)):
+                whole = placed(side, path, printed(lambda: new))  # noqa: B023
+                if whole.fault is None:
+                    yield SingleEdit(whole, instead(new, part), FORM + 1)
 
 
 def edits_of(side: Node, letters: list[Symbol], indices: Iterable[Index] = ()) -> Iterator[SingleEdit]:
@@ -99,32 +132,49 @@ def _of_indices(part: Node, indices: Iterable[Index]) -> Iterator[tuple[Node, in
             yield Entry(of, j, i, letter), FORM
 
 
-class _FloatTest:
+class RealTest:
     """Points at which what a problem assumes holds; sides are compared there."""
 
-    def __init__(self, problem: Problem) -> None:
+    def __init__(self, problem: Problem, letters: Iterable[Symbol]) -> None:
         # SymPy is loaded where it is needed only.
         from chasles.checker.expressions.scalars import scalar_question
         from chasles.checker.expressions.words import EntriesOfWords
 
+        self.letters = tuple(letters)
         self.entries = EntriesOfWords(problem)
         question = scalar_question(problem, proving=False)
         spoken = (question.left, question.right, *question.given, *question.nonzero)
         self.symbols = sorted({symbol for each in spoken for symbol in each.free_symbols}, key=str)
         self.given = [equation.lhs - equation.rhs for equation in question.given]
-        self.points = [] if self.entries.moving else list(self._drawn())
+        self.points = [] if self.entries.moving else [self._point(problem, named) for named in self._drawn()]
+
+    def _point(self, problem: Problem, at: Sequence[float]) -> RealPoint:
+        """The entries of all letters at a point: a vector with a length and a direction of its own is their product."""
+        values, random = dict(zip(map(str, self.symbols), at, strict=True)), Random(2)
+        sides = [side for pair in (*problem.rules, *((g.left, g.right) for g in problem.goals)) for side in pair]
+        sides += [node for h in problem.hypotheses for node in (*h.subjects, *h.nonvanishing)]
+        found: dict[tuple[Symbol, int, int], float] = {}
+        for symbol in dict.fromkeys((*(each for side in sides for each in symbols_of(side)), *self.letters)):
+            length = values.get(f"|{symbol.name}|", 1.0)
+            for i, j in product(*map(range, symbol.shape)):
+                name = entry_name(symbol, 0, i, j)
+                along = name.replace(symbol.name, f"{symbol.name}/|{symbol.name}|", 1)
+                free = values.get(along, random.uniform(0.1, 1.4))
+                found[symbol, i, j] = values.get(name, length * free)
+        return RealPoint(dict(problem.rules), found)
 
     def agree(self, left: Node, right: Node) -> bool:
-        """Whether the sides agree at all points at which both have a value."""
-        try:
-            difference = self.entries(opened(left)) - self.entries(opened(right))
-        except (Misfit, TypeError, ValueError):
-            return False
-        if not set(difference.free_symbols) <= set(self.symbols):
-            return False
-        values = map(self._function(list(difference)), self.points)
-        defined = [entries for entries in values if entries is not None]
-        return len(defined) > 1 and all(abs(entry) < NEAR for entries in defined for entry in entries)
+        """Whether the sides agree at all points at which both have a value, two or more."""
+        count = 0
+        for point in self.points:
+            try:
+                pairs = zip(chain(*point(left)), chain(*point(right)), strict=True)
+                if not all(abs(one - other) < NEAR * max(1.0, abs(one)) for one, other in pairs):
+                    return False
+            except NO_VALUE:
+                continue
+            count += 1
+        return count > 1
 
     def _drawn(self) -> Iterator[tuple[float, ...]]:
         random, found = Random(1), 0

@@ -193,7 +193,7 @@ class TermBasis:
 
     def _chains(self, shape: Shape) -> Iterator[Node]:
         """Products of a shape in which each factor stands beside one that it is printed beside, the shorter first."""
-        chains = [(node,) for node in self.beside]
+        chains: list[tuple[Node, ...]] = [(node,) for node in self.beside]
         for _ in range(1, LONGEST):
             chains = [(*chain, node) for chain in chains for node in self.beside.get(chain[-1], ())][:MOST_CHAINS]
             for chain in chains:
