@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from chasles.checker.certificate import check
+from chasles.decisions.session import Session
 from chasles.repairs.repair import repair
 from chasles.statements import Claim, nonzero, symmetric
 from chasles.statements.matrices import invertible
@@ -14,6 +15,7 @@ from chasles.vocabulary import (
     CPM,
     Identity,
     Node,
+    Zero,
     cross,
     det,
     inverse,
@@ -54,6 +56,16 @@ SLIPPED: list[tuple[Node, Node, str, tuple[Any, ...]]] = [
      "[A^-1, -A^-1 U D^-1; 0, D^-1]", (invertible(A), invertible(D))),
     (x.T @ (A + A.T) @ x, 2 * x.T @ x, "2 x^T A x", ()),
     (partial(cross(c, e), c), CPM(e), "-CPM(e)", ()),
+    (inverse(matrix([A, U], [0, D])), matrix([inverse(A), 0], [0, inverse(D)]), "[A^-1, -A^-1 U D^-1; 0, D^-1]",
+     (invertible(A), invertible(D))),
+    (inverse(matrix([0, A], [B, 0])), matrix([0, inverse(B)], [Zero(n, n), 0]), "[0, B^-1; A^-1, 0]",
+     (invertible(A), invertible(B))),
+    (matrix([A, U], [V, D]), matrix([Identity(n), 0], [V @ inverse(A), Identity(m)]) @ matrix([A, 0], [0, D])
+     @ matrix([Identity(n), inverse(A) @ U], [0, Identity(m)]),
+     "[1, 0; V A^-1, 1] [A, 0; 0, D - V A^-1 U] [1, A^-1 U; 0, 1]", (invertible(A),)),
+    (H @ P @ H.T @ inverse(S), Identity(m) - R, "1 - R (H P H^T + R)^-1", (invertible(S),)),
+    (rate(inverse(X)), -(inverse(X) @ rate(X)), "-X^-1 X_dot X^-1", (invertible(X),)),
+    (gradient(x.T @ A @ x, x), A @ x, "A x + A^T x", ()),
 ]  # fmt: skip
 
 
@@ -64,6 +76,17 @@ def test_slips_are_repaired(left: Node, right: Node, meant: str, assuming: Any) 
     assert meant in found[:2], found
     first = repairs[found.index(meant)]
     check(Claim("1", first.left, first.right, assuming=assuming), "printed", first.verdict.certificate)
+
+
+def test_a_claim_that_is_true_of_even_sizes_alone_is_repaired() -> None:
+    """The sign of the determinant is that of n^2 exchanges of columns."""
+    found = repair(Claim("1", det(matrix([B, A], [X, 0])), det(A) * det(X)))
+    assert "[A, B; 0, X] instead of [B, A; X, 0]" in {each.changes[0] for each in found}
+
+
+def test_a_determinant_inside_what_is_said_to_have_an_inverse() -> None:
+    claim = Claim("1", det(X - A / det(B)), det(X), assuming=(invertible(B), invertible(X - A / det(B))))
+    assert Session().decide(claim).verdict.name == "fails"
 
 
 def test_what_is_true_of_one_size_only_is_no_repair() -> None:

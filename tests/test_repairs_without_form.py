@@ -10,8 +10,9 @@ from chasles.decisions.session import Session
 from chasles.repairs.repair import repair
 from chasles.statements import Claim, rotation
 from chasles.statements.inequalities import inequality
-from chasles.vocabulary import PI, cos, dot, norm, rate, sin, tr
+from chasles.vocabulary import PI, column, cos, dot, matrix, norm, rate, sin, tr
 from chasles.vocabulary.functions import arccos, arcsin, atan2, cases, exp, log, sqrt
+from chasles.vocabulary.partial import partial
 
 BETWEEN = (inequality(y > -PI), inequality(y <= PI), inequality(cos(x) > 0))
 SLIPS: list[tuple[Claim, Claim]] = [
@@ -49,6 +50,10 @@ SLIPS: list[tuple[Claim, Claim]] = [
     ),
     (claim(norm(v), sqrt(v.x**2 + v.y**2 - v.z**2)), claim(norm(v), sqrt(v.x**2 + v.y**2 + v.z**2))),
     (claim(exp(log(x**2)), x), claim(exp(log(x**2)), x**2)),
+    (
+        claim(partial(column(sin(v.y), v.z), v), matrix((0, sin(v.y), 0), (0, 0, 1))),
+        claim(partial(column(sin(v.y), v.z), v), matrix((0, cos(v.y), 0), (0, 0, 1))),
+    ),
     (claim(abs(x), cases((x, x > 0), otherwise=x)), claim(abs(x), cases((x, x > 0), otherwise=-x))),
     (claim(dot(e, e) * sqrt(x**2), norm(e) * abs(x)), claim(dot(e, e) * sqrt(x**2), norm(e) ** 2 * abs(x))),
 ]

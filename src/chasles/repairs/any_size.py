@@ -35,8 +35,8 @@ from chasles.vocabulary import (
 from chasles.vocabulary.measure import Extent
 from chasles.vocabulary.sizes import at_sizes, sizes_of
 
-SMALLEST = (2, 3)
-"""The first number that is put for a size."""
+FIRST = (2, 3)
+"""What is put for the first size, then in its place; for others more than three, which is the dimension of space."""
 DRAWN, POINTS = 60, 6
 """So many points are drawn, of which so many are used, those of the largest sizes first."""
 
@@ -48,8 +48,8 @@ def nearest_at_numbers(claim: Claim, accepted: AcceptedSides) -> NearestAtNumber
     """
     hypotheses = [node for h in claim.assuming for node in (*h.subjects, *h.nonvanishing)]
     sizes = sizes_of([claim.left, claim.right, *hypotheses])
-    for smallest in SMALLEST if sizes else ():
-        numbers = {size.name: smallest + place for place, size in enumerate(sizes)}
+    for first in FIRST if sizes else ():
+        numbers = {size.name: place + 3 if place else first for place, size in enumerate(sizes)}
         known: dict[tuple[str, int], Equation] = {}
         for given in with_their_definitions(claim.given):
             left, right = accepted(given)
@@ -61,7 +61,7 @@ def nearest_at_numbers(claim: Claim, accepted: AcceptedSides) -> NearestAtNumber
             at_points=_PointTest(claim, accepted),
             back=at_letters(claim, numbers),
         )
-        if smallest == SMALLEST[-1] or not near.agree(*near.statement.printed):
+        if first == FIRST[-1] or not near.agree(*near.statement.printed):
             return near
     return None
 
