@@ -13,6 +13,8 @@ import threading
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from chasles.algebra.rings import backend
+
 if TYPE_CHECKING:
     from concurrent.futures import ProcessPoolExecutor
 
@@ -41,6 +43,7 @@ def spread(work: Callable[[_T], _R], pieces: Sequence[_T], seconds: float) -> li
     workers = min(processors(), len(pieces), int(len(pieces) * seconds / WORTH))
     if workers < 2 or not sys.platform.startswith("linux") or threading.active_count() > 1 or _work:
         return [work(piece) for piece in pieces]
+    backend()  # what is imported here is not imported in each process
     _work.append((work, pieces))
     try:
         found = _over_processes(len(pieces), workers)

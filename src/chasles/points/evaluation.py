@@ -13,35 +13,41 @@ from chasles.problems.context import Context
 from chasles.statements import Hypothesis
 
 Point = dict[str, Fraction]
-Term = tuple[Fraction, tuple[tuple[str, int], ...], int]
+Term = tuple[int, int, tuple[tuple[str, int], ...], int]
 
 
 def evaluate(context: Context, polynomial: Polynomial, point: Point) -> Value:
-    """The polynomial's exact value; every variable that occurs in it must have a value."""
-    total: Value = {}
-    for coefficient, factors, power in terms_of(context, polynomial):
-        term = coefficient
+    """The polynomial's exact value; every variable that occurs in it must have a value.
+
+    Numerators and denominators are multiplied on their own: a fraction in lowest terms after each step takes longer.
+    """
+    total: dict[int, tuple[int, int]] = {}
+    for above, below, factors, power in terms_of(context, polynomial):
         for name, exponent in factors:
             value = point[name]
-            if not value:
+            numerator = value.numerator
+            if not numerator:
                 break
-            term = term * value if exponent == 1 else term * value**exponent
+            above *= numerator if exponent == 1 else numerator**exponent
+            below *= value.denominator if exponent == 1 else value.denominator**exponent
         else:
-            total[power] = total.get(power, Fraction(0)) + term
-    return {power: c for power, c in total.items() if c}
+            one, other = total.get(power, (0, 1))
+            total[power] = (one + above, below) if other == below else (one * below + above * other, other * below)
+    return {power: Fraction(above, below) for power, (above, below) in total.items() if above}
 
 
 def terms_of(context: Context, polynomial: Polynomial) -> list[Term]:
     """The polynomial's terms, read once: sampling evaluates the same few polynomials again and again.
 
-    Each is a coefficient, the names of what it multiplies with their exponents, and the power of pi or of an angle.
+    Each is a coefficient's numerator and denominator, the names of what it multiplies with their exponents, and the power of pi or of an angle.
     """
     known = context.terms.get(id(polynomial))
     if known is None:
         names, transcendental = context.field.ring.names, context.transcendental
         terms = [
             (
-                coefficient,
+                coefficient.numerator,
+                coefficient.denominator,
                 tuple((names[place], exponent) for place, exponent in enumerate(exponents) if exponent),
                 sum(exponents[place] for place in transcendental),
             )

@@ -18,13 +18,15 @@ from chasles.prover.certifying import ProvedEntry, certified
 from chasles.prover.conditions import Solved, satisfying_point, solve_conditions
 from chasles.prover.consistency import contradiction
 from chasles.prover.sources import SAMPLES, DeclaredPoints, PointSource
-from chasles.statements import Hypothesis, Problem
+from chasles.statements import Goal, Hypothesis, Problem
 from chasles.statements.spins import with_spins
 from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, IllFormed, Posed, Undecided, Verdict
-from chasles.vocabulary import Symbol
+from chasles.vocabulary import Symbol, symbols_of
 
 BUDGET = 2e7
 """The work that a single decision may take before it gives up as undecided, in products of terms."""
+CASES = 4
+"""So many points are drawn to find one at which a case occurs."""
 DECLARED = DeclaredPoints()
 REMAINDER = "a remainder is left, and no counterexample was found"
 NO_POINT = "it follows from its hypotheses, but no point was found that satisfies them all"
@@ -69,9 +71,24 @@ def _decide(problem: Problem, own: tuple[Hypothesis, ...], source: PointSource) 
     if witness is None:
         return source.contradiction(problem) or Undecided(NO_POINT)
     for case in problem.cases:
-        if empty := contradiction(problem, (case,)):
+        if not _occurs(problem, case) and (empty := contradiction(problem, (case,))):
             return empty
     return certified(context, conditions, solved, unproved, own, witness, source.write)
+
+
+def _occurs(problem: Problem, case: Goal) -> bool:
+    """Whether a case is seen to occur: it is solved for a symbol of which nothing is assumed."""
+    bound = {part for h in problem.hypotheses for node in (*h.subjects, *h.nonvanishing) for part in symbols_of(node)}
+    bound |= {symbol for left, _ in problem.rules for symbol in symbols_of(left)}
+    free = [symbol for symbol in symbols_of(case.left) if symbol not in bound]
+    for symbol in free if not problem.conditions else ():
+        try:
+            context = build(replace(problem, goals=(), conditions=(case,), unknowns=(symbol,)))
+            if satisfying_point(context, islice(points.sample(context, {}), CASES)) is not None:
+                return True
+        except Untreatable:
+            continue
+    return False
 
 
 def _refuted(
