@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 from chasles.cli.book import decisions
 from chasles.decisions.prediction import predict
 from chasles.decisions.session import Decision, Session
-from chasles.report.decisions import Decided
 from chasles.report.details import number_in_words
 from chasles.report.findings import slips_in_words
 from chasles.report.words import counted, number_of, seconds
@@ -18,6 +17,7 @@ from chasles.statements import Chapter, Entry
 
 if TYPE_CHECKING:
     from chasles.cli.rechecking import Rechecked
+    from chasles.report.decisions import Decided
 
 SHOWN = 3
 """How many rejected verdicts have a line of their own."""

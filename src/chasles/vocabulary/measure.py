@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import product
 from typing import Any
 
@@ -109,14 +110,19 @@ def contracted(first: Measure, second: Measure, names: tuple[object, object]) ->
     """The measure of a matrix product: inner sizes agree, and every product in one entry's sum has one dimension."""
     if first.shape[1] != second.shape[0]:
         raise Misfit(f"cannot multiply {names[0]} ({_size(first)}) by {names[1]} ({_size(second)})")
-    columns = tuple(zip(*second.grid, strict=True))
     try:
-        rows = tuple(tuple(_inner(line, column) for column in columns) for line in first.grid)
+        rows = _product(first.grid, second.grid)
     except _Clash as clash:
         raise Misfit(
             f"multiplying {names[0]} by {names[1]} would add [{clash.one}] and [{clash.other}] in one entry"
         ) from None
     return _laid_out(rows, [first], [second])
+
+
+@lru_cache(maxsize=4096)
+def _product(first: Grid, second: Grid) -> Grid:
+    columns = tuple(zip(*second, strict=True))
+    return tuple(tuple(_inner(line, column) for column in columns) for line in first)
 
 
 def _inner(line: Sequence[Dimension | None], column: Sequence[Dimension | None]) -> Dimension | None:
