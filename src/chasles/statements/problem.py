@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Container, Iterator, Mapping
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
+from weakref import WeakKeyDictionary
 
 from chasles.statements.angles import determined_angle, turning
 from chasles.statements.directions import with_directions
@@ -95,6 +96,19 @@ def problem_of(statement: Decidable, form: str = "printed", standing: AcceptedSi
 
     Raises `Misfit` if that form does not fit together, and TypeError if a given statement cannot be used.
     """
+    relied_on = statement.relied_on if isinstance(statement, Statement) else ()
+    sides = [standing(each) for each in dict.fromkeys((*with_their_definitions(statement.given), *relied_on))]
+    known = _posed.setdefault(statement, {})
+    if form not in known or known[form][0] != sides:
+        known[form] = sides, _problem_of(statement, form, standing)
+    return known[form][1]
+
+
+_posed: WeakKeyDictionary[Decidable, dict[str, tuple[list[Equation], Problem]]] = WeakKeyDictionary()
+"""The problems that were asked for, by statement and form, with the sides of what it relies on."""
+
+
+def _problem_of(statement: Decidable, form: str, standing: AcceptedSides) -> Problem:
     rules, conditions, unknowns = _given(statement, standing)
     rules = passed_on([*rules, *_angle_rules(statement, form, rules, conditions, unknowns)])
     refuse_circles(statement.number, rules, unknowns)
