@@ -13,7 +13,7 @@ from chasles.problems.context import Context
 from chasles.statements import Hypothesis
 
 Point = dict[str, Fraction]
-Term = tuple[int, int, tuple[tuple[str, int], ...], int]
+Term = tuple[tuple[int, int], tuple[tuple[str, int], ...], int]
 
 
 def evaluate(context: Context, polynomial: Polynomial, point: Point) -> Value:
@@ -22,14 +22,15 @@ def evaluate(context: Context, polynomial: Polynomial, point: Point) -> Value:
     Numerators and denominators are multiplied on their own: a fraction in lowest terms after each step takes longer.
     """
     total: dict[int, tuple[int, int]] = {}
-    for above, below, factors, power in terms_of(context, polynomial):
+    for coefficient, factors, power in terms_of(context, polynomial):
+        above, below = coefficient
         for name, exponent in factors:
             value = point[name]
             numerator = value.numerator
             if not numerator:
                 break
-            above *= numerator if exponent == 1 else numerator**exponent
-            below *= value.denominator if exponent == 1 else value.denominator**exponent
+            above *= numerator**exponent
+            below *= value.denominator**exponent
         else:
             one, other = total.get(power, (0, 1))
             total[power] = (one + above, below) if other == below else (one * below + above * other, other * below)
@@ -39,15 +40,15 @@ def evaluate(context: Context, polynomial: Polynomial, point: Point) -> Value:
 def terms_of(context: Context, polynomial: Polynomial) -> list[Term]:
     """The polynomial's terms, read once: sampling evaluates the same few polynomials again and again.
 
-    Each is a coefficient's numerator and denominator, the names of what it multiplies with their exponents, and the power of pi or of an angle.
+    Each is a coefficient as numerator and denominator, the names of what it multiplies with their exponents, and the
+    power of pi or of an angle.
     """
     known = context.terms.get(id(polynomial))
     if known is None:
         names, transcendental = context.field.ring.names, context.transcendental
         terms = [
             (
-                coefficient.numerator,
-                coefficient.denominator,
+                coefficient.as_integer_ratio(),
                 tuple((names[place], exponent) for place, exponent in enumerate(exponents) if exponent),
                 sum(exponents[place] for place in transcendental),
             )

@@ -63,9 +63,9 @@ def _terms(context: Context, generator: Generator, own: set[int], point: Point) 
     """The equation in its unknowns; all else has its value at the point."""
     unknown = {context.variables[k].name: k for k in own}
     found = []
-    for above, below, factors, _ in terms_of(context, generator.polynomial):
+    for coefficient, factors, _ in terms_of(context, generator.polynomial):
         values = (point[name] ** power for name, power in factors if name not in unknown)
-        known = prod(values, start=Fraction(above, below))
+        known = prod(values, start=Fraction(*coefficient))
         if known:
             found.append((known, {unknown[name]: power for name, power in factors if name in unknown}))
     return found
