@@ -9,7 +9,7 @@ import dataclasses
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cache, wraps
-from inspect import Parameter, isclass, signature
+from inspect import Parameter, Signature, isclass, signature
 from pathlib import Path
 from types import FrameType, UnionType
 from typing import Any, ClassVar, ParamSpec, Self, TypeVar, Union, get_args, get_origin, get_type_hints
@@ -58,6 +58,24 @@ def declaring(function: Callable[_P, _R]) -> Callable[_P, _R]:
         return function(*args, **named)
 
     return checked
+
+
+def making(word: Callable[_P, _R], name: str) -> Callable[_P, _R]:
+    """The function of this name that makes a word of its parts; what may be left out is named where it is given."""
+
+    def made(*args: _P.args, **named: _P.kwargs) -> _R:
+        require(made, args, named)
+        return word(*args, **named)
+
+    begin: Any = word.__init__
+    own = [each for each in signature(begin).parameters.values() if each.name != "self"]
+    kinds = (Parameter.POSITIONAL_OR_KEYWORD, Parameter.KEYWORD_ONLY)
+    taken = [each.replace(kind=kinds[each.default is not Parameter.empty]) for each in own]
+    made.__name__ = made.__qualname__ = name
+    made.__doc__, made.__module__ = word.__doc__, word.__module__
+    made.__annotations__ = {each.name: each.annotation for each in taken} | {"return": word}
+    vars(made).update(__wrapped__=begin, __signature__=Signature(taken))
+    return made
 
 
 def require(called: Callable[..., Any], args: tuple[Any, ...], named: Mapping[str, Any]) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import TYPE_CHECKING, ClassVar
 
-from chasles.vocabulary.arguments import declaring
+from chasles.vocabulary.arguments import declaring, making
 from chasles.vocabulary.fitting import measured, word
 from chasles.vocabulary.letters import Symbol
 from chasles.vocabulary.measure import Measure, Misfit
@@ -81,7 +81,4 @@ def up_to(of: Node | int | Fraction, small: Node, exponent: int, printed: str = 
     return UpTo(lifted(of), small, exponent, printed)
 
 
-@declaring
-def limit(of: Node, small: Node) -> Limit:
-    """The limit of an expression where a scalar or a vector goes to zero."""
-    return Limit(of, small)
+limit = making(Limit, "limit")

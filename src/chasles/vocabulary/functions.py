@@ -127,40 +127,20 @@ def _function(name: str, *arguments: Scalar) -> FunctionOf:
     return FunctionOf(name, tuple(map(lifted, arguments)))
 
 
-@declaring
-def sqrt(of: Scalar) -> FunctionOf:
-    """The nonnegative square root."""
-    return _function("sqrt", of)
+def _of_one(name: str, meaning: str) -> Callable[[Scalar], FunctionOf]:
+    def function(of: Scalar) -> FunctionOf:
+        return _function(name, of)
+
+    function.__name__, function.__doc__ = name, meaning
+    return declaring(function)
 
 
-@declaring
-def exp(of: Scalar) -> FunctionOf:
-    """The exponential function."""
-    return _function("exp", of)
-
-
-@declaring
-def log(of: Scalar) -> FunctionOf:
-    """The natural logarithm."""
-    return _function("log", of)
-
-
-@declaring
-def arcsin(of: Scalar) -> FunctionOf:
-    """The angle between -pi/2 and pi/2 that has this sine."""
-    return _function("arcsin", of)
-
-
-@declaring
-def arccos(of: Scalar) -> FunctionOf:
-    """The angle between 0 and pi that has this cosine."""
-    return _function("arccos", of)
-
-
-@declaring
-def arctan(of: Scalar) -> FunctionOf:
-    """The angle between -pi/2 and pi/2 that has this tangent."""
-    return _function("arctan", of)
+sqrt = _of_one("sqrt", "The nonnegative square root.")
+exp = _of_one("exp", "The exponential function.")
+log = _of_one("log", "The natural logarithm.")
+arcsin = _of_one("arcsin", "The angle between -pi/2 and pi/2 that has this sine.")
+arccos = _of_one("arccos", "The angle between 0 and pi that has this cosine.")
+arctan = _of_one("arctan", "The angle between -pi/2 and pi/2 that has this tangent.")
 
 
 @declaring
@@ -169,28 +149,10 @@ def atan2(sine: Scalar, cosine: Scalar) -> FunctionOf:
     return _function("atan2", sine, cosine)
 
 
-@declaring
-def sinh(of: Scalar) -> FunctionOf:
-    """The hyperbolic sine."""
-    return _function("sinh", of)
-
-
-@declaring
-def cosh(of: Scalar) -> FunctionOf:
-    """The hyperbolic cosine."""
-    return _function("cosh", of)
-
-
-@declaring
-def tanh(of: Scalar) -> FunctionOf:
-    """The hyperbolic tangent."""
-    return _function("tanh", of)
-
-
-@declaring
-def sign(of: Scalar) -> FunctionOf:
-    """1, 0 or -1, as the scalar is positive, zero or negative."""
-    return _function("sign", of)
+sinh = _of_one("sinh", "The hyperbolic sine.")
+cosh = _of_one("cosh", "The hyperbolic cosine.")
+tanh = _of_one("tanh", "The hyperbolic tangent.")
+sign = _of_one("sign", "1, 0 or -1, as the scalar is positive, zero or negative.")
 
 
 @declaring

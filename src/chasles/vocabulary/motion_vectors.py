@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import ClassVar
 
-from chasles.vocabulary.arguments import declaring
+from chasles.vocabulary.arguments import making
 from chasles.vocabulary.fitting import word
 from chasles.vocabulary.layout import Call, Group
 from chasles.vocabulary.motions import halves, homogeneous, triangular
@@ -84,19 +84,6 @@ def _sum(terms: Sequence[Node]) -> Node:
     return Group(Sum(tuple(terms))) if len(terms) > 1 else terms[0]
 
 
-@declaring
-def exp_of_motion_vector(of: Node, *, linear_first: bool = False) -> MotionByVector:
-    """The motion that turns by a rotation vector and advances along a screw."""
-    return MotionByVector(of, linear_first)
-
-
-@declaring
-def left_jacobian_of_motion(of: Node, *, linear_first: bool = False) -> LeftJacobianOfMotion:
-    """The twist in the fixed frame from the rate of the vector of a motion."""
-    return LeftJacobianOfMotion(of, linear_first)
-
-
-@declaring
-def right_jacobian_of_motion(of: Node, *, linear_first: bool = False) -> RightJacobianOfMotion:
-    """The twist in the frame of the body from the rate of the vector of a motion."""
-    return RightJacobianOfMotion(of, linear_first)
+exp_of_motion_vector = making(MotionByVector, "exp_of_motion_vector")
+left_jacobian_of_motion = making(LeftJacobianOfMotion, "left_jacobian_of_motion")
+right_jacobian_of_motion = making(RightJacobianOfMotion, "right_jacobian_of_motion")

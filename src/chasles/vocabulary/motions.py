@@ -8,7 +8,7 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import ClassVar
 
-from chasles.vocabulary.arguments import declaring
+from chasles.vocabulary.arguments import making
 from chasles.vocabulary.fitting import measured, word
 from chasles.vocabulary.layout import Block
 from chasles.vocabulary.letters import Zero
@@ -107,25 +107,7 @@ class AdjointOfTwist(Shorthand):
         return triangular(Skew(angular), Skew(linear), self.linear_first)
 
 
-@declaring
-def inverse_motion(of: Node) -> InverseMotion:
-    """The inverse of the 4 x 4 matrix of a motion, by the transpose of its rotation."""
-    return InverseMotion(of)
-
-
-@declaring
-def twist_matrix(of: Node, *, linear_first: bool = False) -> TwistMatrix:
-    """The 4 x 4 matrix of a twist."""
-    return TwistMatrix(of, linear_first)
-
-
-@declaring
-def adjoint_of_motion(of: Node, *, linear_first: bool = False) -> AdjointOfMotion:
-    """The 6 x 6 matrix by which a motion carries twists over."""
-    return AdjointOfMotion(of, linear_first)
-
-
-@declaring
-def adjoint_of_twist(of: Node, *, linear_first: bool = False) -> AdjointOfTwist:
-    """The 6 x 6 matrix of the Lie bracket with a twist."""
-    return AdjointOfTwist(of, linear_first)
+inverse_motion = making(InverseMotion, "inverse_motion")
+twist_matrix = making(TwistMatrix, "twist_matrix")
+adjoint_of_motion = making(AdjointOfMotion, "adjoint_of_motion")
+adjoint_of_twist = making(AdjointOfTwist, "adjoint_of_twist")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, ClassVar
 
-from chasles.vocabulary.arguments import declaring
+from chasles.vocabulary.arguments import declaring, making
 from chasles.vocabulary.differentiation import NoRule, rate_of
 from chasles.vocabulary.fitting import measured, word
 from chasles.vocabulary.layout import Block, Rate
@@ -161,10 +161,7 @@ def _unit(shape: tuple[int, int], row: int, column: int) -> Node:
     return Block(tuple(tuple(ONE if here else Zero(1, 1) for here in line) for line in places))
 
 
-@declaring
-def partial(of: Node, by: Node) -> PartialDerivative:
-    """The partial derivative; of a column by a column its Jacobian, a row for each entry of the first."""
-    return PartialDerivative(of, by)
+partial = making(PartialDerivative, "partial")
 
 
 @declaring

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from chasles.vocabulary.arguments import declaring
+from chasles.vocabulary.arguments import declaring, making
 from chasles.vocabulary.fitting import measured, word
 from chasles.vocabulary.layout import Block
 from chasles.vocabulary.letters import Zero
@@ -67,13 +67,5 @@ def direct_sum(first: Node, *others: Node) -> Node:
     return first
 
 
-@declaring
-def outer(left: Node, right: Node) -> OuterProduct:
-    """The matrix of the products of the entries of two columns."""
-    return OuterProduct(left, right)
-
-
-@declaring
-def kronecker_product(left: Node, right: Node) -> KroneckerProduct:
-    """The blocks that each entry of the first matrix makes with the second."""
-    return KroneckerProduct(left, right)
+outer = making(OuterProduct, "outer")
+kronecker_product = making(KroneckerProduct, "kronecker_product")

@@ -8,7 +8,7 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import ClassVar
 
-from chasles.vocabulary.arguments import declaring
+from chasles.vocabulary.arguments import making
 from chasles.vocabulary.fitting import measured, word
 from chasles.vocabulary.layout import Block, Group
 from chasles.vocabulary.letters import Identity
@@ -112,31 +112,8 @@ class QuaternionRotation(Shorthand):
         return Sum((diagonal, Scale(two, Contract((q, Transpose(q)))), Scale(Scale(two, q_0), Skew(q))))
 
 
-@declaring
-def quaternion_product(left: Node, right: Node, *, scalar_last: bool = False) -> QuaternionProduct:
-    """Hamilton's product of two quaternions."""
-    return QuaternionProduct(left, right, scalar_last)
-
-
-@declaring
-def quaternion_conjugate(of: Node, *, scalar_last: bool = False) -> QuaternionConjugate:
-    """The quaternion with the opposite vector."""
-    return QuaternionConjugate(of, scalar_last)
-
-
-@declaring
-def product_from_left(of: Node, *, scalar_last: bool = False) -> ProductFromLeft:
-    """The matrix by which a quaternion multiplies others from the left."""
-    return ProductFromLeft(of, scalar_last)
-
-
-@declaring
-def product_from_right(of: Node, *, scalar_last: bool = False) -> ProductFromRight:
-    """The matrix by which a quaternion multiplies others from the right."""
-    return ProductFromRight(of, scalar_last)
-
-
-@declaring
-def rotation_of_quaternion(of: Node, *, scalar_last: bool = False) -> QuaternionRotation:
-    """The rotation by a unit quaternion."""
-    return QuaternionRotation(of, scalar_last)
+quaternion_product = making(QuaternionProduct, "quaternion_product")
+quaternion_conjugate = making(QuaternionConjugate, "quaternion_conjugate")
+product_from_left = making(ProductFromLeft, "product_from_left")
+product_from_right = making(ProductFromRight, "product_from_right")
+rotation_of_quaternion = making(QuaternionRotation, "rotation_of_quaternion")

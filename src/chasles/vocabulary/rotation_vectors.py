@@ -8,7 +8,7 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import ClassVar
 
-from chasles.vocabulary.arguments import declaring
+from chasles.vocabulary.arguments import making
 from chasles.vocabulary.fitting import square_measure, word
 from chasles.vocabulary.layout import Call, Group
 from chasles.vocabulary.letters import Identity
@@ -78,25 +78,7 @@ class Cayley(Shorthand, OfOne):
         return Contract((Inverse(Group(Sum((one, Negative(self.of))))), Group(Sum((one, self.of)))))
 
 
-@declaring
-def exp_of_vector(of: Node) -> RotationByVector:
-    """The rotation through the length of a vector about its direction."""
-    return RotationByVector(of)
-
-
-@declaring
-def left_jacobian(of: Node) -> LeftJacobian:
-    """The angular velocity in the fixed frame from the rate of a rotation vector."""
-    return LeftJacobian(of)
-
-
-@declaring
-def right_jacobian(of: Node) -> RightJacobian:
-    """The angular velocity in the frame of the body from the rate of a rotation vector."""
-    return RightJacobian(of)
-
-
-@declaring
-def cayley(of: Node) -> Cayley:
-    """Cayley's transform of a square matrix."""
-    return Cayley(of)
+exp_of_vector = making(RotationByVector, "exp_of_vector")
+left_jacobian = making(LeftJacobian, "left_jacobian")
+right_jacobian = making(RightJacobian, "right_jacobian")
+cayley = making(Cayley, "cayley")

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from math import inf
 
-from chasles.vocabulary.arguments import declaring, declaring_module
+from chasles.vocabulary.arguments import declaring, declaring_module, making
 from chasles.vocabulary.body import Integral
 from chasles.vocabulary.dimension import NO_DIMENSION, Dimension, has_units
 from chasles.vocabulary.layout import At, Block, Call, Group, Rate
@@ -102,58 +102,15 @@ def tan(angle: Node) -> Quotient:
     return Quotient(sin(angle), cos(angle))
 
 
-@declaring
-def dot(left: Node, right: Node) -> Dot:
-    """The scalar product."""
-    return Dot(left, right)
-
-
-@declaring
-def cross(left: Node, right: Node) -> Cross:
-    """The vector product."""
-    return Cross(left, right)
-
-
-@declaring
-def norm(of: Node) -> Norm:
-    """The Euclidean norm."""
-    return Norm(of)
-
-
-@declaring
-def tr(of: Node) -> Trace:
-    """The trace."""
-    return Trace(of)
-
-
-@declaring
-def det(of: Node) -> Determinant:
-    """The determinant."""
-    return Determinant(of)
-
-
-@declaring
-def vect(of: Node) -> Vect:
-    """The axial vector of a 3 x 3 matrix."""
-    return Vect(of)
-
-
-@declaring
-def CPM(of: Node) -> Skew:
-    """The cross-product matrix of a vector."""
-    return Skew(of)
-
-
-@declaring
-def inverse(of: Node) -> Inverse:
-    """The inverse of a square matrix."""
-    return Inverse(of)
-
-
-@declaring
-def rate(of: Node) -> Rate:
-    """The time derivative."""
-    return Rate(of)
+dot = making(Dot, "dot")
+cross = making(Cross, "cross")
+norm = making(Norm, "norm")
+tr = making(Trace, "tr")
+det = making(Determinant, "det")
+vect = making(Vect, "vect")
+CPM = making(Skew, "CPM")
+inverse = making(Inverse, "inverse")
+rate = making(Rate, "rate")
 
 
 @declaring
@@ -180,10 +137,7 @@ def over(numerator: Node | int | Fraction, denominator: Node | int | Fraction) -
     return Quotient(lifted(numerator), lifted(denominator), slash=True)
 
 
-@declaring
-def paren(of: Node) -> Group:
-    """The term in round brackets that the author chose to print."""
-    return Group(of)
+paren = making(Group, "paren")
 
 
 @declaring
