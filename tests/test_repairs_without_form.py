@@ -68,8 +68,12 @@ def test_the_slip_is_among_the_first_that_are_mended(wrong: Claim, right: Claim)
         check(wrong.saying(each.left, each.right), "printed", each.verdict.certificate)
 
 
+def test_points_of_rotations_are_drawn() -> None:
+    found = repair(claim(sqrt(R[1, 1] ** 2), -abs(R[1, 1]), rotation(R)))
+    assert [each.right for each in found][:1] == [abs(R[1, 1])]
+
+
 def test_nothing_is_offered_where_no_point_is_drawn() -> None:
-    """Points of a rotation are not drawn, nor motions."""
-    assert repair(claim(sqrt(R[1, 1] ** 2), -abs(R[1, 1]), rotation(R))) == ()
+    """Motions are not drawn."""
     assert repair(claim(rate(sqrt(1 + x**2)), sqrt(1 + x**2) * rate(x))) == ()
     assert repair(claim(sqrt(dot(v, w) ** 2), sqrt(dot(v, w) ** 2) + exp(x) + exp(y))) == ()

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from fractions import Fraction
 from itertools import chain, islice, product
 from random import Random
-from typing import Any
 
 from chasles.problems.variables import entry_name
 from chasles.repairs.local_edits import FORM, SingleEdit, turned_signs
@@ -26,6 +26,7 @@ from chasles.vocabulary import (
     Number,
     Power,
     Quotient,
+    Rate,
     Scale,
     Sum,
     Symbol,
@@ -36,9 +37,10 @@ from chasles.vocabulary import (
 from chasles.vocabulary.families import Entry, Index, Member
 from chasles.vocabulary.functions import FunctionOf
 
-_AtPoint = Callable[[tuple[float, ...]], list[float] | None]
-POINTS, TRIES, NEAR, LARGEST = 4, 400, 1e-9, 1e9
-"""So many points are compared, of so many that are tried; sides so near to each other agree, none may be larger."""
+POINTS, TRIES, NEAR = 8, 400, 1e-9
+"""So many points are compared, of so many that are tried; sides so near to each other agree."""
+STEPS, SMALL, EXACT = 20, 1e-7, 1e-12
+"""Steps of Newton's method, the change by which it takes slopes, and how well what is given has to hold."""
 TURNED = {"arcsin": "arccos", "arccos": "arcsin", "sinh": "cosh", "cosh": "sinh", "max": "min", "min": "max"}
 MOST = 2000
 """Edits of a side that are tried."""
@@ -59,9 +61,7 @@ def changes_without_form(test: RealTest, left: Node, right: Node, letters: list[
 def real_test(statement: Statement, left: Node, right: Node, accepted: AcceptedSides) -> RealTest | None:
     """The test in floating point of an equation that has no other; None where no points are found."""
     try:
-        test = RealTest(
-            problem_of(statement.saying(left, right), "printed", accepted), (*symbols_of(left), *symbols_of(right))
-        )
+        test = RealTest(problem_of(statement.saying(left, right), "printed", accepted), (left, right))
     except (Misfit, TypeError, ValueError):
         return None
     return test if test.points else None
@@ -135,33 +135,27 @@ def _of_indices(part: Node, indices: Iterable[Index]) -> Iterator[tuple[Node, in
 class RealTest:
     """Points at which what a problem assumes holds; sides are compared there."""
 
-    def __init__(self, problem: Problem, letters: Iterable[Symbol]) -> None:
-        # SymPy is loaded where it is needed only.
-        from chasles.checker.expressions.scalars import scalar_question
-        from chasles.checker.expressions.words import EntriesOfWords
-
-        self.letters = tuple(letters)
-        self.entries = EntriesOfWords(problem)
-        question = scalar_question(problem, proving=False)
-        spoken = (question.left, question.right, *question.given, *question.nonzero)
-        self.symbols = sorted({symbol for each in spoken for symbol in each.free_symbols}, key=str)
-        self.given = [equation.lhs - equation.rhs for equation in question.given]
-        self.points = [] if self.entries.moving else [self._point(problem, named) for named in self._drawn()]
-
-    def _point(self, problem: Problem, at: Sequence[float]) -> RealPoint:
-        """The entries of all letters at a point: a vector with a length and a direction of its own is their product."""
-        values, random = dict(zip(map(str, self.symbols), at, strict=True)), Random(2)
-        sides = [side for pair in (*problem.rules, *((g.left, g.right) for g in problem.goals)) for side in pair]
-        sides += [node for h in problem.hypotheses for node in (*h.subjects, *h.nonvanishing)]
-        found: dict[tuple[Symbol, int, int], float] = {}
-        for symbol in dict.fromkeys((*(each for side in sides for each in symbols_of(side)), *self.letters)):
-            length = values.get(f"|{symbol.name}|", 1.0)
-            for i, j in product(*map(range, symbol.shape)):
-                name = entry_name(symbol, 0, i, j)
-                along = name.replace(symbol.name, f"{symbol.name}/|{symbol.name}|", 1)
-                free = values.get(along, random.uniform(0.1, 1.4))
-                found[symbol, i, j] = values.get(name, length * free)
-        return RealPoint(dict(problem.rules), found)
+    def __init__(self, problem: Problem, sides: tuple[Node, Node]) -> None:
+        self.rules = dict(problem.rules)
+        stated = [(goal.left, goal.right) for goal in (*problem.goals, *problem.conditions)]
+        self.given = stated[len(problem.goals) :]
+        self.positive: list[Node] = list(problem.nonnegative)
+        for h in problem.hypotheses:
+            self.given += h.equations if h.kind != "inequality" else ()
+            self.positive += h.subjects[:1] if h.kind in ("inequality", "positive") else ()
+        said = [*(side for pair in (*problem.rules, *stated, *self.given) for side in pair), *self.positive]
+        found = dict.fromkeys(symbol for side in said for symbol in symbols_of(side))
+        free = [symbol for symbol in found if symbol not in self.rules and symbol.stands_for is None]
+        self.places = [(symbol, i, j) for symbol in free for i, j in product(*map(range, symbol.shape))]
+        named = {entry_name(symbol, 0, i, j): place for place, (symbol, i, j) in enumerate(self.places)}
+        self.products = {  # a vector with a length and a direction of its own is their product
+            (symbol, i, 0): (named[f"|{symbol.name}|"], named[f"{symbol.name}/|{symbol.name}|_{i + 1}"])
+            for symbol in dict.fromkeys(each for side in sides for each in symbols_of(side))
+            for i in range(symbol.shape[0])
+            if f"{symbol.name}/|{symbol.name}|_{i + 1}" in named
+        }
+        moving = any(isinstance(part, Rate) for side in said for part in walk(side))
+        self.points = [] if moving else list(islice(self._drawn(), POINTS))
 
     def agree(self, left: Node, right: Node) -> bool:
         """Whether the sides agree at all points at which both have a value, two or more."""
@@ -176,51 +170,35 @@ class RealTest:
             count += 1
         return count > 1
 
-    def _drawn(self) -> Iterator[tuple[float, ...]]:
-        random, found = Random(1), 0
-        adjusted = [pair for equation in self.given if (pair := self._squared_alone(equation))]
-        holds = self._function(self.given)
+    def _drawn(self) -> Iterator[RealPoint]:
+        random = Random(1)
         for _ in range(TRIES):
-            point = {symbol: _drawn(symbol, random) for symbol in self.symbols}
-            for symbol, square in adjusted:
-                values = square(tuple(point.values()))
-                if values and values[0] >= 0:
-                    point[symbol] = values[0] ** 0.5
-            residuals = holds(tuple(point.values()))
-            if residuals is not None and all(abs(residual) < NEAR for residual in residuals):
-                yield tuple(point.values())
-                found += 1
-            if found == POINTS:
-                return
+            values = [random.uniform(0.1, 1.4) * (1 if s in self.positive else random.choice((-1, 1)))
+                      for s, _, _ in self.places]  # fmt: skip
+            with suppress(*NO_VALUE):
+                point = self._solved(values)
+                if point is not None and all(point.scalar(each) > 0 for each in self.positive):
+                    yield point
 
-    def _squared_alone(self, equation: Any) -> tuple[Any, _AtPoint] | None:
-        """A quantity that occurs in an equation as its square alone, and what the equation says that this is."""
-        for symbol in sorted(equation.free_symbols, key=str, reverse=True):
-            square, rest = equation.coeff(symbol, 2), equation.subs(symbol, 0)
-            if square.is_number and square and (equation - square * symbol**2 - rest).expand() == 0:
-                return symbol, self._function([-rest / square])
+    def _solved(self, values: list[float]) -> RealPoint | None:
+        """The point near these values at which what is given holds, by Newton's method; None where it finds none."""
+        import numpy as np
+
+        for _ in range(STEPS):
+            point = self._at(values)
+            residuals = self._residuals(point)
+            if all(abs(each) < EXACT for each in residuals):
+                return point
+            moved = (self._at([v + SMALL * (k == place) for k, v in enumerate(values)]) for place in range(len(values)))
+            slopes = [[(b - a) / SMALL for a, b in zip(residuals, self._residuals(p), strict=True)] for p in moved]
+            step = np.linalg.lstsq(np.array(slopes).T, np.array(residuals), rcond=1e-9)[0]
+            values = [value - change for value, change in zip(values, step.tolist(), strict=True)]
         return None
 
-    def _function(self, expressions: list[Any]) -> _AtPoint:
-        """The values at a point; None where one is no real number."""
-        from sympy import lambdify
+    def _residuals(self, point: RealPoint) -> list[float]:
+        pairs = (zip(chain(*point(one)), chain(*point(other)), strict=True) for one, other in self.given)
+        return [a - b for pair in pairs for a, b in pair]
 
-        function = lambdify(self.symbols, expressions, "math")
-
-        def at(point: tuple[float, ...]) -> list[float] | None:
-            try:
-                values = function(*point)
-            except (ArithmeticError, NameError, TypeError, ValueError):
-                return None
-            return values if all(isinstance(v, int | float) and abs(v) < LARGEST for v in values) else None
-
-        return at
-
-
-def _drawn(symbol: Any, random: Random) -> float:
-    size = random.uniform(0.1, 1.4)
-    if symbol.is_nonnegative or symbol.is_positive:
-        return size
-    if symbol.is_nonpositive or symbol.is_negative:
-        return -size
-    return size * random.choice((-1, 1))
+    def _at(self, values: list[float]) -> RealPoint:
+        products = {place: values[length] * values[along] for place, (length, along) in self.products.items()}
+        return RealPoint(self.rules, dict(zip(self.places, values, strict=True)) | products)

@@ -137,7 +137,10 @@ def over(numerator: Node | int | Fraction, denominator: Node | int | Fraction) -
     return Quotient(lifted(numerator), lifted(denominator), slash=True)
 
 
-paren = making(Group, "paren")
+@declaring
+def paren(of: Node) -> Group:
+    """The term in round brackets that the author chose to print."""
+    return Group(of)
 
 
 @declaring
