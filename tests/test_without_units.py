@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
+from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -109,3 +110,14 @@ def test_units_are_there_or_not(tmp_path: Path, units: str) -> None:
             load(tmp_path / "unsaid")
     finally:
         del sys.modules["unsaid"]
+
+
+def test_units_do_not_come_with_all_names_of_another_module(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "bare_letters.py").write_text(f"UNITS = False\n{SYMBOLS}")
+    (tmp_path / "resting.py").write_text(f"from bare_letters import *\n{SYMBOLS}")
+    (tmp_path / "choosing.py").write_text(f"from bare_letters import *\nUNITS = False\n{SYMBOLS}")
+    monkeypatch.syspath_prepend(tmp_path)
+    resting, choosing = import_module("resting"), import_module("choosing")
+    with pytest.raises(Misfit, match="cannot add"):
+        resting.x + resting.v
+    assert (choosing.x + choosing.v).shape == (3, 1)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import sys
 from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,10 +35,19 @@ def has_units(module: str) -> bool:
     """Whether what a module declares has dimensions: not where a package around it says `UNITS = False`."""
     while module:
         found = getattr(sys.modules.get(module), "UNITS", None)
-        if isinstance(found, bool):
+        if isinstance(found, bool) and _names_units(getattr(sys.modules[module], "__file__", None) or ""):
             return found
         module = module.rpartition(".")[0]
     return True
+
+
+@cache
+def _names_units(file: str) -> bool:
+    """Whether a module's text names its UNITS: what comes with all names of another module, nobody said here."""
+    try:
+        return "UNITS" in Path(file).read_text(encoding="utf-8")
+    except (OSError, ValueError):
+        return True
 
 
 NO_DIMENSION = Dimension()
