@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from dataclasses import replace as with_fields
 from itertools import islice
 
+from chasles import vocabulary as w
 from chasles.checker.any_size.at_sizes import PointAtSizes
 from chasles.checker.sparse import Rejected
 from chasles.points.at_sizes import points_at_sizes
@@ -19,19 +20,7 @@ from chasles.statements import Claim, problem_of
 from chasles.statements.goals import AcceptedSides
 from chasles.statements.matrices import with_sizes
 from chasles.statements.statement import Equation, with_their_definitions
-from chasles.vocabulary import (
-    Contract,
-    Identity,
-    Misfit,
-    Node,
-    Symbol,
-    Transpose,
-    Zero,
-    printed,
-    rebuilt,
-    symbols_of,
-    walk,
-)
+from chasles.vocabulary import Node
 from chasles.vocabulary.measure import Extent
 from chasles.vocabulary.sizes import at_sizes, sizes_of
 
@@ -83,7 +72,7 @@ class NearestAtNumbers(Nearest):
             yield with_fields(change, left=sides[0], right=sides[1], effort=change.effort + more)
 
     def _back(self, change: Change) -> tuple[Node, Node]:
-        left, right = (printed(lambda: self.back(side)) for side in (change.left, change.right))  # noqa: B023
+        left, right = (w.printed(lambda: self.back(side)) for side in (change.left, change.right))  # noqa: B023
         return left, right
 
     def _holds(self, test: ModularTest, change: Change) -> bool:
@@ -104,8 +93,8 @@ class NearestAtNumbers(Nearest):
 
 def _awkward(side: Node) -> int:
     """How many transposes of products, or of the whole, are printed as such."""
-    products = (part for part in walk(side) if isinstance(part, Transpose) and isinstance(part.of, Contract))
-    return 2 * isinstance(side, Transpose) + sum(1 for _ in products)
+    products = (part for part in w.walk(side) if isinstance(part, w.Transpose) and isinstance(part.of, w.Contract))
+    return 2 * isinstance(side, w.Transpose) + sum(1 for _ in products)
 
 
 class _PointTest:
@@ -116,7 +105,7 @@ class _PointTest:
         self.accepted = accepted
         try:
             found = list(islice(points_at_sizes(problem_of(claim, "printed", accepted)), DRAWN))
-        except (Misfit, TypeError):
+        except (w.Misfit, TypeError):
             found = []
         self.points = found[::-1][:: max(1, len(found) // POINTS)]
 
@@ -124,7 +113,7 @@ class _PointTest:
         """Whether the sides agree at all points at which both have a value, and at two or more."""
         try:
             problem = problem_of(self.claim.saying(left, right), "printed", self.accepted)
-        except (Misfit, TypeError):
+        except (w.Misfit, TypeError):
             return False
         count = 0
         for at in self.points:
@@ -141,20 +130,20 @@ class _PointTest:
 def at_letters(claim: Claim, numbers: dict[str, int]) -> Callable[[Node], Node]:
     """What says an expression at numbers for sizes with letters for them again."""
     said = [claim.left, claim.right, *(side for given in claim.given for side in given.printed)]
-    symbols = {symbol.name: symbol for side in said for symbol in symbols_of(side)}
+    symbols = {symbol.name: symbol for side in said for symbol in w.symbols_of(side)}
     extents: dict[int, Extent] = {}
     for size in sizes_of(said):
         extents[numbers[size.name]] = size
 
     def lifted(node: Node) -> Node:
         match node:
-            case Symbol(name) if name in symbols:
+            case w.Symbol(name) if name in symbols:
                 return symbols[name]
-            case Identity(size) if size in extents:
+            case w.Identity(size) if size in extents:
                 return with_fields(node, size=extents[size])
-            case Zero(rows, columns):
+            case w.Zero(rows, columns):
                 return with_fields(node, rows=extents.get(rows, rows), columns=extents.get(columns, columns))
             case _:
-                return rebuilt(node, tuple(map(lifted, node.below)))
+                return w.rebuilt(node, tuple(map(lifted, node.below)))
 
     return lifted

@@ -6,29 +6,14 @@ from collections.abc import Container, Iterable, Iterator, Mapping
 from functools import cached_property
 from itertools import combinations_with_replacement, islice
 
+from chasles import vocabulary as w
 from chasles.algebra.modular import Column, normalized
 from chasles.repairs.modular_testing import ModularTest
 from chasles.repairs.required_values import quotient, value
 from chasles.repairs.residues import Sampled
 from chasles.rewriting.coefficients import ONE
 from chasles.rewriting.coefficients import product as product_of
-from chasles.vocabulary import (
-    Block,
-    Call,
-    Determinant,
-    Group,
-    Inverse,
-    Negative,
-    Node,
-    Number,
-    Quotient,
-    Rate,
-    Scale,
-    Skew,
-    Symbol,
-    Transpose,
-    walk,
-)
+from chasles.vocabulary import Node
 from chasles.vocabulary.shorthand import Shorthand
 
 MOST_FACTORS = 48
@@ -50,24 +35,24 @@ class Factors:
         # Where something vanishes, nothing is seen of what it is multiplied with.
         points = sorted(test.varied.points, key=lambda point: sum(not value for value in point.values()))
         self.at = Sampled(test.varied.context, points[:SCOUTS])
-        own = dict.fromkeys(part for node in sides for part in walk(node))
-        parts = own | dict.fromkeys(part for node in given for part in walk(node))
-        found = [part for part in parts if not any(inner in without for inner in walk(part))]
-        self.letters = tuple(part for part in found if isinstance(part, Symbol))
+        own = dict.fromkeys(part for node in sides for part in w.walk(node))
+        parts = own | dict.fromkeys(part for node in given for part in w.walk(node))
+        found = [part for part in parts if not any(inner in without for inner in w.walk(part))]
+        self.letters = tuple(part for part in found if isinstance(part, w.Symbol))
         squares = [part for part in found if (_is_named(part) or part in own) and _is_factor(part)]
-        inverses = dict.fromkeys(part for part in found if isinstance(part, Inverse) and not part.is_scalar)
-        declared = (node for h in test.problem.hypotheses for node in h.nonvanishing if isinstance(node, Determinant))
-        inverses |= dict.fromkeys(Inverse(node.of) for node in declared if inverses or isinstance(node.of, Symbol))
-        self.matrices = (*squares, *map(Transpose, squares), *inverses)
+        inverses = dict.fromkeys(part for part in found if isinstance(part, w.Inverse) and not part.is_scalar)
+        declared = (node for h in test.problem.hypotheses for node in h.nonvanishing if isinstance(node, w.Determinant))
+        inverses |= dict.fromkeys(w.Inverse(node.of) for node in declared if inverses or isinstance(node.of, w.Symbol))
+        self.matrices = (*squares, *map(w.Transpose, squares), *inverses)
         scalars = [part for part in found if part.is_scalar]
-        scalars += [Determinant(each.of) for each in inverses]
-        both = [Call(f, node.argument) for node in scalars if isinstance(node, Call) for f in ("cos", "sin")]
+        scalars += [w.Determinant(each.of) for each in inverses]
+        both = [w.Call(f, node.argument) for node in scalars if isinstance(node, w.Call) for f in ("cos", "sin")]
         moving = [s for s in self.letters if s.is_scalar and not s.constant and s.stands_for is None]
-        rates = [Rate(s) for s in moving] if any(isinstance(part, Rate) for part in parts) else []
+        rates = [w.Rate(s) for s in moving] if any(isinstance(part, w.Rate) for part in parts) else []
         self.columns: dict[Node, Column] = {}
         for node in (ONE, *scalars, *both, *rates):
             column = value(self.at, node)
-            if column is not None and all(column) and (node == ONE or not isinstance(node, Number)):
+            if column is not None and all(column) and (node == ONE or not isinstance(node, w.Number)):
                 self.columns.setdefault(node, column)
 
     def of_values(self, column: Column, most: int) -> Iterator[Node]:
@@ -96,7 +81,7 @@ class Factors:
     @cached_property
     def simple(self) -> tuple[Node, ...]:
         """The scalars that are no products."""
-        products = Scale | Quotient | Negative | Group | Number
+        products = w.Scale | w.Quotient | w.Negative | w.Group | w.Number
         return tuple(islice((node for node in self.columns if not isinstance(node, products)), MOST_FACTORS))
 
 
@@ -105,11 +90,11 @@ def _times(one: Node, other: Node) -> Node:
 
 
 def _is_named(node: Node) -> bool:
-    return isinstance(node.of if isinstance(node, Rate | Skew) else node, Symbol)
+    return isinstance(node.of if isinstance(node, w.Rate | w.Skew) else node, w.Symbol)
 
 
 def _is_factor(node: Node) -> bool:
-    return node.shape[0] == node.shape[1] > 1 and (_is_named(node) or isinstance(node, Block | Shorthand))
+    return node.shape[0] == node.shape[1] > 1 and (_is_named(node) or isinstance(node, w.Block | Shorthand))
 
 
 def _by_direction(columns: Iterable[tuple[Node, Column]]) -> _Named:

@@ -13,6 +13,7 @@ from fractions import Fraction
 from functools import cached_property
 from itertools import combinations_with_replacement
 
+from chasles import vocabulary as w
 from chasles.algebra.modular import Column, Span, minus, multiple, normalized, plus
 from chasles.problems.context import build
 from chasles.problems.divisors import UndeclaredDivisor
@@ -24,22 +25,9 @@ from chasles.rewriting.places import Path, Place, put, with_term
 from chasles.rewriting.term_basis import fit
 from chasles.statements import Claim, Goal, Problem, Statement, problem_of
 from chasles.statements.goals import AcceptedSides
-from chasles.vocabulary import (
-    PI,
-    Block,
-    Call,
-    Misfit,
-    Negative,
-    Node,
-    Quotient,
-    Rate,
-    Scale,
-    Symbol,
-    children,
-    plain,
-)
+from chasles.vocabulary import Node
 
-REFUSED = (Misfit, TypeError, Untreatable, UndeclaredDivisor, SingularResidue, Unsampled)
+REFUSED = (w.Misfit, TypeError, Untreatable, UndeclaredDivisor, SingularResidue, Unsampled)
 """Why an equation cannot be tested: it does not fit, cannot be posed, is not treated, or divides by zero."""
 Direction = tuple[int, ...]
 
@@ -95,7 +83,7 @@ class ModularTest:
         if key not in self._contributions:
             try:
                 self._contributions[key] = self._contribution_of(at, place, term)
-            except (Misfit, Unsampled):
+            except (w.Misfit, Unsampled):
                 self._contributions[key] = [0] * len(self.residual(at))
         return self._contributions[key]
 
@@ -145,11 +133,11 @@ class ModularTest:
     @cached_property
     def functions(self) -> tuple[AngleFunction, ...]:
         """What coefficients are made of: one and the functions of angles that occur, none a combination of others."""
-        occurring = [*_scalars(self.right), *(node for node in _scalars(self.left) if isinstance(node, Call))]
-        known = [node for _, side in self.problem.rules for node in _scalars(side) if isinstance(node, Call)]
+        occurring = [*_scalars(self.right), *(node for node in _scalars(self.left) if isinstance(node, w.Call))]
+        known = [node for _, side in self.problem.rules for node in _scalars(side) if isinstance(node, w.Call)]
         found = [n for n in occurring if self._is_function(n)] or [n for n in known if self._is_function(n)]
-        angles = dict.fromkeys(node.argument for node in found if isinstance(node, Call))
-        both = [Call(function, angle) for angle in angles for function in ("cos", "sin")]
+        angles = dict.fromkeys(node.argument for node in found if isinstance(node, w.Call))
+        both = [w.Call(function, angle) for angle in angles for function in ("cos", "sin")]
         return tuple(self._independent(map(AngleFunction, (ONE, *found, *both))))
 
     @cached_property
@@ -173,9 +161,9 @@ class ModularTest:
     def divisors(self) -> tuple[Node, ...]:
         """The functions of angles that are divided by or declared not to be zero; of multiples only the shortest."""
         declared = [node for h in self.problem.hypotheses for node in h.nonvanishing]
-        printed = [node.denominator for node in _parts(self.right) if isinstance(node, Quotient)]
+        printed = [node.denominator for node in _parts(self.right) if isinstance(node, w.Quotient)]
         kept: list[Node] = []
-        for node in sorted(filter(self._is_function, (*printed, *declared)), key=lambda node: len(plain(node))):
+        for node in sorted(filter(self._is_function, (*printed, *declared)), key=lambda node: len(w.plain(node))):
             if all(multiple(self.varied.flat(node), self.varied.flat(other)) is None for other in kept):
                 kept.append(node)
         return tuple(kept)
@@ -200,17 +188,17 @@ def _lifted(at: Sampled, root: Node, path: Path, term: Node) -> Column:
     factors, top, left = at.constant(Fraction(1)), 0, 0
     for k in path:
         match root:
-            case Negative():
+            case w.Negative():
                 factors = -factors
-            case Scale(factor, _):
+            case w.Scale(factor, _):
                 factors = factors * at.scalar(factor)
-            case Quotient(_, denominator):
+            case w.Quotient(_, denominator):
                 factors = factors * at.scalar(denominator).inverse
-            case Block(lines):
+            case w.Block(lines):
                 row, column = [(i, j) for i, line in enumerate(lines) for j in range(len(line))][k]
                 top += sum(line[0].shape[0] for line in lines[:row])
                 left += sum(block.shape[1] for block in lines[row][:column])
-        root = children(root)[k]
+        root = w.children(root)[k]
     size = rows * columns
     found = [0] * (size * len(at.points))
     for i, line in enumerate(at(term)):
@@ -226,13 +214,13 @@ def _times(one: AngleFunction, other: AngleFunction) -> Node:
 def _parts(node: Node) -> Iterator[Node]:
     """The node and all below it but arguments of functions and rates."""
     yield node
-    if not isinstance(node, Call | Rate):
-        for part in children(node):
+    if not isinstance(node, w.Call | w.Rate):
+        for part in w.children(node):
             yield from _parts(part)
 
 
 def _scalars(node: Node) -> Iterator[Node]:
-    return (part for part in _parts(node) if isinstance(part, Call | Symbol) and part.is_scalar)
+    return (part for part in _parts(node) if isinstance(part, w.Call | w.Symbol) and part.is_scalar)
 
 
 def modular_test(
@@ -244,7 +232,7 @@ def modular_test(
     """
     problem = problem_of(statement.saying(left, right), "printed", accepted)
     context = build(
-        with_fields(problem, goals=(*problem.goals, *(Goal("", node, node) for node in extra if node != PI)))
+        with_fields(problem, goals=(*problem.goals, *(Goal("", node, node) for node in extra if node != w.PI)))
     )
     solved = solve_conditions(context)[1]
     # Bare angles, their cosines and sines are independent of each other, unless pi measures the angles.

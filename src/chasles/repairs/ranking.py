@@ -12,6 +12,7 @@ from dataclasses import replace as with_fields
 from fractions import Fraction
 from itertools import islice
 
+from chasles import vocabulary as w
 from chasles.repairs.factors import Factors
 from chasles.repairs.free_objects import freedom_of, other_objects
 from chasles.repairs.inside_definitions import block_edits
@@ -27,20 +28,7 @@ from chasles.rewriting.term_basis import TermBasis, fit, term_basis
 from chasles.statements import Claim, Statement
 from chasles.statements.goals import AcceptedSides
 from chasles.statements.statement import bare
-from chasles.vocabulary import (
-    Call,
-    Determinant,
-    Inverse,
-    Node,
-    Number,
-    Quotient,
-    Rate,
-    Symbol,
-    Zero,
-    children,
-    symbols_of,
-    walk,
-)
+from chasles.vocabulary import Node
 
 
 @dataclass
@@ -89,7 +77,7 @@ class Nearest:
         for turn, (test, basis) in enumerate(islice(self._tests(left, right), turns)):
             changes = [*self._edits(test, turn), *other_terms(test, basis)]
             turned = [*self._edits(test.turned, turn)]
-            if isinstance(right, Zero):
+            if isinstance(right, w.Zero):
                 turned += other_terms(test.turned, basis)
             changes += [with_fields(change, left=change.right, right=change.left) for change in turned]
             found = [change for change in changes if self._holds(test, change)]
@@ -102,7 +90,7 @@ class Nearest:
         left, right = test.left, test.right
         if not turn:
             yield from new_coefficients(test)
-        letters = () if test.exchanged and isinstance(right, Symbol) else self.letters
+        letters = () if test.exchanged and isinstance(right, w.Symbol) else self.letters
         for new, words, effort in in_letters(right, letters) if turn else exchanged_letters(right):
             if fit(left, new):
                 yield Change(left, new, (words,), effort)
@@ -162,8 +150,8 @@ class Nearest:
 
     def _tests(self, left: Node, right: Node) -> Iterator[tuple[ModularTest, TermBasis]]:
         """The equation at points, first with the symbols of its right side alone, then with all that are at hand."""
-        declared = [node for h in self.statement.assuming for node in h.nonvanishing if isinstance(node, Determinant)]
-        inverses = [Inverse(node.of) for node in declared if isinstance(node.of, Symbol)]
+        declared = [node for h in self.statement.assuming for node in h.nonvanishing if isinstance(node, w.Determinant)]
+        inverses = [w.Inverse(node.of) for node in declared if isinstance(node.of, w.Symbol)]
         for turn, nodes in enumerate(([right], [right, left, *self.given_sides, *inverses])):
             key = left, right, turn
             if key not in self._known_tests:
@@ -185,7 +173,7 @@ class Nearest:
         return test if failing else None, basis
 
     @property
-    def letters(self) -> list[Symbol]:
+    def letters(self) -> list[w.Symbol]:
         """What a letter can have been meant for: the symbols at hand, but not the left side's own."""
         left = _symbol(self.statement.left)
         nodes = (*self.given_sides, *self.statement.printed)
@@ -195,7 +183,7 @@ class Nearest:
     def own(self) -> frozenset[Node]:
         """The left side and its rate: with these, nothing is repaired."""
         left = bare(self.statement.left)
-        return frozenset((left, Rate(left)))
+        return frozenset((left, w.Rate(left)))
 
     def introduced(self, left: Node, right: Node) -> Iterator[SingleEdit]:
         """The right side with letters that something introduces for the one that nothing does, if there is just one."""
@@ -203,7 +191,7 @@ class Nearest:
         subjects = [node for h in self.statement.assuming for node in h.subjects]
         meanings = [s.stands_for for s in known if s.stands_for is not None]
         known += [s for s in _symbols((*meanings, *subjects)) if s not in known]
-        strays = [s for s in symbols_of(right) if s not in known and s.stands_for is None and not s.constant]
+        strays = [s for s in w.symbols_of(right) if s not in known and s.stands_for is None and not s.constant]
         if len(strays) == 1:
             letters = [s for s in known if s in self.letters and s.shape == strays[0].shape]
             yield from in_letters(right, letters, of=strays)
@@ -214,26 +202,26 @@ def given_sides(statement: Statement, accepted: AcceptedSides) -> tuple[Node, ..
     return tuple(side for each in statement.relied_on for side in accepted(each))
 
 
-def _symbol(left: Node) -> Symbol | None:
+def _symbol(left: Node) -> w.Symbol | None:
     """The symbol that a left side is, or is the rate of."""
     node = bare(left)
-    while isinstance(node, Rate):
+    while isinstance(node, w.Rate):
         node = node.of
-    return node if isinstance(node, Symbol) else None
+    return node if isinstance(node, w.Symbol) else None
 
 
 def _order(node: Node) -> int:
     """How many times a rate is taken."""
-    if isinstance(node, Rate):
+    if isinstance(node, w.Rate):
         return 1 + _order(node.of)
-    return max(map(_order, children(node)), default=0)
+    return max(map(_order, w.children(node)), default=0)
 
 
 def _half_angles(nodes: Iterable[Node]) -> list[Node]:
     """The cosines of half of the angles that occur."""
-    calls = dict.fromkeys(part.argument for node in nodes for part in walk(node) if isinstance(part, Call))
-    return [Call("cos", Quotient(angle, Number(Fraction(2)))) for angle in calls]
+    calls = dict.fromkeys(part.argument for node in nodes for part in w.walk(node) if isinstance(part, w.Call))
+    return [w.Call("cos", w.Quotient(angle, w.Number(Fraction(2)))) for angle in calls]
 
 
-def _symbols(nodes: Iterable[Node]) -> list[Symbol]:
-    return list(dict.fromkeys(symbol for node in nodes for symbol in symbols_of(node)))
+def _symbols(nodes: Iterable[Node]) -> list[w.Symbol]:
+    return list(dict.fromkeys(symbol for node in nodes for symbol in w.symbols_of(node)))

@@ -12,6 +12,7 @@ from fractions import Fraction
 from itertools import chain, islice
 from random import Random
 
+from chasles import vocabulary as w
 from chasles.algebra.modular import MODULUS, Column, inverted
 from chasles.algebra.rings import Polynomial
 from chasles.algebra.work_limit import check
@@ -22,20 +23,7 @@ from chasles.problems.context import Context
 from chasles.problems.variables import Untreatable
 from chasles.prover.conditions import Solved
 from chasles.statements.lengths import Lengths
-from chasles.vocabulary import (
-    Contract,
-    Determinant,
-    Inverse,
-    Negative,
-    Node,
-    Norm,
-    Rate,
-    Scale,
-    Symbol,
-    replace,
-    symbols_of,
-    walk,
-)
+from chasles.vocabulary import Node
 from chasles.vocabulary.differentiation import NoRule, rate_of
 from chasles.vocabulary.partial import PartialDerivative, with_derivatives
 
@@ -83,7 +71,7 @@ class Sampled(Interpreter):
         problem = context.problem
         self._lengths = Lengths(problem.hypotheses, dict(problem.rules))
         self._directions = {s.name: s for h in problem.hypotheses if h.kind == "direction" for s in h.subjects
-                            if isinstance(s, Symbol)}  # fmt: skip
+                            if isinstance(s, w.Symbol)}  # fmt: skip
         self._angles = {v.symbol.name: v.symbol for v in context.variables if v.symbol is not None}
 
     def flat(self, node: Node) -> Column:
@@ -110,21 +98,21 @@ class Sampled(Interpreter):
         match node:
             case _ if node in self.rules:
                 return super().entries(node)
-            case Inverse(of):
+            case w.Inverse(of):
                 found, _ = self._inverted(of)
                 if not found:
                     raise SingularResidue("a matrix has no inverse at a generic point")
                 return found
-            case Determinant(of):
+            case w.Determinant(of):
                 return [[self._inverted(of)[1]]]
             case PartialDerivative():
                 try:
                     return self(with_derivatives(node, self.rules))
                 except NoRule:
                     raise Unsampled(node) from None
-            case Rate(Inverse(of)):
-                return self(Negative(Contract((Inverse(of), Rate(of), Inverse(of)))))
-            case Rate(of) if not isinstance(of, Symbol) and any(map(_is_foreign, walk(of))):
+            case w.Rate(w.Inverse(of)):
+                return self(w.Negative(w.Contract((w.Inverse(of), w.Rate(of), w.Inverse(of)))))
+            case w.Rate(of) if not isinstance(of, w.Symbol) and any(map(_is_foreign, w.walk(of))):
                 try:
                     return self(rate_of(of))
                 except NoRule:
@@ -155,12 +143,12 @@ class Sampled(Interpreter):
     def _said(self, node: Node) -> Node:
         """The node as the problem says it: lengths of simpler vectors, rotation vectors as angles times directions."""
         values: dict[Node, Node] = {}
-        for symbol in symbols_of(node) if self._directions else ():
+        for symbol in w.symbols_of(node) if self._directions else ():
             length = f"|{symbol.name}|"
             direction, angle = self._directions.get(f"{symbol.name}/{length}"), self._angles.get(length)
             if direction is not None and angle is not None:
-                values |= {Norm(symbol): angle, symbol: Scale(angle, direction)}
-        return replace(self._lengths(node), values)
+                values |= {w.Norm(symbol): angle, symbol: w.Scale(angle, direction)}
+        return w.replace(self._lengths(node), values)
 
     def _at(self, polynomial: Polynomial) -> Residues:
         coded = _coded(self.context, polynomial)
@@ -169,7 +157,7 @@ class Sampled(Interpreter):
 
 def _is_foreign(part: Node) -> bool:
     """Whether the prover unfolds it by other words only."""
-    return isinstance(part, Inverse) or part.has_no_polynomial_form
+    return isinstance(part, w.Inverse) or part.has_no_polynomial_form
 
 
 def generic_points(context: Context, solved: tuple[Solved, ...], count: int) -> tuple[list[Point], list[Point]]:

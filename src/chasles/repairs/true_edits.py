@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
+from chasles import vocabulary as w
 from chasles.algebra.modular import MODULUS, Column, minus, multiple, rational
 from chasles.repairs.factors import Factors
 from chasles.repairs.local_edits import FORM, SingleEdit, edits_at
@@ -19,24 +20,7 @@ from chasles.repairs.single_edits import placed
 from chasles.rewriting.coefficients import AngleFunction, scaled, times
 from chasles.rewriting.places import linear_places, with_term
 from chasles.rewriting.term_basis import fit
-from chasles.vocabulary import (
-    Call,
-    Contract,
-    Group,
-    Negative,
-    Node,
-    Number,
-    Power,
-    Quotient,
-    Rate,
-    Scale,
-    Sum,
-    Symbol,
-    Transpose,
-    Zero,
-    plain,
-    printed,
-)
+from chasles.vocabulary import Node
 
 
 def true_edits(test: ModularTest, factors: Factors) -> Iterator[Change]:
@@ -77,31 +61,33 @@ def _lost_factors(test: ModularTest, factors: Factors) -> Iterator[Change]:
 
 def _multiplied(node: Node, parent: Node | None, factors: Factors) -> Iterator[SingleEdit]:
     """A vector or a matrix with one more matrix as a factor."""
-    parts = node.factors if isinstance(node, Contract) else (node,)
-    outside = Sum | Negative | Scale | Quotient | Group | Zero
-    alone = node.is_scalar and not isinstance(node, Contract)
-    if alone or isinstance(parent, Contract | Transpose) or isinstance(node, outside):
+    parts = node.factors if isinstance(node, w.Contract) else (node,)
+    outside = w.Sum | w.Negative | w.Scale | w.Quotient | w.Group | w.Zero
+    alone = node.is_scalar and not isinstance(node, w.Contract)
+    if alone or isinstance(parent, w.Contract | w.Transpose) or isinstance(node, outside):
         return
     for k in range(node.is_scalar, len(parts) + (not node.is_scalar)):
         for factor in factors.matrices:
             size = parts[k].shape[0] if k < len(parts) else parts[-1].shape[1]
             if factor.shape[0] == size:
                 made = (*parts[:k], factor, *parts[k:])
-                yield SingleEdit(printed(lambda: Contract(made)), f"the factor {plain(factor)} is added", FORM + 1)  # noqa: B023
+                yield SingleEdit(
+                    w.printed(lambda: w.Contract(made)), f"the factor {w.plain(factor)} is added", FORM + 1
+                )  # noqa: B023
 
 
 def _unknown(node: Node, parent: Node | None, factors: Factors) -> Iterator[SingleEdit]:
     """Other letters, other numbers and more terms, where the values wanted of the place itself are not known."""
-    if isinstance(node, Symbol | Zero):
+    if isinstance(node, w.Symbol | w.Zero):
         yield from (SingleEdit(other, "") for other in factors.letters if other != node and other.shape == node.shape)
-    if isinstance(node, Number):
+    if isinstance(node, w.Number):
         others = (node.value + 1, node.value - 1, 2 * node.value, node.value / 2)
-        least = 1 if isinstance(parent, Scale | Quotient) else 0
-        yield from (SingleEdit(Number(number), "") for number in others if number > 0 and number != least)
+        least = 1 if isinstance(parent, w.Scale | w.Quotient) else 0
+        yield from (SingleEdit(w.Number(number), "") for number in others if number > 0 and number != least)
     elif node.is_scalar:
         for factor in factors.simple:
-            if not isinstance(factor, Number) and fit(factor, node):
-                yield from (SingleEdit(with_term(node, t), missing(t), FORM + 1) for t in (factor, Negative(factor)))
+            if not isinstance(factor, w.Number) and fit(factor, node):
+                yield from (SingleEdit(with_term(node, t), missing(t), FORM + 1) for t in (factor, w.Negative(factor)))
 
 
 def _by_value(place: Required, factors: Factors) -> Iterator[SingleEdit]:
@@ -113,17 +99,17 @@ def _by_value(place: Required, factors: Factors) -> Iterator[SingleEdit]:
     zero = not any(present)
     number = None if zero else _number(wanted, present)
     if number is not None:
-        if place.term or (number and isinstance(node, Number)):
+        if place.term or (number and isinstance(node, w.Number)):
             new, words = rescaled(node, number)
-            yield SingleEdit(Zero(1, 1) if new is None else new, words, other_number(number))
+            yield SingleEdit(w.Zero(1, 1) if new is None else new, words, other_number(number))
         return
     ratio = quotient(wanted, present)
     if ratio is not None and place.term:
         for factor in factors.of_values(ratio, most=1):
             if factors.columns[factor] == ratio:
-                yield SingleEdit(times(factor, node), f"the factor {plain(factor)} is added", FACTOR + 1)
+                yield SingleEdit(times(factor, node), f"the factor {w.plain(factor)} is added", FACTOR + 1)
     most = 4 if place.term else 1
-    if zero or isinstance(node, Symbol | Call | Power | Rate | Number):
+    if zero or isinstance(node, w.Symbol | w.Call | w.Power | w.Rate | w.Number):
         for other, number in _multiples(factors, wanted, most):
             yield SingleEdit(other, instead(other, node), FORM + (abs(number) != 1))
     if not zero:

@@ -8,6 +8,7 @@ from fractions import Fraction
 from itertools import chain, islice, product
 from random import Random
 
+from chasles import vocabulary as w
 from chasles.problems.variables import entry_name
 from chasles.repairs.local_edits import FORM, SingleEdit, turned_signs
 from chasles.repairs.one_term import FACTOR, SIGN, Change, instead
@@ -17,23 +18,7 @@ from chasles.rewriting.coefficients import ONE, times
 from chasles.rewriting.places import everywhere
 from chasles.statements import Problem, Statement, problem_of
 from chasles.statements.goals import AcceptedSides
-from chasles.vocabulary import (
-    Block,
-    Group,
-    Misfit,
-    Negative,
-    Node,
-    Number,
-    Power,
-    Quotient,
-    Rate,
-    Scale,
-    Sum,
-    Symbol,
-    printed,
-    symbols_of,
-    walk,
-)
+from chasles.vocabulary import Node
 from chasles.vocabulary.families import Entry, Index, Member
 from chasles.vocabulary.functions import FunctionOf
 
@@ -47,9 +32,9 @@ MOST = 2000
 OTHER_NUMBERS = (2, Fraction(1, 2), -1, 4, Fraction(1, 4), 3, Fraction(1, 3))
 
 
-def changes_without_form(test: RealTest, left: Node, right: Node, letters: list[Symbol]) -> Iterator[Change]:
+def changes_without_form(test: RealTest, left: Node, right: Node, letters: list[w.Symbol]) -> Iterator[Change]:
     """The sides with one edit on either that agree at points where the hypotheses hold; none where none is found."""
-    scalars = dict.fromkeys(part for side in (left, right) for part in walk(side) if part.is_scalar)
+    scalars = dict.fromkeys(part for side in (left, right) for part in w.walk(side) if part.is_scalar)
     for new, words, effort in islice(chain(edits_of(right, letters), _with_scalars(right, scalars)), MOST):
         if test.agree(left, new):
             yield Change(left, new, (words,), effort)
@@ -62,7 +47,7 @@ def real_test(statement: Statement, left: Node, right: Node, accepted: AcceptedS
     """The test in floating point of an equation that has no other; None where no points are found."""
     try:
         test = RealTest(problem_of(statement.saying(left, right), "printed", accepted), (left, right))
-    except (Misfit, TypeError, ValueError):
+    except (w.Misfit, TypeError, ValueError):
         return None
     return test if test.points else None
 
@@ -70,25 +55,25 @@ def real_test(statement: Statement, left: Node, right: Node, accepted: AcceptedS
 def _with_scalars(side: Node, scalars: Iterable[Node]) -> Iterator[SingleEdit]:
     """The side with a term multiplied or divided by a scalar that is printed somewhere."""
     for path, part in everywhere(side):
-        if isinstance(part, Number | Scale | Quotient | Negative | Group):
+        if isinstance(part, w.Number | w.Scale | w.Quotient | w.Negative | w.Group):
             continue
         for scalar in scalars:
-            if isinstance(scalar, Number | Negative | Scale | Quotient) or scalar == part:
+            if isinstance(scalar, w.Number | w.Negative | w.Scale | w.Quotient) or scalar == part:
                 continue
-            for new in (times(scalar, part), Quotient(part, scalar)):
-                whole = placed(side, path, printed(lambda: new))  # noqa: B023
+            for new in (times(scalar, part), w.Quotient(part, scalar)):
+                whole = placed(side, path, w.printed(lambda: new))  # noqa: B023
                 if whole.fault is None:
                     yield SingleEdit(whole, instead(new, part), FORM + 1)
 
 
-def edits_of(side: Node, letters: list[Symbol], indices: Iterable[Index] = ()) -> Iterator[SingleEdit]:
+def edits_of(side: Node, letters: list[w.Symbol], indices: Iterable[Index] = ()) -> Iterator[SingleEdit]:
     """The side with one slip undone: of form, of a letter, a sign, a number, a function or an index."""
     yield from chain(single_edits(side), in_letters(side, letters), exchanged_letters(side))
     parts = dict(everywhere(side))
     for path, part in parts.items():
         parent = parts[path[:-1]] if path else None
-        in_product = isinstance(parent, Scale | Quotient)
-        alone = () if part.is_scalar or not isinstance(parent, Block | None) else _of_matrices(part)
+        in_product = isinstance(parent, w.Scale | w.Quotient)
+        alone = () if part.is_scalar or not isinstance(parent, w.Block | None) else _of_matrices(part)
         for new, effort in (*_of_functions(part), *_of_indices(part, indices), *alone):
             whole = placed(side, path, new)
             if whole.fault is None and not (in_product and new == ONE):
@@ -97,9 +82,9 @@ def edits_of(side: Node, letters: list[Symbol], indices: Iterable[Index] = ()) -
 
 def _of_functions(part: Node) -> Iterator[tuple[Node, int]]:
     match part:
-        case Number(value):
-            yield from ((Number(value * factor), FACTOR) for factor in OTHER_NUMBERS)
-            yield from ((Number(value + more), FACTOR + 1) for more in (1, -1))
+        case w.Number(value):
+            yield from ((w.Number(value * factor), FACTOR) for factor in OTHER_NUMBERS)
+            yield from ((w.Number(value + more), FACTOR + 1) for more in (1, -1))
         case FunctionOf(function, arguments):
             if function in TURNED:
                 yield FunctionOf(TURNED[function], arguments), FACTOR
@@ -107,21 +92,21 @@ def _of_functions(part: Node) -> Iterator[tuple[Node, int]]:
                 yield FunctionOf(function, arguments[::-1]), FACTOR
             if function in ("sqrt", "abs"):
                 yield arguments[0], FACTOR
-        case Sum():
+        case w.Sum():
             yield from ((edit.node, SIGN) for edit in turned_signs(part))
-    if part.is_scalar and not isinstance(part, Number | Negative):
-        yield Negative(part), SIGN
-        yield Power(part, 2), FORM
-        yield from ((Scale(Number(Fraction(factor)), part), FACTOR) for factor in (2, Fraction(1, 2)))
-        if isinstance(part, Sum | Power):
-            yield printed(lambda: FunctionOf("sqrt", (part,))), FORM
+    if part.is_scalar and not isinstance(part, w.Number | w.Negative):
+        yield w.Negative(part), SIGN
+        yield w.Power(part, 2), FORM
+        yield from ((w.Scale(w.Number(Fraction(factor)), part), FACTOR) for factor in (2, Fraction(1, 2)))
+        if isinstance(part, w.Sum | w.Power):
+            yield w.printed(lambda: FunctionOf("sqrt", (part,))), FORM
 
 
 def _of_matrices(part: Node) -> Iterator[tuple[Node, int]]:
     """A whole side, or a block of one, with another sign or factor."""
-    yield (part.term if isinstance(part, Negative) else Negative(part)), SIGN
-    yield Scale(Number(Fraction(2)), part), FACTOR
-    yield Scale(Number(Fraction(1, 2)), part), FACTOR + 1
+    yield (part.term if isinstance(part, w.Negative) else w.Negative(part)), SIGN
+    yield w.Scale(w.Number(Fraction(2)), part), FACTOR
+    yield w.Scale(w.Number(Fraction(1, 2)), part), FACTOR + 1
 
 
 def _of_indices(part: Node, indices: Iterable[Index]) -> Iterator[tuple[Node, int]]:
@@ -144,17 +129,17 @@ class RealTest:
             self.given += h.equations if h.kind != "inequality" else ()
             self.positive += h.subjects[:1] if h.kind in ("inequality", "positive") else ()
         said = [*(side for pair in (*problem.rules, *stated, *self.given) for side in pair), *self.positive]
-        found = dict.fromkeys(symbol for side in said for symbol in symbols_of(side))
+        found = dict.fromkeys(symbol for side in said for symbol in w.symbols_of(side))
         free = [symbol for symbol in found if symbol not in self.rules and symbol.stands_for is None]
         self.places = [(symbol, i, j) for symbol in free for i, j in product(*map(range, symbol.shape))]
         named = {entry_name(symbol, 0, i, j): place for place, (symbol, i, j) in enumerate(self.places)}
         self.products = {  # a vector with a length and a direction of its own is their product
             (symbol, i, 0): (named[f"|{symbol.name}|"], named[f"{symbol.name}/|{symbol.name}|_{i + 1}"])
-            for symbol in dict.fromkeys(each for side in sides for each in symbols_of(side))
+            for symbol in dict.fromkeys(each for side in sides for each in w.symbols_of(side))
             for i in range(symbol.shape[0])
             if f"{symbol.name}/|{symbol.name}|_{i + 1}" in named
         }
-        moving = any(isinstance(part, Rate) for side in said for part in walk(side))
+        moving = any(isinstance(part, w.Rate) for side in said for part in w.walk(side))
         self.points = [] if moving else list(islice(self._drawn(), POINTS))
 
     def agree(self, left: Node, right: Node) -> bool:

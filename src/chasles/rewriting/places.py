@@ -9,29 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from chasles import vocabulary as w
 from chasles.rewriting.coefficients import added
-from chasles.vocabulary import (
-    At,
-    Block,
-    Contract,
-    Cross,
-    Dot,
-    Group,
-    Integral,
-    Negative,
-    Node,
-    Quotient,
-    Rate,
-    Scale,
-    Skew,
-    Sum,
-    Trace,
-    Transpose,
-    Vect,
-    Zero,
-    children,
-    rebuilt,
-)
+from chasles.vocabulary import Node
 
 Path = tuple[int, ...]
 
@@ -56,7 +36,7 @@ class Place:
 def everywhere(node: Node, path: Path = ()) -> Iterator[tuple[Path, Node]]:
     """Every part with its path, the whole first."""
     yield path, node
-    for k, part in enumerate(children(node)):
+    for k, part in enumerate(w.children(node)):
         yield from everywhere(part, (*path, k))
 
 
@@ -67,22 +47,32 @@ def linear_places(node: Node) -> Iterator[Place]:
 
 def _below(place: Place) -> Iterator[Place]:
     yield place
-    node, parts = place.node, children(place.node)
-    term, is_open = isinstance(node, Sum | Block), not isinstance(node, Sum | Negative | Group | At)
-    apart = place.apart and isinstance(node, Sum | Block | Scale | Quotient | Negative | Group)
+    node, parts = place.node, w.children(place.node)
+    term, is_open = isinstance(node, w.Sum | w.Block), not isinstance(node, w.Sum | w.Negative | w.Group | w.At)
+    apart = place.apart and isinstance(node, w.Sum | w.Block | w.Scale | w.Quotient | w.Negative | w.Group)
     for k in _linear(node):
-        leads_down = apart and not (isinstance(node, Scale) and k == 0)
-        inside = place.inside or isinstance(node, Rate)
+        leads_down = apart and not (isinstance(node, w.Scale) and k == 0)
+        inside = place.inside or isinstance(node, w.Rate)
         yield from _below(Place((*place.path, k), parts[k], term, is_open, inside, leads_down))
 
 
 def _linear(node: Node) -> range:
     match node:
-        case Quotient():
+        case w.Quotient():
             return range(1)
-        case Sum() | Scale() | Contract() | Block() | Dot() | Cross():
-            return range(len(children(node)))
-        case Negative() | Transpose() | Skew() | Vect() | Trace() | Group() | At() | Rate() | Integral():
+        case w.Sum() | w.Scale() | w.Contract() | w.Block() | w.Dot() | w.Cross():
+            return range(len(w.children(node)))
+        case (
+            w.Negative()
+            | w.Transpose()
+            | w.Skew()
+            | w.Vect()
+            | w.Trace()
+            | w.Group()
+            | w.At()
+            | w.Rate()
+            | w.Integral()
+        ):
             return range(1)
         case _:
             return range(0)
@@ -96,9 +86,9 @@ def separate_sums(root: Node) -> Iterator[tuple[Place, tuple[Place, ...]]]:
 def _sums(place: Place) -> Iterator[tuple[Place, tuple[Place, ...]]]:
     inner = [other for other in linear_places(place.node) if other.apart]
     below = [Place((*place.path, *other.path), other.node) for other in inner if len(other.path) == 1]
-    if isinstance(place.node, Sum):
+    if isinstance(place.node, w.Sum):
         yield place, tuple(below)
-    elif any(isinstance(other.node, Sum | Block) for other in inner):
+    elif any(isinstance(other.node, w.Sum | w.Block) for other in inner):
         for other in below:
             yield from _sums(other)
     else:
@@ -108,22 +98,22 @@ def _sums(place: Place) -> Iterator[tuple[Place, tuple[Place, ...]]]:
 def put(root: Node, path: Path, new: Node | None) -> Node:
     """The expression with something else in one place; with None, what stands there is left out."""
     if not path:
-        return Zero(*root.shape) if new is None else new
-    parts, k = list(children(root)), path[0]
+        return w.Zero(*root.shape) if new is None else new
+    parts, k = list(w.children(root)), path[0]
     if new is None and len(path) == 1:
-        if isinstance(root, Sum):
+        if isinstance(root, w.Sum):
             return added([*parts[:k], *parts[k + 1 :]])
-        new = Zero(*parts[k].shape)
+        new = w.Zero(*parts[k].shape)
     changed = put(parts[k], path[1:], new)
-    if isinstance(root, Sum):
+    if isinstance(root, w.Sum):
         return added([*parts[:k], changed, *parts[k + 1 :]])
-    if isinstance(root, Negative) and isinstance(changed, Negative):
+    if isinstance(root, w.Negative) and isinstance(changed, w.Negative):
         return changed.term
-    return rebuilt(root, (*parts[:k], changed, *parts[k + 1 :]))
+    return w.rebuilt(root, (*parts[:k], changed, *parts[k + 1 :]))
 
 
 def with_term(node: Node, term: Node) -> Node:
     """The expression with a term added to it, within its brackets if it has some."""
-    if isinstance(node, Group) and isinstance(node.of, Sum):
-        return Group(added([node.of, term]), node.brackets)
+    if isinstance(node, w.Group) and isinstance(node.of, w.Sum):
+        return w.Group(added([node.of, term]), node.brackets)
     return added([node, term])

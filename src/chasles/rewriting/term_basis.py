@@ -11,35 +11,11 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from itertools import combinations, combinations_with_replacement, islice, pairwise, product
 
+from chasles import vocabulary as w
 from chasles.rewriting.coefficients import ONE
 from chasles.rewriting.coefficients import product as product_of
 from chasles.rewriting.product import chained
-from chasles.vocabulary import (
-    NO_DIMENSION,
-    At,
-    Block,
-    Contract,
-    Cross,
-    Dimension,
-    Dot,
-    Group,
-    Identity,
-    Inverse,
-    Misfit,
-    Negative,
-    Node,
-    Norm,
-    Power,
-    Quotient,
-    Rate,
-    Scale,
-    Skew,
-    Sum,
-    Symbol,
-    Transpose,
-    children,
-    walk,
-)
+from chasles.vocabulary import Node
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.measure import Measure, added
 from chasles.vocabulary.shorthand import Shorthand
@@ -60,16 +36,16 @@ def fit(one: Node, other: Node) -> bool:
         return False
     try:
         added(one.measure, other.measure, ("", ""))
-    except Misfit:
+    except w.Misfit:
         return False
     return True
 
 
-def dimension_of(node: Node) -> Dimension | None:
+def dimension_of(node: Node) -> w.Dimension | None:
     """The one dimension of all entries; None if they have several, or are all zero."""
     try:
         return measured(node).the_dimension(node)
-    except Misfit:
+    except w.Misfit:
         return None
 
 
@@ -86,8 +62,8 @@ class TermBasis:
     arrays: dict[Node, None] = field(default_factory=dict)
     beside: dict[Node, dict[Node, None]] = field(default_factory=dict)
     without: frozenset[Node] = frozenset()
-    _weights: dict[Dimension, list[Node]] = field(default_factory=dict)
-    _shaped: dict[Shape, list[tuple[Node, Dimension | None]]] = field(default_factory=dict)
+    _weights: dict[w.Dimension, list[Node]] = field(default_factory=dict)
+    _shaped: dict[Shape, list[tuple[Node, w.Dimension | None]]] = field(default_factory=dict)
     _terms: dict[Measure | None, tuple[Node, ...]] = field(default_factory=dict)
 
     @property
@@ -107,7 +83,7 @@ class TermBasis:
             self._terms[like.measure] = tuple(node for node in islice(found, MOST_TERMS) if node not in self.without)
         return self._terms[like.measure]
 
-    def of_dimension(self, shape: Shape, dimension: Dimension) -> Iterator[Node]:
+    def of_dimension(self, shape: Shape, dimension: w.Dimension) -> Iterator[Node]:
         """The terms of a shape, a dimension common to all their entries."""
         if shape not in self._shaped:
             self._shaped[shape] = [(node, dimension_of(node)) for node in self._tensors(shape)]
@@ -117,22 +93,22 @@ class TermBasis:
                 if rank < len(weights):
                     yield product_of(weights[rank], tensor)
 
-    def _weights_of(self, dimension: Dimension) -> list[Node]:
+    def _weights_of(self, dimension: w.Dimension) -> list[Node]:
         """Invariants of a dimension."""
         if not self._weights:
-            self._weights[NO_DIMENSION] = [ONE]
+            self._weights[w.NO_DIMENSION] = [ONE]
             for weight in self._invariants():
-                self._weights.setdefault(measured(weight).grid[0][0] or NO_DIMENSION, []).append(weight)
+                self._weights.setdefault(measured(weight).grid[0][0] or w.NO_DIMENSION, []).append(weight)
         return self._weights.get(dimension, [])
 
     def _invariants(self) -> Iterator[Node]:
-        scalars = [node for node in self.scalars if dimension_of(node) != NO_DIMENSION]
+        scalars = [node for node in self.scalars if dimension_of(node) != w.NO_DIMENSION]
         yield from scalars
         for one, other in combinations_with_replacement(self.vectors, 2):
-            yield from _fitting(Dot, one, other)
+            yield from _fitting(w.Dot, one, other)
         for one, other in combinations_with_replacement(scalars, 2):
-            both = Power(one, 2) if one == other else Scale(one, other)
-            if dimension_of(both) != NO_DIMENSION:
+            both = w.Power(one, 2) if one == other else w.Scale(one, other)
+            if dimension_of(both) != w.NO_DIMENSION:
                 yield both
 
     def _tensors(self, shape: Shape) -> Iterator[Node]:
@@ -140,14 +116,14 @@ class TermBasis:
             case (3, 1):
                 yield from self._columns()
             case (1, 3):
-                yield from (Transpose(column) for column in self._columns())
+                yield from (w.Transpose(column) for column in self._columns())
             case (3, 3):
                 yield from self._matrices()
             case (1, 1):
                 yield ONE
                 yield from self._chains(shape)
                 for one, square, other in product(self.vectors, self.squares, self.vectors):
-                    yield from _fitting(_contracted, Transpose(one), Contract((square, other)))
+                    yield from _fitting(_contracted, w.Transpose(one), w.Contract((square, other)))
             case _:
                 yield from self._products(shape)
 
@@ -157,20 +133,20 @@ class TermBasis:
         for square, vector in product(self.squares, self.vectors):
             yield from _fitting(_contracted, square, vector)
         for one, cross in product(self.vectors, list(self._crosses())):
-            yield from _fitting(Cross, one, cross)
+            yield from _fitting(w.Cross, one, cross)
 
     def _crosses(self) -> Iterator[Node]:
         for one, other in combinations(self.vectors, 2):
-            yield from _fitting(Cross, one, other)
+            yield from _fitting(w.Cross, one, other)
 
     def _matrices(self) -> Iterator[Node]:
-        yield Identity(3)
+        yield w.Identity(3)
         yield from self.squares
         vectors, crosses = list(self.vectors), list(self._crosses())
-        yield from (Skew(vector) for vector in vectors)
+        yield from (w.Skew(vector) for vector in vectors)
         for one, other in (*product(vectors, vectors), *product(crosses, vectors), *product(vectors, crosses)):
-            yield from _fitting(_contracted, one, Transpose(other))
-        flipped = [Transpose(square) for square in self.squares]
+            yield from _fitting(_contracted, one, w.Transpose(other))
+        flipped = [w.Transpose(square) for square in self.squares]
         yield from flipped
         for one, other in (*product(self.squares, self.squares), *product(flipped, self.squares)):
             yield from _fitting(_contracted, one, other)
@@ -182,7 +158,7 @@ class TermBasis:
         yield from self._chains(shape)
         pairs = [made for one, other in product(everything, everything) for made in _fitting(_contracted, one, other)]
         yield from (node for node in pairs if node.shape == shape)
-        flipped = [Transpose(node) for node in self.arrays if isinstance(node, Symbol)]
+        flipped = [w.Transpose(node) for node in self.arrays if isinstance(node, w.Symbol)]
         yield from (node for node in flipped if node.shape == shape)
         for one, other in (*product(flipped, everything), *product(everything, flipped)):
             if (one.shape[0], other.shape[1]) == shape:
@@ -198,7 +174,7 @@ class TermBasis:
             chains = [(*chain, node) for chain in chains for node in self.beside.get(chain[-1], ())][:MOST_CHAINS]
             for chain in chains:
                 if (chain[0].shape[0], chain[-1].shape[1]) == shape:
-                    yield from _fitting(_contracted, chain[0], Contract(chain[1:]) if len(chain) > 2 else chain[1])
+                    yield from _fitting(_contracted, chain[0], w.Contract(chain[1:]) if len(chain) > 2 else chain[1])
 
 
 def term_basis(nodes: Iterable[Node], without: frozenset[Node] = frozenset(), order: int = 0) -> TermBasis:
@@ -211,54 +187,56 @@ def term_basis(nodes: Iterable[Node], without: frozenset[Node] = frozenset(), or
         _collect(basis, node, without, factor=False)
     for node in basis.nodes:
         rate = node
-        for _ in range(order if isinstance(node, Rate) or (isinstance(node, Symbol) and not node.constant) else 0):
-            rate = Rate(rate)
+        for _ in range(order if isinstance(node, w.Rate) or (isinstance(node, w.Symbol) and not node.constant) else 0):
+            rate = w.Rate(rate)
             if rate not in without:
                 _enter(basis, rate)
     for square in list(basis.squares):
-        if isinstance(square, Symbol) and isinstance(square.stands_for, Skew):
+        if isinstance(square, w.Symbol) and isinstance(square.stands_for, w.Skew):
             vector = square.stands_for.of
             basis.vectors.setdefault(vector)
-            if Rate(vector) in basis.vectors:
-                basis.squares.setdefault(Rate(square))
+            if w.Rate(vector) in basis.vectors:
+                basis.squares.setdefault(w.Rate(square))
     return basis
 
 
 def _collect(basis: TermBasis, node: Node, without: frozenset[Node], *, factor: bool) -> None:
     match node:
-        case Rate(At(of)):
-            node = Rate(of)
-        case At(of):
+        case w.Rate(w.At(of)):
+            node = w.Rate(of)
+        case w.At(of):
             node = of
         case _:
             pass
     if node.measure is None:
         return
     match node:
-        case Symbol() | Rate(Symbol()) | Rate(Rate(Symbol())):
+        case w.Symbol() | w.Rate(w.Symbol()) | w.Rate(w.Rate(w.Symbol())):
             if node not in without:
                 _enter(basis, node)
-            if isinstance(node, Rate):
+            if isinstance(node, w.Rate):
                 _collect(basis, node.of, without, factor=factor)
             return
-        case Shorthand() if not node.is_scalar and not any(part in without for part in walk(node)):
+        case Shorthand() if not node.is_scalar and not any(part in without for part in w.walk(node)):
             _enter(basis, node)
-        case Norm(of) if of.shape == VECTOR:
-            basis.scalars.setdefault(Power(node, 2))
-        case Quotient(_, denominator) if dimension_of(denominator) != NO_DIMENSION:
-            basis.scalars.setdefault(Quotient(ONE, denominator))
-        case Sum() if factor and not node.is_scalar and not any(part in without for part in walk(node)):
+        case w.Norm(of) if of.shape == VECTOR:
+            basis.scalars.setdefault(w.Power(node, 2))
+        case w.Quotient(_, denominator) if dimension_of(denominator) != w.NO_DIMENSION:
+            basis.scalars.setdefault(w.Quotient(ONE, denominator))
+        case w.Sum() if factor and not node.is_scalar and not any(part in without for part in w.walk(node)):
             _enter(basis, node)
-        case Inverse() | Transpose(Symbol()) if _is_array(node) and not any(part in without for part in walk(node)):
+        case w.Inverse() | w.Transpose(w.Symbol()) if _is_array(node) and not any(
+            part in without for part in w.walk(node)
+        ):
             _enter(basis, node)
-        case Contract(factors):
+        case w.Contract(factors):
             for one, other in pairwise(factors):
-                if not any(part in without for factor in (one, other) for part in walk(factor)):
+                if not any(part in without for factor in (one, other) for part in w.walk(factor)):
                     basis.beside.setdefault(one, {})[other] = None
         case _:
             pass
-    grouped = isinstance(node, Group | Sum | Negative | Block)
-    for part in children(node):
+    grouped = isinstance(node, w.Group | w.Sum | w.Negative | w.Block)
+    for part in w.children(node):
         _collect(basis, part, without, factor=factor if grouped else True)
 
 
@@ -269,7 +247,7 @@ def _enter(basis: TermBasis, node: Node) -> None:
 
 def _is_array(node: Node) -> bool:
     """Whether its shape is not that of the vectors of space, of what acts on them, or of numbers."""
-    return not {node.shape, node.shape[::-1]} & {VECTOR, SQUARE, SCALAR} or isinstance(node, Inverse)
+    return not {node.shape, node.shape[::-1]} & {VECTOR, SQUARE, SCALAR} or isinstance(node, w.Inverse)
 
 
 def _contracted(left: Node, right: Node) -> Node:
@@ -279,5 +257,5 @@ def _contracted(left: Node, right: Node) -> Node:
 def _fitting(make: Callable[[Node, Node], Node], left: Node, right: Node) -> Iterator[Node]:
     try:
         yield make(left, right)
-    except Misfit:
+    except w.Misfit:
         return

@@ -10,37 +10,11 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from fractions import Fraction
 from functools import reduce
 
+from chasles import vocabulary as w
 from chasles.statements.hypotheses import Hypothesis, nonzero
 from chasles.statements.matrix_series import behind, composed, determinant_of, inverse_of, length_of
 from chasles.statements.series import PowerSeries, TooShort, inverse, is_zero, minus, product, scaled, taylor, total
-from chasles.vocabulary import (
-    At,
-    Block,
-    Call,
-    Contract,
-    Cross,
-    Determinant,
-    Dot,
-    Group,
-    Inverse,
-    Misfit,
-    Negative,
-    Node,
-    Norm,
-    Number,
-    Power,
-    Quotient,
-    Scale,
-    Skew,
-    Sum,
-    Symbol,
-    Trace,
-    Transpose,
-    Vect,
-    Zero,
-    plain,
-    walk,
-)
+from chasles.vocabulary import Node
 from chasles.vocabulary.expansions import Limit, UpTo
 from chasles.vocabulary.functions import FunctionOf
 from chasles.vocabulary.shorthand import Shorthand
@@ -58,10 +32,10 @@ def coefficients_of(left: Node, right: Node, rules: Mapping[Node, Node]) -> Iter
     """
     small, exponent = _order_of(left, right)
     if small in rules:
-        raise Misfit(f"{small} goes to zero, and a given statement says what it is")
+        raise w.Misfit(f"{small} goes to zero, and a given statement says what it is")
     sides = [side.of if isinstance(side, UpTo | Limit) else side for side in (left, right)]
-    if any(isinstance(part, UpTo | Limit) for side in sides for part in walk(side)):
-        raise Misfit("a limit is the whole left side of a claim, and an order belongs to its whole right side")
+    if any(isinstance(part, UpTo | Limit) for side in sides for part in w.walk(side)):
+        raise w.Misfit("a limit is the whole left side of a claim, and an order belongs to its whole right side")
     length = exponent + 2
     expansion = _Expansion(small, length, rules)
     while True:
@@ -69,7 +43,7 @@ def coefficients_of(left: Node, right: Node, rules: Mapping[Node, Node]) -> Iter
             one, other = map(expansion, sides)
             if min(one.known, other.known) >= exponent:
                 break
-            reason = Misfit(f"no expansion of {left} to the order {exponent} in {small} is found")
+            reason = w.Misfit(f"no expansion of {left} to the order {exponent} in {small} is found")
         except TooShort as error:
             reason = error
         if length > MOST_TERMS:
@@ -87,7 +61,7 @@ def _compared(left: Node, one: PowerSeries, other: PowerSeries, exponent: int, w
     for k in range(min(one.begin, other.begin, 0), exponent):
         a, b = one.coefficient(k), other.coefficient(k)
         if k == 0 or a is not None or b is not None:
-            nothing = Number(Fraction(0)) if left.is_scalar else Zero(*left.shape)
+            nothing = w.Number(Fraction(0)) if left.is_scalar else w.Zero(*left.shape)
             yield f"terms of order {k}{where}", nothing if a is None else a, nothing if b is None else b
 
 
@@ -98,18 +72,18 @@ def presupposed(left: Node, right: Node, assumed: Iterable[Hypothesis]) -> Itera
     """
     small, _ = _order_of(left, right)
     for hypothesis in assumed:
-        if any(part == small for equation in hypothesis.equations for side in equation for part in walk(side)):
+        if any(part == small for equation in hypothesis.equations for side in equation for part in w.walk(side)):
             raise TypeError(f"{small} goes to zero, and it is assumed that {hypothesis.text}")
     if not small.is_scalar:
-        yield nonzero(Norm(small))
+        yield nonzero(w.Norm(small))
 
 
-def _order_of(left: Node, right: Node) -> tuple[Symbol, int]:
+def _order_of(left: Node, right: Node) -> tuple[w.Symbol, int]:
     for side in (right, left):
         if isinstance(side, UpTo | Limit):
-            assert isinstance(side.small, Symbol)
+            assert isinstance(side.small, w.Symbol)
             return side.small, side.exponent if isinstance(side, UpTo) else 1
-    raise Misfit("neither side is an expansion")
+    raise w.Misfit("neither side is an expansion")
 
 
 class _Expansion:
@@ -119,7 +93,7 @@ class _Expansion:
     or it is `below` zero.
     """
 
-    def __init__(self, small: Symbol, length: int, rules: Mapping[Node, Node], below: bool = False) -> None:
+    def __init__(self, small: w.Symbol, length: int, rules: Mapping[Node, Node], below: bool = False) -> None:
         self.small = small
         self.length = length
         self.rules = rules
@@ -127,61 +101,61 @@ class _Expansion:
         self.has_absolute_values = False
 
     def __call__(self, node: Node) -> PowerSeries:
-        if not any(self._may_vary(part) for part in walk(node)):
+        if not any(self._may_vary(part) for part in w.walk(node)):
             return self._constant(node)
         match node:
             case _ if node in self.rules:
                 return self(self.rules[node])
-            case Symbol(stands_for=Node() as of) | At(of) | Group(of):
+            case w.Symbol(stands_for=Node() as of) | w.At(of) | w.Group(of):
                 return self(of)
-            case Symbol():
+            case w.Symbol():
                 return self._small if node == self.small else self._constant(node)
             case Shorthand():
                 return self(node.definition)
-            case Sum(terms):
+            case w.Sum(terms):
                 return reduce(total, map(self, terms))
-            case Negative(term):
+            case w.Negative(term):
                 return self(term).each(minus)
-            case Scale(factor, term):
+            case w.Scale(factor, term):
                 return product(self(factor), self(term), scaled, self.length)
-            case Quotient(numerator, denominator):
+            case w.Quotient(numerator, denominator):
                 return product(inverse(self(denominator), denominator), self(numerator), scaled, self.length)
-            case Contract(factors):
+            case w.Contract(factors):
                 return reduce(lambda a, b: product(a, b, lambda x, y: x @ y, self.length), map(self, factors))
-            case Power(base, exponent):
+            case w.Power(base, exponent):
                 times = scaled if node.is_scalar else (lambda x, y: x @ y)
                 return reduce(lambda a, b: product(a, b, times, self.length), [self(base)] * exponent)
-            case Dot(left, right):
-                return product(self(left), self(right), Dot, self.length)
-            case Cross(left, right):
-                return product(self(left), self(right), Cross, self.length)
-            case Transpose(of) | Skew(of) | Vect(of) | Trace(of):
+            case w.Dot(left, right):
+                return product(self(left), self(right), w.Dot, self.length)
+            case w.Cross(left, right):
+                return product(self(left), self(right), w.Cross, self.length)
+            case w.Transpose(of) | w.Skew(of) | w.Vect(of) | w.Trace(of):
                 return self(of).each(lambda part: rebuilt(node, (part,)))
             case _:
                 return self._other(node)
 
     def _other(self, node: Node) -> PowerSeries:
         match node:
-            case Block(rows):
+            case w.Block(rows):
                 return self._block(rows)
-            case Norm(of):
+            case w.Norm(of):
                 return self._norm(of)
-            case Inverse(of):
+            case w.Inverse(of):
                 return self._of_matrix(of, inverse_of)
-            case Determinant(of):
+            case w.Determinant(of):
                 return self._of_matrix(of, determinant_of)
-            case Call(function, argument) | FunctionOf(function, (argument,)):
+            case w.Call(function, argument) | FunctionOf(function, (argument,)):
                 return self._function(function, argument, node)
             case _:
-                raise Misfit(f"{plain(node)} is not expanded where {plain(self.small)} is small")
+                raise w.Misfit(f"{w.plain(node)} is not expanded where {w.plain(self.small)} is small")
 
     def _may_vary(self, part: Node) -> bool:
-        stands_for_more = isinstance(part, Symbol) and part.stands_for is not None
+        stands_for_more = isinstance(part, w.Symbol) and part.stands_for is not None
         return part == self.small or part in self.rules or stands_for_more or isinstance(part, Shorthand)
 
     @property
     def _small(self) -> PowerSeries:
-        return self._series(1, [Number(Fraction(1)) if self.small.is_scalar else self.small])
+        return self._series(1, [w.Number(Fraction(1)) if self.small.is_scalar else self.small])
 
     def _constant(self, node: Node) -> PowerSeries:
         return self._series(0, [None if is_zero(node) else node])
@@ -199,15 +173,15 @@ class _Expansion:
             grid = [[series.coefficient(k) for series in row] for row in parts]
             empty = all(entry is None for line in grid for entry in line)
             shown = [zip(line, row, strict=True) for line, row in zip(grid, rows, strict=True)]
-            filled = tuple(tuple(Zero(*node.shape) if e is None else e for e, node in line) for line in shown)
-            terms.append(None if empty else Block(filled))
+            filled = tuple(tuple(w.Zero(*node.shape) if e is None else e for e, node in line) for line in shown)
+            terms.append(None if empty else w.Block(filled))
         return PowerSeries(begin, tuple(terms), known)
 
     def _norm(self, of: Node) -> PowerSeries:
         inner = self(of)
         lead = inner.lead
         if lead is None:
-            raise TooShort(f"{plain(of)} has no term up to the order {inner.known}")
+            raise TooShort(f"{w.plain(of)} has no term up to the order {inner.known}")
         is_odd = self.small.is_scalar and lead % 2 == 1
         self.has_absolute_values |= is_odd
         found = length_of(inner, lead, self.length)
@@ -217,14 +191,14 @@ class _Expansion:
         inner = self(of)
         at_zero = inner.coefficient(0)
         if at_zero is None or (inner.lead or 0) < 0:
-            raise Misfit(f"{plain(of)} has no inverse where {plain(self.small)} is zero, and is not expanded")
+            raise w.Misfit(f"{w.plain(of)} has no inverse where {w.plain(self.small)} is zero, and is not expanded")
         return function(inner, at_zero, self.length)
 
     def _function(self, name: str, argument: Node, node: Node) -> PowerSeries:
         """A function by its Taylor series around the value of its argument where what is small is zero."""
         inner = self(argument)
         if inner.begin < 0 and (inner.lead or 0) < 0:
-            raise Misfit(f"{plain(node)} is not expanded: its argument grows without bound")
+            raise w.Misfit(f"{w.plain(node)} is not expanded: its argument grows without bound")
         around = inner.coefficient(0)
         slopes = taylor(name, around, self.length, node)
         return composed(slopes, behind(inner), self.length)

@@ -10,21 +10,9 @@ from dataclasses import dataclass
 from dataclasses import replace as with_fields
 from typing import Protocol
 
+from chasles import vocabulary as w
 from chasles.statements.squares import squared
-from chasles.vocabulary import (
-    Contract,
-    Dot,
-    Negative,
-    Node,
-    Scale,
-    Sum,
-    Symbol,
-    Trace,
-    Transpose,
-    Zero,
-    column,
-    replace,
-)
+from chasles.vocabulary import Node
 from chasles.vocabulary.arguments import Declared
 
 
@@ -37,19 +25,19 @@ class Form(Protocol):
 
 
 def _minus(left: Node, right: Node) -> Node:
-    return Sum((left, Negative(right)))
+    return w.Sum((left, w.Negative(right)))
 
 
 def _times(matrix: Node, vector: Node) -> Node:
-    return Scale(matrix, vector) if matrix.is_scalar else Contract((matrix, vector))
+    return w.Scale(matrix, vector) if matrix.is_scalar else w.Contract((matrix, vector))
 
 
 def _total(squares: tuple[Node, ...]) -> Node:
-    return squares[0] if len(squares) == 1 else Sum(squares)
+    return squares[0] if len(squares) == 1 else w.Sum(squares)
 
 
 def _zero(like: Node) -> Node:
-    return Zero(*like.shape)
+    return w.Zero(*like.shape)
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,7 +60,7 @@ class Minimum(Declared):
 
     of: Node
     value: Node
-    over: Symbol
+    over: w.Symbol
     at: Node
     squares: tuple[Node, ...]
 
@@ -81,10 +69,10 @@ class Minimum(Declared):
             raise TypeError("a minimum needs the squares that make up the excess: with none, state it with Always")
 
     def equations(self) -> tuple[tuple[str, Node, Node], ...]:
-        total = _total(tuple(Dot(square, square) for square in self.squares))
+        total = _total(tuple(w.Dot(square, square) for square in self.squares))
         excess = ("the excess over the least value is a sum of squares", _minus(self.of, self.value), total)
         there: dict[Node, Node] = {self.over: self.at}
-        vanish = [("the square vanishes there", replace(s, there), _zero(s)) for s in self.squares]
+        vanish = [("the square vanishes there", w.replace(s, there), _zero(s)) for s in self.squares]
         return (excess, *vanish)
 
 
@@ -105,8 +93,8 @@ class Definite(Declared):
         total = ("it is a sum of squares", self.of, _total(self.squares))
         if self.by is None:
             return (total,)
-        vanishing = column(*(vector for square in self.squares for vector in squared(square)))
-        return (total, ("it vanishes only where they do", column(*self.over), _times(self.by, vanishing)))
+        vanishing = w.column(*(vector for square in self.squares for vector in squared(square)))
+        return (total, ("it vanishes only where they do", w.column(*self.over), _times(self.by, vanishing)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,8 +110,8 @@ class OnlyWhere(Declared):
     squares: tuple[Node, ...]
 
     def equations(self) -> tuple[tuple[str, Node, Node], ...]:
-        probed = Trace(Contract((Transpose(self.by), _minus(self.left, self.right), self.by)))
-        return (("their difference is less than zero by squares", probed, Negative(_total(self.squares))),)
+        probed = w.Trace(w.Contract((w.Transpose(self.by), _minus(self.left, self.right), self.by)))
+        return (("their difference is less than zero by squares", probed, w.Negative(_total(self.squares))),)
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,26 +134,26 @@ class Iff(Declared):
 class Exists(Declared):
     """There is a value of the symbol, `witness`, for which the two sides are equal."""
 
-    symbol: Symbol
+    symbol: w.Symbol
     witness: Node
     left: Node
     right: Node
 
     def equations(self) -> tuple[tuple[str, Node, Node], ...]:
         here: dict[Node, Node] = {self.symbol: self.witness}
-        return (("the witness satisfies the equation", replace(self.left, here), replace(self.right, here)),)
+        return (("the witness satisfies the equation", w.replace(self.left, here), w.replace(self.right, here)),)
 
 
 @dataclass(frozen=True, slots=True)
 class Unique(Declared):
     """At most one value of the symbol makes `residual` vanish: x - y = by (residual of x - residual of y)."""
 
-    symbol: Symbol
+    symbol: w.Symbol
     residual: Node
     by: Node
 
     def equations(self) -> tuple[tuple[str, Node, Node], ...]:
         other = with_fields(self.symbol, name=f"{self.symbol.name}_other", letter=rf"{self.symbol.letter}^*")
         there: dict[Node, Node] = {self.symbol: other}
-        difference = _minus(self.residual, replace(self.residual, there))
+        difference = _minus(self.residual, w.replace(self.residual, there))
         return (("two solutions coincide", _minus(self.symbol, other), _times(self.by, difference)),)

@@ -7,27 +7,13 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
+from chasles import vocabulary as w
 from chasles.statements.forms import Definite, Iff, OnlyWhere
 from chasles.statements.hypotheses import Hypothesis
 from chasles.statements.squares import relied_on
 from chasles.statements.statement import Claim, Condition, Definition, Equation, Statement, Theorem
 from chasles.statements.varied import demands, visible
-from chasles.vocabulary import (
-    Contract,
-    Identity,
-    Inverse,
-    Misfit,
-    Negative,
-    Node,
-    Number,
-    Sum,
-    Symbol,
-    Zero,
-    column,
-    members_of,
-    plain,
-    replace,
-)
+from chasles.vocabulary import Node
 from chasles.vocabulary.nodes import lifted
 
 if TYPE_CHECKING:
@@ -63,7 +49,7 @@ def cases_of(statement: Theorem) -> Iterator[Goal]:
     """Where either side of "if and only if" vanishes: of elsewhere it says nothing."""
     for part in statement.forms:
         for side in (part.one, part.other) if isinstance(part, Iff) else ():
-            yield Goal(f"{plain(side)} = 0", side, Number(Fraction(0)) if side.is_scalar else Zero(*side.shape))
+            yield Goal(f"{w.plain(side)} = 0", side, w.Number(Fraction(0)) if side.is_scalar else w.Zero(*side.shape))
 
 
 def presupposed_by(statement: Theorem, problem: Problem) -> Iterator[Hypothesis]:
@@ -84,12 +70,12 @@ def goals_of(statement: Statement, form: str, accepted: AcceptedSides, problem: 
     """What proves a statement in one of its forms; raises `Misfit` where the form does not fit together."""
     left, right = statement.form(form)
     if fault := (statement.fault if form == "printed" else left.fault or right.fault):
-        raise Misfit(fault)
+        raise w.Misfit(fault)
     match statement:
         case Definition():
             return
         case Condition(on=(symbol, *_), solution=Node() as solution):
-            yield Goal("its solution satisfies it", *(replace(side, {symbol: solution}) for side in (left, right)))
+            yield Goal("its solution satisfies it", *(w.replace(side, {symbol: solution}) for side in (left, right)))
         case Condition(on=(_, *_)):
             yield from equations_of("", left, right)
         case Claim(restates=Statement() as other):
@@ -97,9 +83,9 @@ def goals_of(statement: Statement, form: str, accepted: AcceptedSides, problem: 
         case Claim(restates=tuple() as others):
             yield _multiple(statement, others, accepted, left, right)
         case Claim(solves=Statement() as other):
-            if not isinstance(left, Symbol):
+            if not isinstance(left, w.Symbol):
                 raise TypeError(f"({statement.number}) solves ({other.number}) for {left}, which is no symbol")
-            yield Goal("it solves the equation", *(replace(side, {left: right}) for side in accepted(other)))
+            yield Goal("it solves the equation", *(w.replace(side, {left: right}) for side in accepted(other)))
         case _ if left.expands or right.expands:
             from chasles.statements.expanding import coefficients_of  # of no use to most claims
 
@@ -113,14 +99,14 @@ def goals_of(statement: Statement, form: str, accepted: AcceptedSides, problem: 
 
 def equations_of(label: str, left: Node, right: Node) -> Iterator[Goal]:
     """An equation as what it says of an inverse, and without indices."""
-    if isinstance(right, Inverse) and not isinstance(left, Inverse):
+    if isinstance(right, w.Inverse) and not isinstance(left, w.Inverse):
         left, right = right, left
-    if isinstance(left, Inverse):
-        identity = Identity(left.shape[0])
-        yield Goal(label or "the matrix times its inverse", Contract((left.of, right)), identity)
-        yield Goal(label or "the inverse times its matrix", Contract((right, left.of)), identity)
+    if isinstance(left, w.Inverse):
+        identity = w.Identity(left.shape[0])
+        yield Goal(label or "the matrix times its inverse", w.Contract((left.of, right)), identity)
+        yield Goal(label or "the inverse times its matrix", w.Contract((right, left.of)), identity)
         return
-    for one, another in members_of(left, right):
+    for one, another in w.members_of(left, right):
         yield Goal(label, one, another)
 
 
@@ -128,10 +114,10 @@ def _multiple(
     statement: Claim, others: tuple[Statement, ...], accepted: AcceptedSides, left: Node, right: Node
 ) -> Goal:
     sides = [accepted(other) for other in others]
-    differences: list[Node] = [Sum((one, Negative(another))) for one, another in sides]
-    difference = differences[0] if len(differences) == 1 else column(*differences)
+    differences: list[Node] = [w.Sum((one, w.Negative(another))) for one, another in sides]
+    difference = differences[0] if len(differences) == 1 else w.column(*differences)
     if statement.by is not None:
         by = lifted(statement.by)
-        difference = by * difference if by.is_scalar else Contract((by, difference))
+        difference = by * difference if by.is_scalar else w.Contract((by, difference))
     numbers = ", ".join(f"({other.number})" for other in others)
-    return Goal(f"it is a multiple of {numbers}", Sum((left, Negative(right))), difference)
+    return Goal(f"it is a multiple of {numbers}", w.Sum((left, w.Negative(right))), difference)

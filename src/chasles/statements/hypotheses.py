@@ -12,22 +12,8 @@ from dataclasses import dataclass
 from dataclasses import replace as with_fields
 from fractions import Fraction
 
-from chasles.vocabulary import (
-    Block,
-    Cofactor,
-    Determinant,
-    Dot,
-    Identity,
-    Node,
-    Number,
-    Sum,
-    Symbol,
-    Trace,
-    Transpose,
-    Zero,
-    latex,
-    plain,
-)
+from chasles import vocabulary as w
+from chasles.vocabulary import Node, latex
 from chasles.vocabulary.arguments import Declared, declaring
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.measure import added
@@ -69,13 +55,13 @@ def said_of(
     nonvanishing: tuple[Node, ...] = (),
 ) -> Hypothesis:
     """The hypothesis, said in LaTeX and in plain text with the subjects at {0}, {1} and {2}."""
-    said = letters.format(*map(latex, subjects)), words.format(*map(plain, subjects))
+    said = letters.format(*map(latex, subjects)), words.format(*map(w.plain, subjects))
     return Hypothesis(kind, subjects, equations, nonvanishing, *said)
 
 
 def _symbols(kind: str, *subjects: Node) -> None:
     for subject in subjects:
-        if not isinstance(subject, Symbol) or subject.stands_for is not None:
+        if not isinstance(subject, w.Symbol) or subject.stands_for is not None:
             raise TypeError(f"{kind} is said of a symbol, and {subject} is an expression")
 
 
@@ -88,7 +74,7 @@ def _scalar(subject: Node, kind: str) -> None:
 def unit(vector: Node) -> Hypothesis:
     """The vector has length one."""
     _symbols("unit", vector)
-    equation = (Dot(vector, vector), Number(Fraction(1)))
+    equation = (w.Dot(vector, vector), w.Number(Fraction(1)))
     return said_of("unit", (vector,), r"\|{0}\| = 1", "|{0}| = 1", equation)
 
 
@@ -97,8 +83,8 @@ def unit_column(*parts: Node) -> Hypothesis:
     """The quantities, one below the other, make a column of length one, as Euler-Rodrigues parameters do."""
     _symbols("unit_column", *parts)
     places = ", ".join(f"{{{place}}}" for place in range(len(parts)))
-    total = Sum(tuple(part * part if part.is_scalar else Dot(part, part) for part in parts))
-    equation = (total, Number(Fraction(1)))
+    total = w.Sum(tuple(part * part if part.is_scalar else w.Dot(part, part) for part in parts))
+    equation = (total, w.Number(Fraction(1)))
     return said_of("unit column", parts, rf"\|[{places}]\| = 1", f"|[{places}]| = 1", equation)
 
 
@@ -107,7 +93,7 @@ def nonzero(expression: Node, letter: str = "") -> Hypothesis:
     """The scalar is not zero; `letter` says so in LaTeX in the reader's terms (phi != 0, not 1 - cos(phi) != 0)."""
     _scalar(expression, "nonzero")
     said = letter or rf"{latex(expression)} \neq 0"
-    text = _plain_of(letter) if letter else f"{plain(expression)} != 0"
+    text = _plain_of(letter) if letter else f"{w.plain(expression)} != 0"
     return Hypothesis("nonzero", (expression,), (), (expression,), said, text)
 
 
@@ -123,7 +109,7 @@ def positive(quantity: Node) -> Hypothesis:
 def symmetric(matrix: Node) -> Hypothesis:
     """The matrix equals its transpose."""
     _symbols("symmetric", matrix)
-    return said_of("symmetric", (matrix,), "{0} = {0}^T", "{0} is symmetric", (matrix, Transpose(matrix)))
+    return said_of("symmetric", (matrix,), "{0} = {0}^T", "{0} is symmetric", (matrix, w.Transpose(matrix)))
 
 
 @declaring
@@ -136,9 +122,9 @@ def definite(matrix: Node) -> Hypothesis:
     letters, words, equation = (
         r"{0} \text{{ positive-definite}}",
         "{0} is positive-definite",
-        (matrix, Transpose(matrix)),
+        (matrix, w.Transpose(matrix)),
     )
-    return said_of("definite", (matrix,), letters, words, equation, nonvanishing=(Determinant(matrix),))
+    return said_of("definite", (matrix,), letters, words, equation, nonvanishing=(w.Determinant(matrix),))
 
 
 @declaring
@@ -153,9 +139,9 @@ def half_turn(matrix: Node) -> Hypothesis:
     """The matrix is a rotation through the angle pi: it is symmetric, its trace is -1, and Q + 1 has rank one."""
     _symbols("half_turn", matrix)
     equations = (
-        (matrix, Transpose(matrix)),
-        (Trace(matrix), Number(Fraction(-1))),
-        (Cofactor(matrix + Identity(3)), Zero(3, 3)),
+        (matrix, w.Transpose(matrix)),
+        (w.Trace(matrix), w.Number(Fraction(-1))),
+        (w.Cofactor(matrix + w.Identity(3)), w.Zero(3, 3)),
     )
     return said_of("half_turn", (matrix,), r"{0} \text{{ is a half-turn}}", "{0} is a half-turn", *equations)
 
@@ -167,23 +153,23 @@ def orthonormal(first: Node, second: Node, third: Node) -> Hypothesis:
     _symbols("orthonormal", *triad)
     letters = r"\{{ {0}, {1}, {2} \}} \text{{ orthonormal, right-handed}}"
     words = "{0}, {1}, {2} are orthonormal and right-handed"
-    return said_of("orthonormal", triad, letters, words, *_proper_orthogonal(Block((triad,))))
+    return said_of("orthonormal", triad, letters, words, *_proper_orthogonal(w.Block((triad,))))
 
 
 @declaring
 def perpendicular(one: Node, other: Node) -> Hypothesis:
     """The two vectors are at right angles."""
     _symbols("perpendicular", one, other)
-    equation = (Dot(one, other), Number(Fraction(0)))
+    equation = (w.Dot(one, other), w.Number(Fraction(0)))
     return said_of("perpendicular", (one, other), r"{0} \perp {1}", "{0} is perpendicular to {1}", equation)
 
 
 def _proper_orthogonal(matrix: Node) -> tuple[tuple[Node, Node], ...]:
-    identity = Identity(3)
+    identity = w.Identity(3)
     return (
-        (Transpose(matrix) @ matrix, identity),
-        (matrix @ Transpose(matrix), identity),
-        (matrix, Cofactor(matrix)),
+        (w.Transpose(matrix) @ matrix, identity),
+        (matrix @ w.Transpose(matrix), identity),
+        (matrix, w.Cofactor(matrix)),
     )
 
 

@@ -7,29 +7,17 @@ from dataclasses import dataclass
 from dataclasses import replace as with_fields
 from fractions import Fraction
 
+from chasles import vocabulary as w
 from chasles.statements.goals import Goal
 from chasles.statements.hypotheses import Hypothesis
 from chasles.statements.problem import Problem
 from chasles.statements.statement import Equation
-from chasles.vocabulary import (
-    Contract,
-    Determinant,
-    Misfit,
-    Negative,
-    Node,
-    Number,
-    Sum,
-    Symbol,
-    Transpose,
-    latex,
-    plain,
-    uniform,
-)
+from chasles.vocabulary import Node
 from chasles.vocabulary.arguments import Declared, declaring
 from chasles.vocabulary.functions import FunctionOf, Relation, sign
 
 PRINTED = {"<": "<", "<=": r"\leq", ">": ">", ">=": r"\geq"}
-ZERO = Number(Fraction(0))
+ZERO = w.Number(Fraction(0))
 
 
 def _difference(relation: Relation) -> Node:
@@ -38,10 +26,10 @@ def _difference(relation: Relation) -> Node:
     if relation.sign in ("<", "<="):
         large, small = small, large
     if not (large.is_scalar and small.is_scalar):
-        raise Misfit(f"only scalars are compared: {relation}")
+        raise w.Misfit(f"only scalars are compared: {relation}")
     if ZERO in (large, small):
-        return large if small == ZERO else Negative(small)
-    return Sum((large, Negative(small)))
+        return large if small == ZERO else w.Negative(small)
+    return w.Sum((large, w.Negative(small)))
 
 
 @declaring
@@ -49,9 +37,11 @@ def inequality(relation: Relation) -> Hypothesis:
     """The relation holds: the difference is the square of a number, which is not zero where they are not equal."""
     difference = _difference(relation)
     text = str(relation)
-    name = "root_of_" + re.sub(r"\W+", "_", plain(difference)).strip("_")
-    root = Symbol(name, rf"\sqrt{{{latex(difference)}}}", uniform((1, 1), None), f"the root of {plain(difference)}")
-    said = f"{latex(relation.left)} {PRINTED[relation.sign]} {latex(relation.right)}"
+    name = "root_of_" + re.sub(r"\W+", "_", w.plain(difference)).strip("_")
+    root = w.Symbol(
+        name, rf"\sqrt{{{w.latex(difference)}}}", w.uniform((1, 1), None), f"the root of {w.plain(difference)}"
+    )
+    said = f"{w.latex(relation.left)} {PRINTED[relation.sign]} {w.latex(relation.right)}"
     strict = (root, difference) if relation.sign in ("<", ">") else ()
     return Hypothesis("inequality", (difference, root), ((difference, root * root),), strict, said, text, free=True)
 
@@ -61,7 +51,7 @@ def says_that(relation: Relation) -> Equation:
     """Both sides of an equation that says the same of the difference d: |d| = d, or sign(d) = 1 if it is strict."""
     difference = _difference(relation)
     if relation.sign in ("<", ">"):
-        return sign(difference), Number(Fraction(1))
+        return sign(difference), w.Number(Fraction(1))
     return abs(difference), difference
 
 
@@ -77,12 +67,12 @@ class PositiveDefinite(Declared):
 
     def equations(self) -> tuple[tuple[str, Node, Node], ...]:
         """What is to be decided: a label and two sides, for each equation."""
-        x = Symbol("any_column", r"\mathbf{x}", uniform((self.matrix.shape[0], 1), None), "any column")
-        form = Relation(Contract((Transpose(x), self.matrix, x)), ">=", ZERO)
-        found: list[tuple[str, Node, Node]] = [("it is symmetric", self.matrix, Transpose(self.matrix))]
+        x = w.Symbol("any_column", r"\mathbf{x}", w.uniform((self.matrix.shape[0], 1), None), "any column")
+        form = Relation(w.Contract((w.Transpose(x), self.matrix, x)), ">=", ZERO)
+        found: list[tuple[str, Node, Node]] = [("it is symmetric", self.matrix, w.Transpose(self.matrix))]
         found.append(("its quadratic form is never negative", *says_that(form)))
         if not self.semi:
-            found.append(("its determinant is positive", *says_that(Relation(Determinant(self.matrix), ">", ZERO))))
+            found.append(("its determinant is positive", *says_that(Relation(w.Determinant(self.matrix), ">", ZERO))))
         return tuple(found)
 
 
@@ -98,7 +88,7 @@ def as_differences(problem: Problem) -> tuple[Problem, tuple[str, ...]] | None:
             case FunctionOf("abs", (of,)), same if of == same:
                 goals.append(Goal(goal.label, of, ZERO))
                 signs.append("not negative")
-            case FunctionOf("sign", (of,)), Number(value) if value == 1:
+            case FunctionOf("sign", (of,)), w.Number(value) if value == 1:
                 goals.append(Goal(goal.label, of, ZERO))
                 signs.append("positive")
             case _:

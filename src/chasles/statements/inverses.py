@@ -11,28 +11,10 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import Any
 
+from chasles import vocabulary as w
 from chasles.statements.hypotheses import Hypothesis, nonzero
 from chasles.statements.varied import opened_parts
-from chasles.vocabulary import (
-    At,
-    Block,
-    Cofactor,
-    Contract,
-    Determinant,
-    Group,
-    Identity,
-    Inverse,
-    Negative,
-    Node,
-    Number,
-    Power,
-    Quotient,
-    Scale,
-    Symbol,
-    Transpose,
-    Zero,
-    replace,
-)
+from chasles.vocabulary import Node
 from chasles.vocabulary.fitting import measured
 
 
@@ -53,7 +35,7 @@ class Inverses:
     def __call__(self, node: Node) -> Node:
         """The node with every inverse in it said in other words."""
         found = _inverses(node)
-        return replace(node, {inverse: self._inverse(inverse.of) for inverse in found}) if found else node
+        return w.replace(node, {inverse: self._inverse(inverse.of) for inverse in found}) if found else node
 
     def hypothesis(self, said: Hypothesis) -> Hypothesis:
         """The same said without inverses."""
@@ -68,43 +50,43 @@ class Inverses:
             return found
         if of.is_scalar:
             self._need(self(of))
-            return Quotient(Number(Fraction(1)), self(of))
+            return w.Quotient(w.Number(Fraction(1)), self(of))
         said = self(of)
-        self._need(Determinant(said))
+        self._need(w.Determinant(said))
         if measured(of).partition is not None:
-            return Inverse(said)
-        return Quotient(Transpose(Cofactor(said)), Determinant(said))
+            return w.Inverse(said)
+        return w.Quotient(w.Transpose(w.Cofactor(said)), w.Determinant(said))
 
     def _by_parts(self, of: Node) -> Node | None:
         """The inverse of what is made of others that have one, or is a rotation; None for anything else."""
         match of:
-            case Group(inner) | At(inner) | Symbol(stands_for=Node() as inner):
+            case w.Group(inner) | w.At(inner) | w.Symbol(stands_for=Node() as inner):
                 return self._inverse(inner)
-            case Inverse(inner):
+            case w.Inverse(inner):
                 self._inverse(inner)
                 return self(inner)
-            case Identity():
+            case w.Identity():
                 return of
-            case Transpose(inner):
-                return Transpose(self._inverse(inner))
-            case Negative(term):
-                return Negative(self._inverse(term))
-            case Scale(factor, term) if not of.is_scalar:
-                return Scale(self._inverse(factor), self._inverse(term))
-            case Quotient(numerator, divisor) if not of.is_scalar:
-                return Scale(self(divisor), self._inverse(numerator))
-            case Power(base, exponent):
-                return Power(self._inverse(base), exponent)
-            case Contract(factors) if all(factor.shape == of.shape for factor in factors) and not of.is_scalar:
-                return Contract(tuple(map(self._inverse, reversed(factors))))
-            case Number(value) if value:
-                return Number(1 / value)
-            case Block(((a, b), (c, d))) if a.shape[0] == a.shape[1] and (_is_zero(b) or _is_zero(c)):
+            case w.Transpose(inner):
+                return w.Transpose(self._inverse(inner))
+            case w.Negative(term):
+                return w.Negative(self._inverse(term))
+            case w.Scale(factor, term) if not of.is_scalar:
+                return w.Scale(self._inverse(factor), self._inverse(term))
+            case w.Quotient(numerator, divisor) if not of.is_scalar:
+                return w.Scale(self(divisor), self._inverse(numerator))
+            case w.Power(base, exponent):
+                return w.Power(self._inverse(base), exponent)
+            case w.Contract(factors) if all(factor.shape == of.shape for factor in factors) and not of.is_scalar:
+                return w.Contract(tuple(map(self._inverse, reversed(factors))))
+            case w.Number(value) if value:
+                return w.Number(1 / value)
+            case w.Block(((a, b), (c, d))) if a.shape[0] == a.shape[1] and (_is_zero(b) or _is_zero(c)):
                 first, last = self._inverse(a), self._inverse(d)
-                upper = b if _is_zero(b) else Negative(Contract((first, self(b), last)))
-                lower = c if _is_zero(c) else Negative(Contract((last, self(c), first)))
-                return Block(((first, upper), (lower, last)))
-            case _ if of in self._rules and not isinstance(self._rules[of], Symbol):
+                upper = b if _is_zero(b) else w.Negative(w.Contract((first, self(b), last)))
+                lower = c if _is_zero(c) else w.Negative(w.Contract((last, self(c), first)))
+                return w.Block(((first, upper), (lower, last)))
+            case _ if of in self._rules and not isinstance(self._rules[of], w.Symbol):
                 return self._by_parts(self._rules[of])
             case _:
                 return self._of_rotation(of)
@@ -112,12 +94,12 @@ class Inverses:
     def _of_rotation(self, of: Node) -> Node | None:
         """The transpose, where a hypothesis says that the matrix, or the triad of its columns, is a rotation."""
         said: list[tuple[Any, Any]] = [("rotation", (of,)), ("half_turn", (of,)), ("orthogonal", (of,))]
-        if isinstance(of, Block) and len(of.rows) == 1:
+        if isinstance(of, w.Block) and len(of.rows) == 1:
             said.append(("orthonormal", of.rows[0]))
         for key in said:
             if key in self._known:
                 self.used[self._known[key]] = None
-                return Transpose(of)
+                return w.Transpose(of)
         return None
 
     def _need(self, divisor: Node) -> None:
@@ -130,12 +112,12 @@ class Inverses:
 
 
 @lru_cache(maxsize=4096)
-def _inverses(node: Node) -> tuple[Inverse, ...]:
-    return tuple(dict.fromkeys(part for part in opened_parts(node) if isinstance(part, Inverse)))
+def _inverses(node: Node) -> tuple[w.Inverse, ...]:
+    return tuple(dict.fromkeys(part for part in opened_parts(node) if isinstance(part, w.Inverse)))
 
 
 def _is_zero(block: Node) -> bool:
-    return isinstance(block, Zero) or (isinstance(block, Number) and not block.value)
+    return isinstance(block, w.Zero) or (isinstance(block, w.Number) and not block.value)
 
 
 def reached(sides: Iterable[Node], rules: Mapping[Node, Node]) -> set[Node]:

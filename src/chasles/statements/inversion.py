@@ -14,34 +14,20 @@ from functools import reduce
 from operator import mul
 from typing import ClassVar
 
+from chasles import vocabulary as w
 from chasles.display import Displayed
 from chasles.statements.goals import AcceptedSides, Goal
 from chasles.statements.hypotheses import Hypothesis, nonzero
 from chasles.statements.kernel import Kernel
 from chasles.statements.problem import Problem, default_sides
 from chasles.statements.statement import Statement
-from chasles.vocabulary import (
-    Call,
-    Misfit,
-    Negative,
-    Node,
-    Norm,
-    Number,
-    Power,
-    Quotient,
-    Scale,
-    Sum,
-    Zero,
-    plain,
-    replace,
-    symbols_of,
-)
+from chasles.vocabulary import Node
 from chasles.vocabulary.arguments import Declared
 from chasles.vocabulary.fitting import measured
 
 COVER = "no case is left out"
 EITHER_SIGN = "either sign"
-NOTHING, ONE = Number(Fraction(0)), Number(Fraction(1))
+NOTHING, ONE = w.Number(Fraction(0)), w.Number(Fraction(1))
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,16 +92,16 @@ class Inverse(Declared, Displayed):
         keys = dict(branch.values)
         for key, value in branch.values:
             if key.shape != value.shape:
-                raise Misfit(f"({self.number}), {branch.says}: {plain(key)} cannot have the value {plain(value)}")
-            if isinstance(key, Call) and Call(_partner(key), key.argument) not in keys:
+                raise w.Misfit(f"({self.number}), {branch.says}: {w.plain(key)} cannot have the value {w.plain(value)}")
+            if isinstance(key, w.Call) and w.Call(_partner(key), key.argument) not in keys:
                 raise TypeError(f"({self.number}), {branch.says}: an angle is given by both its cosine and its sine")
         if missing := [key for key in self.sign if key not in keys]:
             raise TypeError(
-                f"({self.number}), {branch.says}: it gives no value to {plain(missing[0])}, whose sign turns"
+                f"({self.number}), {branch.says}: it gives no value to {w.plain(missing[0])}, whose sign turns"
             )
         if not branch.where.is_scalar or not branch.by.is_scalar:
-            raise Misfit(f"({self.number}), {branch.says}: `where` and `by` are scalars")
-        angles = {key.argument for key in keys if isinstance(key, Call)}
+            raise w.Misfit(f"({self.number}), {branch.says}: `where` and `by` are scalars")
+        angles = {key.argument for key in keys if isinstance(key, w.Call)}
         for hypothesis in (*_asked(self, keys), *branch.assuming):
             if hypothesis.kind in ("positive", "definite"):
                 raise TypeError(f"({self.number}), {branch.says}: that {hypothesis.text} cannot be shown of its values")
@@ -133,7 +119,7 @@ def problems_of_inverse(sentence: Inverse, accepted: AcceptedSides = default_sid
     for branch in sentence.branches:
         values = dict(branch.values)
         here = (*sentence.assuming, nonzero(branch.where), *earlier)
-        goals = [Goal("the formula returns its input", replace(right, values), left), *_circles(values)]
+        goals = [Goal("the formula returns its input", w.replace(right, values), left), *_circles(values)]
         goals += _fitting(sentence, branch, values, accepted)
         yield branch.says, Problem(tuple(goals), hypotheses=tuple(dict.fromkeys((*branch.assuming, *here))))
         if branch.assuming:
@@ -148,37 +134,37 @@ def problems_of_inverse(sentence: Inverse, accepted: AcceptedSides = default_sid
 
 def _cover(sentence: Inverse) -> Goal:
     """Where all `where` vanished, zero would be one."""
-    return Goal(COVER, _total([Scale(branch.by, branch.where) for branch in sentence.branches]), ONE)
+    return Goal(COVER, _total([w.Scale(branch.by, branch.where) for branch in sentence.branches]), ONE)
 
 
 def _total(terms: list[Node]) -> Node:
-    return Sum(tuple(terms)) if len(terms) > 1 else terms[0] if terms else NOTHING
+    return w.Sum(tuple(terms)) if len(terms) > 1 else terms[0] if terms else NOTHING
 
 
 def _circles(values: dict[Node, Node]) -> Iterator[Goal]:
     for key, cosine in values.items():
-        if isinstance(key, Call) and key.function == "cos":
-            sine = values[Call("sin", key.argument)]
-            yield Goal("cosine and sine lie on the unit circle", Sum((Power(cosine, 2), Power(sine, 2))), ONE)
+        if isinstance(key, w.Call) and key.function == "cos":
+            sine = values[w.Call("sin", key.argument)]
+            yield Goal("cosine and sine lie on the unit circle", w.Sum((w.Power(cosine, 2), w.Power(sine, 2))), ONE)
 
 
 def _fitting(sentence: Inverse, branch: Branch, values: dict[Node, Node], accepted: AcceptedSides) -> Iterator[Goal]:
     """The values are such as the formula asks for."""
     for hypothesis in _asked(sentence, values):
         for one, other in hypothesis.equations:
-            yield Goal(f"the values satisfy {hypothesis.text}", replace(one, values), replace(other, values))
+            yield Goal(f"the values satisfy {hypothesis.text}", w.replace(one, values), w.replace(other, values))
         for quantity in hypothesis.nonvanishing:
-            yield _invertible(branch, replace(quantity, values), f"the values satisfy {hypothesis.text}")
+            yield _invertible(branch, w.replace(quantity, values), f"the values satisfy {hypothesis.text}")
     for statement in sentence.satisfying:
         one, other = accepted(statement)
-        yield Goal(f"the values satisfy ({statement.number})", replace(one, values), replace(other, values))
+        yield Goal(f"the values satisfy ({statement.number})", w.replace(one, values), w.replace(other, values))
 
 
 def _asked(sentence: Inverse, values: dict[Node, Node]) -> Iterator[Hypothesis]:
     """What the formula, and all it rests on, assumes of the symbols that occur in it or that the values stand for."""
-    symbols = {symbol for node in (sentence.of.right, *values) for symbol in symbols_of(node)}
+    symbols = {symbol for node in (sentence.of.right, *values) for symbol in w.symbols_of(node)}
     for hypothesis in dict.fromkeys(_hypotheses(sentence.of)):
-        concerned = {symbol for node in hypothesis.subjects for symbol in symbols_of(node)}
+        concerned = {symbol for node in hypothesis.subjects for symbol in w.symbols_of(node)}
         if concerned & symbols and hypothesis not in sentence.assuming:
             yield hypothesis
 
@@ -193,7 +179,7 @@ def _following(sentence: Inverse, branch: Branch, hypothesis: Hypothesis) -> Ite
     """What a branch assumes holds where it is taken; an equation may need to be divided by what the domain excludes."""
     atoms = [node for assumed in sentence.assuming for node in assumed.nonvanishing]
     for one, other in hypothesis.equations:
-        shown = Quotient(Scale(reduce(mul, atoms), one), reduce(mul, atoms)) if atoms else one
+        shown = w.Quotient(w.Scale(reduce(mul, atoms), one), reduce(mul, atoms)) if atoms else one
         yield Goal(f"it follows that {hypothesis.text}", shown, other)
     for quantity in hypothesis.nonvanishing:
         yield _invertible(branch, quantity, f"it follows that {hypothesis.text}")
@@ -203,24 +189,26 @@ def _invertible(branch: Branch, quantity: Node, label: str) -> Goal:
     """What has an inverse is not zero; zero itself has none."""
     if measured(quantity).grid[0][0] is None:
         return Goal(label, quantity, ONE)
-    return Goal(label, Scale(quantity, dict(branch.inverses).get(quantity, Quotient(ONE, quantity))), ONE)
+    return Goal(label, w.Scale(quantity, dict(branch.inverses).get(quantity, w.Quotient(ONE, quantity))), ONE)
 
 
 def _vanishing(where: Node) -> Hypothesis:
     """An earlier branch is not taken: a norm vanishes only with all entries of its vector."""
-    equation = (where.of, Zero(*where.of.shape)) if isinstance(where, Norm) else (where, NOTHING)
-    return Hypothesis("untaken", (equation[0],), (equation,), (), "", f"{plain(where)} = 0", free=True)
+    equation = (where.of, w.Zero(*where.of.shape)) if isinstance(where, w.Norm) else (where, NOTHING)
+    return Hypothesis("untaken", (equation[0],), (equation,), (), "", f"{w.plain(where)} = 0", free=True)
 
 
 def _turned(sentence: Inverse, right: Node) -> Problem:
     """The formula, and what it asks for, are the same when the values in `sign` change their sign together."""
-    turn: dict[Node, Node] = {key: Negative(key) for key in sentence.sign}
+    turn: dict[Node, Node] = {key: w.Negative(key) for key in sentence.sign}
     hypotheses = tuple(dict.fromkeys(_hypotheses(sentence.of)))
-    goals = [Goal("the formula returns the same", replace(right, turn), right)]
+    goals = [Goal("the formula returns the same", w.replace(right, turn), right)]
     for hypothesis in hypotheses:
-        goals += [Goal(f"still {hypothesis.text}", replace(a, turn), replace(b, turn)) for a, b in hypothesis.equations]
+        goals += [
+            Goal(f"still {hypothesis.text}", w.replace(a, turn), w.replace(b, turn)) for a, b in hypothesis.equations
+        ]
     return Problem(tuple(goals), hypotheses=hypotheses)
 
 
-def _partner(key: Call) -> str:
+def _partner(key: w.Call) -> str:
     return "sin" if key.function == "cos" else "cos"

@@ -10,29 +10,14 @@ from dataclasses import replace as with_fields
 from fractions import Fraction
 from functools import lru_cache
 
+from chasles import vocabulary as w
 from chasles.statements.hypotheses import Hypothesis
-from chasles.vocabulary import (
-    At,
-    Contract,
-    Group,
-    Negative,
-    Node,
-    Norm,
-    Number,
-    Power,
-    Quotient,
-    Scale,
-    Symbol,
-    Transpose,
-    children,
-    replace,
-    walk,
-)
+from chasles.vocabulary import Node
 
 
 @lru_cache(maxsize=4096)
 def _has_length(node: Node) -> bool:
-    return any(isinstance(part, Norm) for part in walk(node))
+    return any(isinstance(part, w.Norm) for part in w.walk(node))
 
 
 class Lengths:
@@ -51,12 +36,12 @@ class Lengths:
             return node
         # An even power of a norm is a polynomial as it stands, whatever is known of the norm; what is divided by is
         # to be found among what does not vanish.
-        divisors = {part for each in walk(node) if isinstance(each, Quotient) for part in walk(each.denominator)}
-        squares: dict[Node, Node] = {part: part for part in walk(node) if _is_square(part) and part not in divisors}
-        loose = [part for part in _outside(node, squares) if isinstance(part, Norm)]
+        divisors = {part for each in w.walk(node) if isinstance(each, w.Quotient) for part in w.walk(each.denominator)}
+        squares: dict[Node, Node] = {part: part for part in w.walk(node) if _is_square(part) and part not in divisors}
+        loose = [part for part in _outside(node, squares) if isinstance(part, w.Norm)]
         lengths = {part: self._length(part.of) for part in loose}
         changed: dict[Node, Node] = {old: new for old, new in lengths.items() if old != new}
-        return replace(node, squares | changed) if changed else node
+        return w.replace(node, squares | changed) if changed else node
 
     def hypothesis(self, said: Hypothesis) -> Hypothesis:
         """The same said of simpler lengths."""
@@ -65,40 +50,40 @@ class Lengths:
 
     def _length(self, of: Node) -> Node:
         match of:
-            case Group(inner) | Negative(inner) | At(inner, "t"):
+            case w.Group(inner) | w.Negative(inner) | w.At(inner, "t"):
                 return self._length(inner)
-            case Scale(Number(value), inner):
-                return Scale(Number(abs(value)), self._length(inner))
-            case Scale(factor, inner) if self._is_nonnegative(factor):
-                return Scale(factor, self._length(inner))
-            case Quotient(inner, Number(value)):
-                return Quotient(self._length(inner), Number(abs(value)))
-            case Quotient(inner, divisor) if self._is_nonnegative(divisor):
-                return Quotient(self._length(inner), divisor)
-            case Contract((Scale(factor, matrix), *rest)):
-                return self._length(Scale(factor, Contract((matrix, *rest))))
-            case Contract((matrix, *rest)) if rest and self._turns(matrix):
-                return self._length(rest[0] if len(rest) == 1 else Contract(tuple(rest)))
-            case Symbol() if self._says("unit", of):
-                return Number(Fraction(1))
-        return Norm(of)
+            case w.Scale(w.Number(value), inner):
+                return w.Scale(w.Number(abs(value)), self._length(inner))
+            case w.Scale(factor, inner) if self._is_nonnegative(factor):
+                return w.Scale(factor, self._length(inner))
+            case w.Quotient(inner, w.Number(value)):
+                return w.Quotient(self._length(inner), w.Number(abs(value)))
+            case w.Quotient(inner, divisor) if self._is_nonnegative(divisor):
+                return w.Quotient(self._length(inner), divisor)
+            case w.Contract((w.Scale(factor, matrix), *rest)):
+                return self._length(w.Scale(factor, w.Contract((matrix, *rest))))
+            case w.Contract((matrix, *rest)) if rest and self._turns(matrix):
+                return self._length(rest[0] if len(rest) == 1 else w.Contract(tuple(rest)))
+            case w.Symbol() if self._says("unit", of):
+                return w.Number(Fraction(1))
+        return w.Norm(of)
 
     def _is_nonnegative(self, factor: Node) -> bool:
         match factor:
-            case Number(value):
+            case w.Number(value):
                 return value >= 0
-            case Norm():
+            case w.Norm():
                 return True
-            case Group(of):
+            case w.Group(of):
                 return self._is_nonnegative(of)
-            case Power(of, exponent):
+            case w.Power(of, exponent):
                 return exponent % 2 == 0 or self._is_nonnegative(of)
-            case Scale(one, other) | Quotient(one, other):
+            case w.Scale(one, other) | w.Quotient(one, other):
                 return self._is_nonnegative(one) and self._is_nonnegative(other)
         return self._says("positive", factor)
 
     def _turns(self, matrix: Node) -> bool:
-        inner = matrix.of if isinstance(matrix, Transpose | Group) else matrix
+        inner = matrix.of if isinstance(matrix, w.Transpose | w.Group) else matrix
         return self._says("rotation", inner)
 
     def _says(self, kind: str, subject: Node) -> bool:
@@ -109,12 +94,12 @@ class Lengths:
 
 
 def _is_square(node: Node) -> bool:
-    return isinstance(node, Power) and isinstance(node.base, Norm) and node.exponent % 2 == 0
+    return isinstance(node, w.Power) and isinstance(node.base, w.Norm) and node.exponent % 2 == 0
 
 
 def _outside(node: Node, squares: Collection[Node]) -> Iterator[Node]:
     """The node and what is below it, but not what is below an even power of a norm."""
     if node not in squares:
         yield node
-        for part in children(node):
+        for part in w.children(node):
             yield from _outside(part, squares)

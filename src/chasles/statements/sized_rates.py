@@ -6,22 +6,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace as with_fields
 from functools import partial
 
+from chasles import vocabulary as w
 from chasles.statements.hypotheses import Hypothesis, symmetric
 from chasles.statements.rules import rated
-from chasles.vocabulary import (
-    Misfit,
-    Node,
-    Symbol,
-    Zero,
-    children,
-    inverse,
-    plain,
-    rebuilt,
-    replace,
-    tr,
-    undotted,
-    walk,
-)
+from chasles.vocabulary import Node
 from chasles.vocabulary.differentiation import NoRule, rate_of
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.layout import At, Group, Rate
@@ -36,7 +24,7 @@ class SizedRates:
 
     def __init__(self, rules: Mapping[Node, Node]) -> None:
         self.rules = rules
-        self.letters: dict[Node, Symbol] = {}
+        self.letters: dict[Node, w.Symbol] = {}
 
     def __call__(self, node: Node) -> Node:
         """The expression in which each rate of a symbol is a letter."""
@@ -47,62 +35,62 @@ class SizedRates:
         match node:
             case Rate(of):
                 return self._rate(self._carried_out(of))
-            case Symbol(stands_for=Node() as of):
+            case w.Symbol(stands_for=Node() as of):
                 return self._carried_out(of)
             case _:
-                parts = children(node)
+                parts = w.children(node)
                 changed = tuple(map(self._carried_out, parts))
-                return node if changed == parts else rebuilt(node, changed)
+                return node if changed == parts else w.rebuilt(node, changed)
 
     def _rate(self, node: Node) -> Node:
         match node:
             case _ if node in self.rules:
                 return self._rate(self._carried_out(self.rules[node]))
-            case Symbol(constant=True):
-                return Zero(*node.shape)
-            case Symbol() | Rate():
+            case w.Symbol(constant=True):
+                return w.Zero(*node.shape)
+            case w.Symbol() | Rate():
                 return Rate(node)
             case Inverse(of):
                 return -(node @ self._rate(of) @ node)
             case Determinant(of):
-                return node * tr(inverse(of) @ self._rate(of))
+                return node * w.tr(w.inverse(of) @ self._rate(of))
             case Group(of) | At(of, "t"):
                 return self._rate(of)
             case _:
                 try:
                     return self._resolved(rate_of(node))
                 except NoRule as error:
-                    raise Misfit(str(error)) from None
+                    raise w.Misfit(str(error)) from None
 
     def _resolved(self, node: Node) -> Node:
         if isinstance(node, Rate):
             return self._rate(node.of)
-        parts = children(node)
-        return rebuilt(node, tuple(map(self._resolved, parts))) if parts else node
+        parts = w.children(node)
+        return w.rebuilt(node, tuple(map(self._resolved, parts))) if parts else node
 
     def _lettered(self, node: Node) -> Node:
         if isinstance(node, Rate):
-            base, _ = undotted(node)
-            home = base.home if isinstance(base, Symbol) else ""
-            made = Symbol(plain(node), plain(node), measured(node), f"the rate of {base}", home=home)
+            base, _ = w.undotted(node)
+            home = base.home if isinstance(base, w.Symbol) else ""
+            made = w.Symbol(w.plain(node), w.plain(node), measured(node), f"the rate of {base}", home=home)
             return self.letters.setdefault(node, made)
-        parts = children(node)
+        parts = w.children(node)
         changed = tuple(map(self._lettered, parts))
-        return node if changed == parts else rebuilt(node, changed)
+        return node if changed == parts else w.rebuilt(node, changed)
 
     def bound(self, hypotheses: tuple[Hypothesis, ...]) -> Iterator[Hypothesis]:
         """What is assumed, and what it says of the rates that came up: the rate of each equation holds too."""
         yield from hypotheses
-        highest = dict(sorted(map(undotted, self.letters), key=lambda each: each[1]))
+        highest = dict(sorted(map(w.undotted, self.letters), key=lambda each: each[1]))
         for base, order in ((base, order) for base, most in highest.items() for order in range(1, most + 1)):
             letter = self._lettered(rated(base, order))
             for hypothesis in hypotheses:
-                if not any(base in walk(side) for equation in hypothesis.equations for side in equation):
+                if not any(base in w.walk(side) for equation in hypothesis.equations for side in equation):
                     continue
                 if hypothesis.kind in ("symmetric", "definite"):
                     yield with_fields(symmetric(letter), text=hypothesis.text)
                 elif hypothesis.kind == "skew-symmetric":
-                    yield hypothesis.rewritten(partial(replace, values={base: letter}))
+                    yield hypothesis.rewritten(partial(w.replace, values={base: letter}))
                 else:
                     sides = ((rated(left, order), rated(right, order)) for left, right in hypothesis.equations)
                     equations = tuple((self(left), self(right)) for left, right in sides)

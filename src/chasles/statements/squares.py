@@ -8,24 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+from chasles import vocabulary as w
 from chasles.statements.hypotheses import Hypothesis
-from chasles.vocabulary import (
-    Contract,
-    Dot,
-    Group,
-    Integral,
-    Misfit,
-    Node,
-    Norm,
-    Number,
-    Power,
-    Quotient,
-    Scale,
-    Sum,
-    Symbol,
-    Trace,
-    Transpose,
-)
+from chasles.vocabulary import Node
 
 
 def squared(square: Node) -> tuple[Node, ...]:
@@ -35,53 +20,53 @@ def squared(square: Node) -> tuple[Node, ...]:
     vanishes where the square does in every element of the body, which is no equation.
     """
     match square:
-        case Number() | Symbol():
+        case w.Number() | w.Symbol():
             return ()
-        case Group(of):
+        case w.Group(of):
             return squared(of)
-        case Norm(of) | Power(Norm(of), _) | Power(of, _):
+        case w.Norm(of) | w.Power(w.Norm(of), _) | w.Power(of, _):
             return (of,)
-        case Dot(left, right) if left == right:
+        case w.Dot(left, right) if left == right:
             return (left,)
-        case Contract((Transpose(left), *_, right)) if left == right:
+        case w.Contract((w.Transpose(left), *_, right)) if left == right:
             return (left,)
-        case Scale(factor, term) | Quotient(term, factor):
+        case w.Scale(factor, term) | w.Quotient(term, factor):
             found = (*squared(factor), *squared(term))
             if len(found) < 2:
                 return found
-    raise Misfit(f"{square} is not one square times factors that do not vanish")
+    raise w.Misfit(f"{square} is not one square times factors that do not vanish")
 
 
 def relied_on(square: Node, hypotheses: Iterable[Hypothesis]) -> Iterator[Hypothesis]:
     """The hypotheses by which the expression is never negative; raises `Misfit` if it is not seen to be so."""
     match square:
-        case Number(value) if value >= 0:
+        case w.Number(value) if value >= 0:
             return
-        case Norm():
+        case w.Norm():
             return
-        case Power(base, exponent) if base.is_scalar and exponent % 2 == 0:
+        case w.Power(base, exponent) if base.is_scalar and exponent % 2 == 0:
             return
-        case Dot(left, right) if left == right:
+        case w.Dot(left, right) if left == right:
             return
-        case Contract((Transpose(left), right)) | Trace(Contract((Transpose(left), right))) if left == right:
+        case w.Contract((w.Transpose(left), right)) | w.Trace(w.Contract((w.Transpose(left), right))) if left == right:
             return
-        case Symbol():
+        case w.Symbol():
             yield _named("positive", square, hypotheses)
-        case Contract((Transpose(left), matrix, right)) if left == right:
+        case w.Contract((w.Transpose(left), matrix, right)) if left == right:
             yield _named("definite", matrix, hypotheses)
-        case Scale(factor, term) | Quotient(factor, term):
+        case w.Scale(factor, term) | w.Quotient(factor, term):
             yield from relied_on(factor, hypotheses)
             yield from relied_on(term, hypotheses)
-        case Sum(terms):
+        case w.Sum(terms):
             for term in terms:
                 yield from relied_on(term, hypotheses)
-        case Group(of) | Power(of, _):
+        case w.Group(of) | w.Power(of, _):
             yield from relied_on(of, hypotheses)
-        case Integral(of, density):
+        case w.Integral(of, density):
             yield _named("positive", density, hypotheses)
             yield from relied_on(of, hypotheses)
         case _:
-            raise Misfit(f"{square} is not seen to be a square, or a sum of squares with positive factors")
+            raise w.Misfit(f"{square} is not seen to be a square, or a sum of squares with positive factors")
 
 
 def _named(kind: str, subject: Node, hypotheses: Iterable[Hypothesis]) -> Hypothesis:
@@ -89,4 +74,4 @@ def _named(kind: str, subject: Node, hypotheses: Iterable[Hypothesis]) -> Hypoth
     for hypothesis in hypotheses:
         if hypothesis.kind == kind and subject in hypothesis.subjects:
             return hypothesis
-    raise Misfit(f"{subject} is not assumed to be {kind}, so a sum with it is not seen to be one of squares")
+    raise w.Misfit(f"{subject} is not assumed to be {kind}, so a sum with it is not seen to be one of squares")
