@@ -71,9 +71,8 @@ def _multiplied(node: Node, parent: Node | None, factors: Factors) -> Iterator[S
             size = parts[k].shape[0] if k < len(parts) else parts[-1].shape[1]
             if factor.shape[0] == size:
                 made = (*parts[:k], factor, *parts[k:])
-                yield SingleEdit(
-                    w.printed(lambda: w.Contract(made)), f"the factor {w.plain(factor)} is added", FORM + 1
-                )  # noqa: B023
+                words = f"the factor {w.plain(factor)} is added"
+                yield SingleEdit(w.printed(lambda: w.Contract(made)), words, FORM + 1)  # noqa: B023
 
 
 def _unknown(node: Node, parent: Node | None, factors: Factors) -> Iterator[SingleEdit]:

@@ -225,9 +225,7 @@ def _collect(basis: TermBasis, node: Node, without: frozenset[Node], *, factor: 
             basis.scalars.setdefault(w.Quotient(ONE, denominator))
         case w.Sum() if factor and not node.is_scalar and not any(part in without for part in w.walk(node)):
             _enter(basis, node)
-        case w.Inverse() | w.Transpose(w.Symbol()) if _is_array(node) and not any(
-            part in without for part in w.walk(node)
-        ):
+        case w.Inverse() | w.Transpose(w.Symbol()) if _is_array(node) and without.isdisjoint(w.walk(node)):
             _enter(basis, node)
         case w.Contract(factors):
             for one, other in pairwise(factors):
