@@ -25,6 +25,8 @@ from chasles.pages.quantities import Quantity, quantities, quantity, symbols_in
 from chasles.statements import Claim, Condition, Statement
 from chasles.vocabulary import Node
 
+FEW = 2
+"""After so many sets of premises it is asked whether the claim can follow from all rules of the page at once."""
 MOST_POSED = 4
 """So many posed equations, the last ones, are tried together for a proof."""
 
@@ -50,7 +52,9 @@ def attempts(claim: Claim, premises: Premises, consequences: Consequences) -> It
     opened = {id(each): named(each) for each in premises.opened.values()}
     seen: set[tuple[frozenset[int], frozenset[int]]] = set()
     asked: set[tuple[frozenset[int], frozenset[int]]] = set()
-    for tried in _premise_sets(claim, premises):
+    for place, tried in enumerate(_premise_sets(claim, premises)):
+        if place == FEW:
+            consequences.refute(*claim.printed, {**premises.defined(), **premises.proved, **premises.opened})
         likely = consequences.may_follow(*claim.printed, *tried) if _is_new(*tried, asked) else False
         chosen = consequences.least(*claim.printed, *tried) if likely else tried
         if likely is not False and _is_new(*chosen, seen):

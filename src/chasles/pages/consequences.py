@@ -13,21 +13,19 @@ import numpy as np
 
 from chasles.evaluation.matrices import Matrix
 from chasles.pages.premises import PosedEquation, Rules, chosen_rules
-from chasles.pages.quantities import symbols_in
+from chasles.pages.quantities import quantities, symbols_in
 from chasles.pages.random_motion import TERMS, Key, NotInMotion, RandomMotion, TooFewTerms, ValuesInMotion, dotted
 from chasles.pages.time_series import Array
 from chasles.statements import Hypothesis
 from chasles.statements.fingerprint import Fingerprints
 from chasles.vocabulary import Integral, Node, Symbol, walk
 
-FIRST_TERMS = 3
-"""Terms of each series that are tried first."""
 TOLERANCE = 1e-6
 """Relative to the size of what is compared: what is left of rounding is smaller, and mostly what differs is larger."""
 STEPS = 24
 """So many steps Newton's method takes."""
-SHORTER = np.array([1, 1 / 2, 1 / 4, 1 / 8, 1 / 32])
-"""The parts of a step of which the best is taken."""
+SHORTER = (1, 1 / 2, 1 / 4, 1 / 8, 1 / 32)
+"""The parts of a step of which the first is taken that leaves less."""
 RESTRICTED = 0.05
 """How much rather the numbers of a symbol are changed of which no facts are known: on these less depends."""
 ENOUGH = 0.9
@@ -52,6 +50,7 @@ class Consequences:
     ) -> None:
         self.motion = RandomMotion(facts)
         self._known = {} if known is None else known
+        self._refuted: dict[Pair, list[tuple[frozenset[int], frozenset[int]]]] = {}
         self._keys: dict[int, tuple[Node, str]] = {}
         self._fingerprints = Fingerprints()
         self._found: dict[tuple[frozenset[int], frozenset[int], int], RandomMotion | None] = {}
@@ -70,6 +69,17 @@ class Consequences:
             self._known[key] = self._may_follow(left, right, rules, posed)
         return self._known[key]
 
+    def refute(self, left: Node, right: Node, rules: Rules) -> None:
+        """Look whether the sides differ under all the rules that reach them, where these need not be made to agree."""
+        chosen = chosen_rules((left, right), rules)
+        if next(_agreements(chosen), None) is None:
+            self.may_follow(left, right, chosen)
+
+    def _is_refuted(self, pair: Pair, rules: Rules, posed: Sequence[PosedEquation]) -> bool:
+        """Whether the two differ at a motion that satisfies all this, and more."""
+        own = frozenset(map(id, rules.values())), frozenset(map(id, posed))
+        return any(own[0] <= more[0] and own[1] <= more[1] for more in self._refuted.get(pair, ()))
+
     def _key(self, node: Node) -> str:
         """What an expression is, and of which kinds its symbols are."""
         if id(node) not in self._keys:
@@ -78,16 +88,25 @@ class Consequences:
         return self._keys[id(node)][1]
 
     def _may_follow(self, left: Node, right: Node, rules: Rules, posed: Sequence[PosedEquation]) -> bool | None:
+        if self._is_refuted((left, right), rules, posed):
+            return False
         pairs = (*((each.left, each.right) for each in posed), *_agreements(rules))
-        running = _running((left, right, *(s for pair in pairs for s in pair), *(r.right for r in rules.values())))
-        for terms in range(FIRST_TERMS, TERMS + 1):
+        spoken = (left, right, *(side for pair in pairs for side in pair), *(rule.right for rule in rules.values()))
+        running = _running(spoken)
+        orders = (order for side in spoken for _, order in quantities(side))
+        for terms in range(1 + max((*orders, *(order for _, order in rules)), default=0), TERMS + 1):
             try:
                 with np.errstate(all="ignore"):
                     motion = self._satisfying(pairs, rules, running, terms, posed) if pairs else self.motion
                     if motion is None:
                         return False
                     values = self._values(motion, rules, running, terms)
-                    return _equal(values(left), values(right))
+                    found = _equal(values(left), values(right))
+                    if found is False:
+                        self._kept += [*posed, *rules.values()]
+                        key = frozenset(map(id, rules.values())), frozenset(map(id, posed))
+                        self._refuted.setdefault((left, right), []).append(key)
+                    return found
             except TooFewTerms:
                 continue
             except (NotInMotion, KeyError, TypeError, ValueError, RecursionError, np.linalg.LinAlgError):
@@ -155,22 +174,29 @@ def satisfying(
     if len(places) > MOST_NUMBERS:
         raise NotInMotion
     ease = np.array([RESTRICTED if motion.restricts(key[0]) else 1.0 for key, _ in places])
+    shifts = SMALL_CHANGE * np.eye(len(places), 1 + len(places), 1)
+
+    def residual_at(step: Array) -> tuple[Array, float, float]:
+        """What is left there, and beside it for each number changed a little; the size of the sides, what is left."""
+        values = _at(motion, numbers, places, step[:, None] + shifts, rules, running, terms)
+        found, size = _residual(equations, values)
+        return found, size, float(np.max(np.abs(found[:, 0])))
+
+    residual, size, left = residual_at(np.zeros(len(places)))
     for _ in range(STEPS):
-        steps = SMALL_CHANGE * np.eye(len(places), 1 + len(places), 1)
-        residual, size = _residual(equations, _at(motion, numbers, places, steps, rules, running, terms))
-        left = np.max(np.abs(residual[:, 0]))
         if not np.all(np.isfinite(residual)):
             raise NotInMotion
         slopes = (residual[:, 1:] - residual[:, :1]) / SMALL_CHANGE * ease
-        steps = np.outer(ease * _least_solution(slopes, -residual[:, 0]), SHORTER)
-        residual, size = _residual(equations, _at(motion, numbers, places, steps, rules, running, terms))
-        tried = np.max(np.abs(residual), axis=0)
-        best = int(np.nanargmin(tried))
-        if not tried[best] < max(ENOUGH * left, PRECISION * size):
+        whole, before = ease * _least_solution(slopes, -residual[:, 0]), left
+        for part in SHORTER:
+            residual, size, left = residual_at(part * whole)
+            if left < max(ENOUGH * before, PRECISION * size):
+                break
+        else:
             return None
-        for (key, place), change in zip(places, steps[:, best], strict=True):
+        for (key, place), change in zip(places, part * whole, strict=True):
             numbers[key][*place, 0] += change
-        if tried[best] < PRECISION * size:
+        if left < PRECISION * size:
             return motion.with_numbers(numbers)
     raise NotInMotion
 

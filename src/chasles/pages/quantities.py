@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
+from functools import lru_cache
 
 from chasles.statements.statement import bare
 from chasles.vocabulary import Node, Rate, Symbol, undotted
@@ -19,21 +20,21 @@ def quantity(node: Node) -> Quantity | None:
     return (base, order) if isinstance(base, Symbol) and base.stands_for is None else None
 
 
-def quantities(node: Node, order: int = 0) -> Iterator[Quantity]:
-    """The symbols that occur and how often they are dotted, abbreviations opened."""
+@lru_cache(maxsize=4096)
+def quantities(node: Node, order: int = 0) -> tuple[Quantity, ...]:
+    """The symbols that occur and how often they are dotted, abbreviations opened, each once."""
     match node:
         case Symbol(stands_for=None):
-            yield node, order
+            return ((node, order),)
         case Symbol(stands_for=Node() as meant):
-            yield from quantities(meant, order)
+            return quantities(meant, order)
         case Rate(of):
-            yield from quantities(of, order + 1)
+            return quantities(of, order + 1)
         case Member(family):
-            for member in family.members:
-                yield from quantities(member, order)
+            below: Iterable[Node] = family.members
         case _:
-            for part in node.below:
-                yield from quantities(part, order)
+            below = node.below
+    return tuple(dict.fromkeys(found for part in below for found in quantities(part, order)))
 
 
 def symbols_in(sides: Iterable[Node]) -> set[Symbol]:

@@ -15,7 +15,7 @@ from chasles.pages.slips import true_but_for_a_slip
 from chasles.reading.fits import OF_ITS_OWN
 from chasles.repairs.repair import Repair
 from chasles.statements import Claim
-from chasles.verdict import Fails, Verdict
+from chasles.verdict import Fails, Undecided, Verdict
 from chasles.vocabulary import walk
 from chasles.vocabulary.expansions import Limit, UpTo
 
@@ -36,13 +36,20 @@ def expanded(claim: Claim, premises: Premises, session: Session) -> PageFinding:
     return PageFinding("claim", verdict, attempt, open=not (verdict.true or (isinstance(verdict, Fails) and is_alone)))
 
 
-def refuted(claim: Claim, premises: Premises, session: Session, consequences: Consequences, told: bool) -> PageFinding:
-    """The finding on a claim that is not proved: it fails, or is open."""
+def refuted(
+    claim: Claim, premises: Premises, session: Session, consequences: Consequences, told: bool, may_define: bool
+) -> PageFinding:
+    """The finding on a claim that is not proved: it fails, or is open; one that may define tells no point then."""
     rules = chosen_rules(claim.printed, premises.defined())
-    verdict = verdict_on(with_premises(claim, premises, rules, ()), session)
     of_its_own = any(symbol.meaning == OF_ITS_OWN for symbol, _ in free_quantities(claim.printed, rules))
-    is_asked = isinstance(verdict, Fails) and not is_defining(claim) and not of_its_own
-    instead = _instead(claim, premises, session, consequences) if is_asked else None
+    is_asked = not is_defining(claim) and not of_its_own
+    is_false = may_define and consequences.may_follow(*claim.printed, rules) is False
+    instead = _instead(claim, premises, session, consequences) if is_asked and is_false else None
+    if is_false and instead is None:
+        return PageFinding("claim", Undecided("nothing near it is true"), claim, open=True)
+    verdict = verdict_on(with_premises(claim, premises, rules, ()), session)
+    if is_asked and instead is None and isinstance(verdict, Fails):
+        instead = _instead(claim, premises, session, consequences)
     if not isinstance(verdict, Fails) or (instead is None and not told) or of_its_own:
         return PageFinding("claim", verdict, claim, open=True)
     everywhere: list[tuple[Claim, Verdict]] = []
