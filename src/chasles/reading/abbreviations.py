@@ -11,7 +11,7 @@ MOST_TERMS = 12
 MOST_TOKENS = 5_000
 KINDS = (r"\in", r"\subset")
 SIGNS = {r"\pm": "+-", r"\mp": "-+"}
-JOINED = {r"\sum": "+", r"\prod": ""}
+JOINED = {r"\sum": ("+",), r"\prod": ("", "()")}
 ENDS = frozenset({*RELATIONS, "+", "-", r"\pm", r"\mp", ",", ";", r"\quad", "&", r"\\", ")", "]", r"\}", "}"})
 
 
@@ -39,13 +39,14 @@ def _terms_in_full(line: Tokens) -> Tokens:
             index, values, begin = bounds
             end = _end_of_term(line, begin)
             terms: list[Token] = []
+            around = [line[start]._replace(text=text) for text in "()"]
             for value in values:
-                sign = JOINED[line[start].text] if terms else ""
-                terms += [line[start]._replace(text=sign)] if sign else []
-                terms += _with(line[begin:end], index, str(value))
+                sign, *brackets = JOINED[line[start].text]
+                terms += [line[start]._replace(text=sign)] if sign and terms else []
+                inside = _with(line[begin:end], index, str(value))
+                terms += inside if not brackets else [around[0], *inside, around[1]]
             if len(line) + len(terms) > MOST_TOKENS:
                 return line
-            around = [line[start]._replace(text=text) for text in "()"]
             line = (*line[:start], around[0], *terms, around[1], *line[end:])
     return line
 
@@ -75,7 +76,14 @@ def _end_of_term(line: Tokens, begin: int) -> int:
 
 
 def _with(term: Tokens, index: str, value: str) -> Iterator[Token]:
-    """The term with a number for its index, where that is a letter without a typeface."""
+    """The term with a number for its index, where that is a letter without a typeface; in brackets but in scripts."""
+    groups = [""]
     for place, token in enumerate(term):
-        is_styled = place > 1 and term[place - 1].text == "{" and term[place - 2].text.startswith((r"\math", r"\bold"))
-        yield token._replace(text=value) if token.text == index and not is_styled else token
+        if token.text == "{":
+            groups.append(term[place - 1].text if place and groups[-1] not in ("_", "^") else groups[-1])
+        is_index = token.text == index and not groups[-1].startswith((r"\math", r"\bold"))
+        is_bare = is_index and groups[-1] not in ("_", "^")
+        yield from (token._replace(text=text) for text in (("(", value, ")") if is_bare else (value,) * is_index))
+        yield from (token,) * (not is_index)
+        if token.text == "}" and len(groups) > 1:
+            groups.pop()

@@ -13,7 +13,7 @@ from chasles.reading.fits import MOST, UNUSUAL, Fit, letters_agree
 from chasles.reading.grammar import Chain, formula
 from chasles.reading.grouping import RELATIONS, Tokens, Unread
 from chasles.reading.lexemes import BadPage
-from chasles.reading.page_functions import functions_in
+from chasles.reading.page_functions import functions_in, shown_alone
 from chasles.reading.page_notation import PageNotation
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.reading import Part, ReadEquation, Reading
@@ -42,7 +42,8 @@ def read_equations(printed: Sequence[PrintedEquation], notation: PageNotation) -
     """Each printed equation with its readings; one that begins with a relation goes on with the side before."""
     found: list[ReadEquation] = []
     before: Tokens | None = None
-    notation = replace(notation, functions=functions_in(_chains(printed)))
+    chains = list(_chains(printed))
+    notation = replace(notation, functions=functions_in(chains), alone=shown_alone(chains))
     for equation in printed:
         try:
             marks, here = _as_noted(equation, notation), notation.within(equation.section)

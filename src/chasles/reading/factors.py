@@ -6,13 +6,13 @@ from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
 
-from chasles.reading.applying import made_of, with_marks
+from chasles.reading.applying import applied, made_of, with_marks
 from chasles.reading.context import FittingContext
-from chasles.reading.fits import UNUSUAL, Fit, made
-from chasles.reading.glyphs import letter_of, said_of, with_arguments
+from chasles.reading.fits import UNUSUAL, Fit, made, own_quantity
+from chasles.reading.glyphs import Glyph, letter_of, said_of, spelled, with_arguments
 from chasles.reading.grammar import Atom
 from chasles.reading.marks import atom_fits, letter_fits
-from chasles.reading.page_functions import lists_letters
+from chasles.reading.page_functions import lists_letters, makes_difference
 from chasles.reading.page_notation import repeated_rate
 from chasles.reading.quotients import (
     derivative_by,
@@ -24,7 +24,8 @@ from chasles.reading.quotients import (
     upright,
 )
 from chasles.reading.spellings import Make, called
-from chasles.vocabulary import At, symbols_of
+from chasles.vocabulary import At, Group, Node, Symbol, latex, symbols_of
+from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.partial import PartialDerivative
 from chasles.vocabulary.spelling import Precedence
 
@@ -43,10 +44,9 @@ def factors(items: tuple[Atom, ...], start: int, ctx: FittingContext) -> Iterato
         return
     makes = spellings.names.get(subscripted) or spellings.names.get(name)
     if makes and atom.kind in ("LETTER", "COMMAND") and start + 1 < len(items):
-        applied = list(_applications(items, start, makes, ctx))
-        yield from applied
-        known = any(fits for _, fits in applied)
-        if known or not _is_letter(atom, ctx):
+        values = list(_applications(items, start, makes, ctx))
+        yield from values
+        if any(fits for _, fits in values) or not _is_letter(atom, ctx):
             return
     if (makes := spellings.subscripted.get(name)) and atom.sub:
         yield start + 1, list(made_of(makes, [[fit] for fit in of_tokens(atom.sub, ctx)], atom, ctx))
@@ -56,8 +56,19 @@ def factors(items: tuple[Atom, ...], start: int, ctx: FittingContext) -> Iterato
             inner = [[fit] for fit in ctx.product(items[start + 1 : end])]
             yield end, list(made_of(operators, inner, None, ctx))
         return
-    fits = atom_fits(atom, ctx)
     behind = items[start + 1] if start + 1 < len(items) else None
+    if behind is not None and makes_difference(atom, behind, ctx.notation.alone) and not _is_function(behind, ctx):
+        if lists_letters(behind) and (value := _value_fits(atom, behind, ctx)):
+            yield start + 2, value
+            return
+        make = partial(_difference, atom, ctx.notation.home)
+        for end, inner in factors(items, start + 1, ctx):
+            yield end, applied((make,), inner, ctx, Glyph(""), atom.text)
+        return
+    if behind is not None and _is_inverse_function(atom, behind, ctx):
+        ctx.note(f"{spelled(letter_of(atom))} before an argument is an inverse function", atom.place)
+        return
+    fits = atom_fits(atom, ctx)
     if behind is not None and (value := _value_fits(atom, behind, ctx)):
         yield start + 2, with_marks(value, replace(letter_of(behind), accents=(), base=""), ctx)
         fits = [replace(fit, cost=fit.cost + (UNUSUAL if lists_letters(behind) else UNUSUAL - 1)) for fit in fits]
@@ -67,6 +78,20 @@ def factors(items: tuple[Atom, ...], start: int, ctx: FittingContext) -> Iterato
         yield start + 2, with_marks(at, replace(letter_of(items[start + 1]), accents=(), base=""), ctx)
         fits = [replace(fit, cost=fit.cost + UNUSUAL) for fit in fits]
     yield start + 1, fits
+
+
+def _difference(sign: Atom, home: str, of: Node) -> Node:
+    """The change of a quantity: one of its own."""
+    said = latex(of) if isinstance(of, Symbol | Group) else rf"\left( {latex(of)} \right)"
+    return own_quantity(f"{spelled(letter_of(sign))} {said}", measured(of), home)
+
+
+def _is_inverse_function(atom: Atom, behind: Atom, ctx: FittingContext) -> bool:
+    """Whether a scalar function that bears the exponent -1 stands before its argument."""
+    letter = letter_of(atom)
+    if letter.sups != ("- 1",) or not ctx.notation.functions.get(replace(letter, sups=())) or not lists_letters(behind):
+        return False
+    return any(node.is_scalar for node, _ in ctx.notation.letters.meanings(letter))
 
 
 def _value_fits(atom: Atom, bracket: Atom, ctx: FittingContext) -> list[Fit]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from chasles.reading.applying import EVALUATED
 from chasles.reading.commands import MARKS
@@ -14,6 +14,7 @@ from chasles.reading.grouping import TYPEFACES, Unread
 from chasles.reading.lexemes import BadPage, Token
 from chasles.reading.marks import SIZE, WITHOUT_WORD
 from chasles.reading.notation_file import load_notation
+from chasles.reading.page_functions import DIFFERENCES, makes_difference, shown_alone
 from chasles.reading.page_notation import PageNotation
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.quotients import upright
@@ -75,6 +76,7 @@ class _Noting:
     at: int
     operators: tuple[str, ...]
     bare: frozenset[str]
+    alone: frozenset[str]
 
 
 def chains_of(equation: PrintedEquation) -> list[Chain]:
@@ -94,10 +96,11 @@ def letter_uses(
     """
     usual = load_notation("")
     uses: dict[Glyph, LetterUse] = {}
-    for place, equation in enumerate(equations):
-        for chain in chains_of(equation):
-            for side in chain.sides:
-                _note(side, "", _Noting(uses, usual, place, operators, bare))
+    found = [chains_of(equation) for equation in equations]
+    alone = shown_alone(chain for chains in found for chain in chains)
+    for place, chains in enumerate(found):
+        for side in (side for chain in chains for side in chain.sides):
+            _note(side, "", _Noting(uses, usual, place, operators, bare, alone))
     if any(map(DIFFERENTIAL.search, texts)):
         uses.pop(Glyph("d"), None)
     elif Glyph("d") in uses:
@@ -109,7 +112,9 @@ def letter_uses(
     for stem, use in uses.items():
         entries = uses.get(Glyph(stem.base, stem.accents, "#"), LetterUse()).letters
         has_parts = not stem.sub and {"x", "y"} <= {glyph.sub for glyph in entries}
-        use.kind, use.other = _kind(stem, use, are_bold, are_thin, has_parts)
+        sign, _, bare_letter = stem.base.partition(" ")
+        of = replace(stem, base=bare_letter) if sign in DIFFERENCES and bare_letter else stem
+        use.kind, use.other = _kind(of, uses.get(of, use), are_bold, are_thin, has_parts)
     return uses
 
 
@@ -170,8 +175,8 @@ def _note(terms: Terms | None, within: str, noting: _Noting) -> None:
                 before = name
                 continue
             if (
-                name in ("d", r"\partial")
-                and isinstance(after, Atom)
+                isinstance(after, Atom)
+                and makes_difference(piece, after, noting.alone)
                 and (after.kind == "LETTER" or after.text in TYPEFACES)
                 and not _is_derivative(terms, within)
             ):

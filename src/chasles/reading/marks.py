@@ -221,6 +221,10 @@ def _column(atom: Atom, rest: Glyph, ctx: FittingContext) -> list[Fit]:
     fits = block_fits([[part] for part in parts], ctx)
     if rest.sups and Transpose not in makes:
         return []
+    shapes = [{fit.shape for fit in part} for part in parts]
+    if atom.text == "[]" and not rest.sups and len(parts) == 2 and shapes[0] & shapes[1]:
+        ctx.note("two in square brackets may be a commutator: write a column as a matrix", atom.place)
+        return []
     return with_marks([replace(fit, cost=fit.cost + 1) for fit in fits], replace(rest, sups=()), ctx)
 
 

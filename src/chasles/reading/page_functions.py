@@ -1,13 +1,13 @@
-"""Which letters of a page are functions: the brackets behind them hold nothing but letters."""
+"""Which letters of a page are functions: the brackets behind them hold nothing but letters; and which are factors."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import pairwise
 
 from chasles.reading.commands import MARKS
-from chasles.reading.glyphs import Glyph, is_operator, letter_of, with_arguments
+from chasles.reading.glyphs import Glyph, is_operator, letter_of, said_of, with_arguments
 from chasles.reading.grammar import Atom, Chain, Terms, terms_in
 from chasles.reading.grouping import TYPEFACES
 
@@ -19,19 +19,47 @@ def functions_in(chains: Iterable[Chain]) -> dict[Glyph, bool]:
     """
     listed: set[Glyph] = set()
     found: dict[bool, set[Glyph]] = {False: set(), True: set()}
+    for one, bracket in _neighbours(chains):
+        letter = replace(letter_of(one), sups=(), place=None)
+        is_called = bracket is not None and with_arguments(letter, bracket) is not None
+        found[is_called].add(letter)
+        listed |= {letter} if bracket is not None and lists_letters(bracket) else set()
+    called = found[True] - found[False]
+    return dict.fromkeys(called, False) | dict.fromkeys(listed | set(filter(is_operator, called)), True)
+
+
+def _neighbours(chains: Iterable[Chain]) -> Iterator[tuple[Atom, Atom | None]]:
+    """Each atom of the page, and the one that stands right behind it."""
     waiting = [side for chain in chains for side in chain.sides if side is not None]
     while waiting:
         for row in waiting.pop().rows:
-            for one, bracket in pairwise((*row.pieces, None)):
-                if not isinstance(one, Atom):
-                    continue
-                letter = replace(letter_of(one), sups=(), place=None)
-                is_called = isinstance(bracket, Atom) and with_arguments(letter, bracket) is not None
-                found[is_called].add(letter)
-                listed |= {letter} if isinstance(bracket, Atom) and lists_letters(bracket) else set()
-                waiting += terms_in(one)
-    called = found[True] - found[False]
-    return dict.fromkeys(called, False) | dict.fromkeys(listed | set(filter(is_operator, called)), True)
+            for one, behind in pairwise((*row.pieces, None)):
+                if isinstance(one, Atom):
+                    yield one, behind if isinstance(behind, Atom) else None
+                    waiting += [*terms_in(one)][_is_derivative(one) :]
+
+
+DIFFERENCES = (r"\Delta", r"\delta", "d", r"\mathrm d", r"\partial")
+"""Before a letter or brackets these make a change of it, and are no factors, unless the page has them alone too."""
+
+
+def shown_alone(chains: Iterable[Chain]) -> frozenset[str]:
+    """The signs of differences that stand on the page where nothing follows them: there they are letters."""
+    return frozenset(letter_of(one).base for one, behind in _neighbours(chains) if behind is None) & {*DIFFERENCES}
+
+
+def _is_derivative(atom: Atom) -> bool:
+    """Whether it is a derivative without what it is of, as d/dt is."""
+    above, below = (said_of(each).removeprefix(r"\mathrm ").split() for each in (*atom.arguments, (), ())[:2])
+    return above[:1] == below[:1] and above[1:2] in ([], ["^"]) and bool(above) and above[0] in DIFFERENCES
+
+
+def makes_difference(sign: Atom, behind: Atom | None, alone: frozenset[str]) -> bool:
+    """Whether what stands behind is what a difference is taken of."""
+    letter = letter_of(sign)
+    is_sign = letter.base in DIFFERENCES and letter.base not in alone and not (letter.primes or letter.accents)
+    is_sign = is_sign and (not letter.sub or letter.base == r"\Delta") and all(sup.isdigit() for sup in letter.sups)
+    return is_sign and behind is not None and behind.kind != "NUMBER" and len(behind.inside) < 2
 
 
 def lists_letters(bracket: Atom) -> bool:

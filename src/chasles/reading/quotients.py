@@ -105,6 +105,9 @@ def fraction_fits(atom: Atom, ctx: FittingContext) -> list[Fit]:
     frame, of = seen_from(above, below)
     if frame and of:
         return applied((rate_in_frame(frame, ctx.notation.home),), of_tokens(of, ctx), ctx, Glyph(""), atom.text)
+    if upright(above)[:1] == ["D"] and upright(below) == ["D", "t"]:
+        ctx.note("no word for a derivative D/Dt", atom.place)
+        return []
     if upright(above)[:1] == upright(below)[:1] == ["d"]:
         start = next(at for at, token in enumerate(above) if token.text == "d") + 1 + (above[0].text == r"\mathrm")
         start = closing(above, start + 1) + 1 if above[start:] and above[start].text == "^" else start

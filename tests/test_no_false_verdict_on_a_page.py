@@ -1,0 +1,98 @@
+"""Signs and brackets that are no factors and no columns: nothing holds, fails or is ill-formed for their sake."""
+
+from __future__ import annotations
+
+import pytest
+
+import chasles
+from chasles.reading.notation_file import load_notation
+from chasles.reading.pages import displayed
+from chasles.reading.proposal import proposed
+
+LETTERS = dict.fromkeys((r"\Delta", r"\delta", "d", r"\partial", "x", "y", "z", "f", "F", "S", "T", "t"), "scalar")
+DECIDED = {"holds", "holds-under", "fails", "ill-formed"}
+
+
+def verdicts(*equations: str) -> list[str]:
+    """The verdicts on a page of these equations, with the letters above."""
+    page = "\n\n".join(rf"\[ {each} \]" for each in equations)
+    return [each.verdict for each in chasles.read(page, {"symbols": LETTERS}, "tex").equations]
+
+
+def verdicts_as_proposed(*equations: str) -> list[str]:
+    """The same with what is proposed for their letters."""
+    page = "\n\n".join(rf"\[ {each} \]" for each in equations)
+    notation = proposed(displayed(page, "tex"))
+    assert load_notation(notation).proposed
+    return [each.verdict for each in chasles.read(page, notation, "tex").equations]
+
+
+@pytest.mark.parametrize("sign", [r"\Delta", r"\delta", "d", r"\mathrm{d}", r"\partial"])
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "S (x y) = x S y",
+        "S (x y) = x S y + y S x",
+        r"S x \, y = x S y",
+        r"S [x y] = x S y",
+        r"S \frac{x}{y} = \frac{S x}{y}",
+        r"S \sqrt{x} = \sqrt{x} \, S y",
+        "S^2 (x y) = x S^2 y",
+    ],
+)
+def test_a_sign_of_a_difference_is_no_factor(sign: str, claim: str) -> None:
+    equation = claim.replace("S", sign + " ")
+    assert not {*verdicts(equation)} & DECIDED
+    assert not {*verdicts_as_proposed(equation)} & DECIDED
+
+
+def test_differences_of_sums_with_a_subscript_and_by_the_time_are_none_of_products() -> None:
+    products = (
+        r"\Delta_h (x y) = x \Delta_h y + y \Delta_h x",
+        r"\frac{D (x y)}{D t} = x \frac{D y}{D t} + y \frac{D x}{D t}",
+    )
+    assert not {*verdicts_as_proposed(*products)} & DECIDED
+
+
+def test_a_sign_of_a_difference_is_a_letter_where_the_page_has_it_alone() -> None:
+    assert verdicts(r"\Delta = x y - z", r"\Delta x = x^2 y - z x", r"F = x d", r"d (x + y) = F + d y") == [
+        "defined",
+        "holds",
+        "defined",
+        "holds",
+    ]
+    assert verdicts(r"\delta x + y = y + \delta x", r"\delta (x y) = \delta (x y)") == ["holds", "holds"]
+
+
+def test_the_letter_with_its_difference_is_one() -> None:
+    said = r"\Delta x = y - z", r"T = \frac{\Delta x}{\Delta t}", r"\Delta t = F", r"T F = y - z", r"T F = z - y"
+    assert verdicts_as_proposed(*said) == ["defined", "defined", "defined", "holds-under", "fails"]
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "f(x) = y, f^{-1}(x) = 1/f(x)",
+        "[x, y] = x y - y x",
+        "[x, y] = -[y, x]",
+        "[x z, y z] = z [x, y]",
+    ],
+)
+def test_inverse_functions_and_brackets_of_two_are_not_read_as_quotients_and_columns(claim: str) -> None:
+    assert not {*verdicts(claim)} & DECIDED
+    assert not {*verdicts_as_proposed(claim)} & DECIDED
+
+
+@pytest.mark.parametrize(
+    ("claim", "verdict"),
+    [
+        (r"\prod_{i=1}^{2} 2 i = 8", "holds"),
+        (r"\prod_{i=1}^{3} (x + i) = (x + 1)(x + 2)(x + 3)", "holds"),
+        (r"\sum_{k=1}^{2} \sum_{i=1}^{2} i k = 9", "holds"),
+        (r"\sum_{i=1}^{2} 2 i x = 6 x", "holds"),
+        (r"\sum_{i=1}^{3} 2 i x = 6 x", "fails"),
+        (r"\sum_{i=1}^{2} (-1)^i i x = x", "holds"),
+    ],
+)
+def test_the_numbers_that_an_index_runs_through_are_factors(claim: str, verdict: str) -> None:
+    assert verdicts(claim) == [verdict]
