@@ -92,6 +92,7 @@ def test_inverse_functions_and_brackets_of_two_are_not_read_as_quotients_and_col
         (r"\sum_{i=1}^{2} 2 i x = 6 x", "holds"),
         (r"\sum_{i=1}^{3} 2 i x = 6 x", "fails"),
         (r"\sum_{i=1}^{2} (-1)^i i x = x", "holds"),
+        (r"\prod_{i=1}^{2} -i x = 2 x^2", "holds"),
     ],
 )
 def test_the_numbers_that_an_index_runs_through_are_factors(claim: str, verdict: str) -> None:

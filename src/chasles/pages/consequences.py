@@ -50,7 +50,7 @@ class Consequences:
     ) -> None:
         self.motion = RandomMotion(facts)
         self._known = {} if known is None else known
-        self._refuted: dict[Pair, list[tuple[frozenset[int], frozenset[int]]]] = {}
+        self._refuted: dict[Pair, list[tuple[Rules, frozenset[int]]]] = {}
         self._keys: dict[int, tuple[Node, str]] = {}
         self._fingerprints = Fingerprints()
         self._found: dict[tuple[frozenset[int], frozenset[int], int], RandomMotion | None] = {}
@@ -76,9 +76,14 @@ class Consequences:
             self.may_follow(left, right, chosen)
 
     def _is_refuted(self, pair: Pair, rules: Rules, posed: Sequence[PosedEquation]) -> bool:
-        """Whether the two differ at a motion that satisfies all this, and more."""
-        own = frozenset(map(id, rules.values())), frozenset(map(id, posed))
-        return any(own[0] <= more[0] and own[1] <= more[1] for more in self._refuted.get(pair, ()))
+        """Whether the two differ at a motion that satisfies all this, and more; no rule does without a fact."""
+        own = frozenset(map(id, posed))
+        return any(
+            own <= more
+            and all(told.get(key) is rule for key, rule in rules.items())
+            and not any(self.motion.restricts(key[0]) for key in told.keys() - rules.keys())
+            for told, more in self._refuted.get(pair, ())
+        )
 
     def _key(self, node: Node) -> str:
         """What an expression is, and of which kinds its symbols are."""
@@ -103,9 +108,8 @@ class Consequences:
                     values = self._values(motion, rules, running, terms)
                     found = _equal(values(left), values(right))
                     if found is False:
-                        self._kept += [*posed, *rules.values()]
-                        key = frozenset(map(id, rules.values())), frozenset(map(id, posed))
-                        self._refuted.setdefault((left, right), []).append(key)
+                        self._kept += posed
+                        self._refuted.setdefault((left, right), []).append((rules, frozenset(map(id, posed))))
                     return found
             except TooFewTerms:
                 continue

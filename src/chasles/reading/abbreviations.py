@@ -11,7 +11,8 @@ MOST_TERMS = 12
 MOST_TOKENS = 5_000
 KINDS = (r"\in", r"\subset")
 SIGNS = {r"\pm": "+-", r"\mp": "-+"}
-JOINED = {r"\sum": ("+",), r"\prod": ("", "()")}
+JOINED = {r"\sum": "+", r"\prod": ""}
+SIGNED = frozenset({"+", "-"})
 ENDS = frozenset({*RELATIONS, "+", "-", r"\pm", r"\mp", ",", ";", r"\quad", "&", r"\\", ")", "]", r"\}", "}"})
 
 
@@ -41,10 +42,10 @@ def _terms_in_full(line: Tokens) -> Tokens:
             terms: list[Token] = []
             around = [line[start]._replace(text=text) for text in "()"]
             for value in values:
-                sign, *brackets = JOINED[line[start].text]
-                terms += [line[start]._replace(text=sign)] if sign and terms else []
+                sign = JOINED[line[start].text] if terms else ""
+                terms += [line[start]._replace(text=sign)] if sign else []
                 inside = _with(line[begin:end], index, str(value))
-                terms += inside if not brackets else [around[0], *inside, around[1]]
+                terms += [around[0], *inside, around[1]] if line[begin].text in SIGNED else inside
             if len(line) + len(terms) > MOST_TOKENS:
                 return line
             line = (*line[:start], around[0], *terms, around[1], *line[end:])
