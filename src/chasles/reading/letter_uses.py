@@ -219,8 +219,9 @@ def parted(letter: Glyph, operators: Sequence[str]) -> tuple[Glyph, tuple[str, .
 
 
 def stem_of(own: Glyph) -> Glyph:
-    """What the letters have in common that are most likely of one kind: those with subscripts, or those without."""
-    return Glyph(own.base, own.accents, "#" if own.sub else "")
+    """What the letters have in common that are most likely of one kind: V, those as V_x, and those as V_{xx}."""
+    count = sum(word.isalpha() for word in own.sub.split())
+    return Glyph(own.base, own.accents, "" if not own.sub else "#" if count < 2 else f"# {count}")
 
 
 def is_declared(letter: Glyph, bare: frozenset[str]) -> bool:

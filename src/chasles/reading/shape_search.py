@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from itertools import combinations, islice, product
 
@@ -36,7 +35,7 @@ SHAPES = {
 USUAL = {(True, True): ("matrix", "vector"), (True, False): ("vector", "matrix"),
          (False, True): ("matrix", "scalar", "vector"), (False, False): ("scalar", "vector")}  # fmt: skip
 """What a letter may be, by whether it is bold and whether it is a capital."""
-ROUNDS, MOST_TOGETHER, MOST_TRIED, MOST_AFFECTED, MOST_WORK = 3, 3, 300, 40, 300_000
+ROUNDS, MOST_TOGETHER, MOST_TRIED, MOST_AFFECTED, MOST_WORK = 2, 2, 300, 40, 300_000
 """How often all is gone through, how many letters are changed at once, in how many ways, and what that may cost."""
 UNLIKELY = 0.3
 """What another kind than that which its looks suggest costs, in equations that do not fit together."""
@@ -48,12 +47,7 @@ def shaped_letters(
     """The letters with what they are, and how many equations do not fit together even so."""
     uses = letter_uses(equations, texts, operators, bare)
     search = _KindSearch([chains_of(equation) for equation in equations], uses, operators, bare)
-    search.take_written_out()
     search.go_through()
-    before = search.all_faults
-    if whole := search.split():
-        search.go_through()
-        search.join(whole, before)
     return dict(sorted(search.uses.items(), key=lambda each: spelled(each[0]))), search.all_faults
 
 
@@ -69,34 +63,15 @@ class _KindSearch:
     ) -> None:
         self.chains, self.uses, self.operators, self.bare = chains, uses, operators, bare
         self.names = frozenset(load_notation("").spellings.names)
-        self.stems = self._stems()
+        self.stems: dict[int, list[Glyph]] = {}
+        for stem, use in uses.items():
+            for place in use.places:
+                self.stems.setdefault(place, []).append(stem)
         self.kinds: dict[Glyph, list[Kind]] = {stem: _kinds(stem, use) for stem, use in uses.items()}
         self.known: dict[object, int] = {}
         self.sizes: set[int] = set()
-        self.settled: frozenset[Glyph] = frozenset()
         self.work = 0
         self.parted = lru_cache(maxsize=None)(lambda letter: parted(letter, operators))
-
-    def _stems(self) -> dict[int, list[Glyph]]:
-        found: dict[int, list[Glyph]] = {}
-        for stem, use in self.uses.items():
-            for place in use.places:
-                found.setdefault(place, []).append(stem)
-        return found
-
-    def _stem(self, own: Glyph) -> Glyph:
-        stem = stem_of(own)
-        return stem if stem in self.uses else replace(stem, sub=f"# {_letters_below(own)}")
-
-    def take_written_out(self) -> None:
-        """Let what is set equal to a matrix that is written out have its shape."""
-        for place in [place for place, chains in enumerate(self.chains) if any(map(_has_grid, chains))]:
-            for stem, shape in self._wanted(place, _has_grid):
-                if shape not in ((1, 1), SHAPES[self.uses[stem].kind]):
-                    kind: Kind = ("vector", ()) if shape == SHAPES["vector"] else ("matrix", shape)
-                    kind = ("matrix", ()) if shape == SHAPES["matrix"] else kind
-                    self.kinds[stem] = [kind, *(each for each in self.kinds[stem] if each != kind)]
-                    self._let(((stem, kind),))
 
     @property
     def all_faults(self) -> int:
@@ -109,37 +84,9 @@ class _KindSearch:
             for place in [place for place in self.stems if self.faults(place)]:
                 self.mend(place)
 
-    def split(self) -> list[tuple[Glyph, LetterUse]]:
-        """Let V_x be of another kind than V_{xx} where equations do not fit together; the letters as they were."""
-        found = {stem for place in self.stems if self.faults(place) for stem in self.stems[place]}
-        whole = [(stem, self.uses[stem]) for stem in self.uses if stem in found]
-        whole = [(stem, use) for stem, use in whole if len({*map(_letters_below, use.letters)}) > 1]
-        self.settled = frozenset(self.uses)
-        for stem, use in whole:
-            del self.uses[stem]
-            for letter, places in use.letters.items():
-                key = replace(stem, sub=f"# {_letters_below(letter)}")
-                part = self.uses.setdefault(key, replace(use, letters={}, places={}))
-                part.letters[letter] = places
-                part.places |= places
-                self.kinds[key] = [*self.kinds[stem]]
-        self.stems = self._stems()
-        return whole
-
-    def join(self, whole: Sequence[tuple[Glyph, LetterUse]], before: int) -> None:
-        """Letters that are of one kind even so are told together again, all of them where nothing is won."""
-        is_better = self.all_faults < before
-        for stem, use in whole:
-            parts = {self._stem(letter): self.uses[self._stem(letter)] for letter in use.letters}
-            kinds = {(part.kind, part.shape) for part in parts.values()}
-            if len(kinds) == 1 or not is_better:
-                use.kind, use.shape = next(iter(kinds)) if is_better else (use.kind, use.shape)
-                self.uses = {key: part for key, part in self.uses.items() if key not in parts} | {stem: use}
-        self.stems = self._stems()
-
     def shape_of(self, letter: Glyph) -> tuple[Shape | None, tuple[str, ...]]:
         own, marks = self.parted(letter)
-        use = self.uses.get(self._stem(own)) if is_declared(letter, self.bare) else None
+        use = self.uses.get(stem_of(own)) if is_declared(letter, self.bare) else None
         if use is None:
             return (1, 1) if letter.base == r"\pi" else None, marks
         return (use.shape[0], use.shape[1]) if use.shape else SHAPES[use.kind], marks
@@ -199,7 +146,7 @@ class _KindSearch:
         return old
 
     def _changes(self, place: int) -> Iterator[tuple[tuple[Glyph, Kind], ...]]:
-        stems = [stem for stem in self.stems[place] if len(self.kinds[stem]) > 1 and stem not in self.settled]
+        stems = [stem for stem in self.stems[place] if len(self.kinds[stem]) > 1]
         for count in range(1, MOST_TOGETHER + 1):
             for chosen in combinations(stems, count):
                 now = [(self.uses[stem].kind, self.uses[stem].shape) for stem in chosen]
@@ -209,15 +156,15 @@ class _KindSearch:
                 for kinds in product(*others):
                     yield tuple(zip(chosen, kinds, strict=True))
 
-    def _wanted(self, place: int, among: Callable[[Chain], bool] = bool) -> Iterator[tuple[Glyph, Shape]]:
+    def _wanted(self, place: int) -> Iterator[tuple[Glyph, Shape]]:
         """The shapes of what letters are set equal to."""
-        for chain in filter(among, self.chains[place]):
+        for chain in self.chains[place]:
             sides = [side for side in chain.sides if side is not None]
             shapes = {shape for side in sides if (shape := self._shape(side)) is not None}
             for side in sides:
                 piece = side.rows[0].pieces[0]
                 if len(side.rows) == len(side.rows[0].pieces) == 1 and isinstance(piece, Atom):
-                    stem = self._stem(self.parted(letter_of(piece))[0])
+                    stem = stem_of(self.parted(letter_of(piece))[0])
                     yield from ((stem, shape) for shape in shapes if stem in self.uses)
 
     def _shape(self, side: Terms) -> Shape | None:
@@ -225,11 +172,6 @@ class _KindSearch:
             return shape_of_chain(Chain((side,), ()), self.shape_of, self.names)[0]
         except Misshapen:
             return None
-
-
-def _letters_below(letter: Glyph) -> int:
-    """How many letters its subscript has."""
-    return sum(word.isalpha() for word in letter.sub.split())
 
 
 def _has_grid(chain: Chain) -> bool:
