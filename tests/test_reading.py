@@ -15,11 +15,11 @@ from typing import Any
 
 import pytest
 
+from chasles.reading.context import tokens_of
 from chasles.reading.equations import read_equations
-from chasles.reading.page_notation import in_module
+from chasles.reading.page_notation import PageNotation, declared_in
 from chasles.reading.pages import displayed
 from chasles.reading.printed import PrintedEquation
-from chasles.reading.read_back import tokens_of
 from chasles.reading.reading import ReadEquation
 from chasles.statements import Statement, load
 from chasles.vocabulary import (
@@ -47,6 +47,13 @@ from chasles.vocabulary import (
 
 PRINTED: dict[str, str] = tomllib.loads((Path(__file__).parent / "printed.toml").read_text(encoding="utf-8"))
 CHAPTER = load()
+
+
+def in_module(module: ModuleType) -> PageNotation:
+    """The notation of a module as it is, letters that look alike kept apart."""
+    return declared_in(module.__name__, vars(module).values())
+
+
 NOTATION = in_module(import_module("chasles.derivations.notation"))
 
 

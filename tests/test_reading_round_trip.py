@@ -8,13 +8,12 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from chasles.reading.equations import read_equations
-from chasles.reading.page_notation import in_module
 from chasles.reading.printed import PrintedEquation
 from chasles.vocabulary import At, Group, Identity, Node, Number, Rate, Symbol, Zero, latex, walk
 
 from .sampling import WHOLE
 from .test_read_back import LETTERS, Q, b, expressions, s
-from .test_reading import ungrouped
+from .test_reading import in_module, ungrouped
 
 
 def quantity(letter: Node) -> Node:

@@ -6,11 +6,10 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import product
 
-from chasles.reading.context import FittingContext
+from chasles.reading.context import FittingContext, tokens_of
 from chasles.reading.fits import Fit, Shape, made, own_quantity
 from chasles.reading.glyphs import Glyph, in_latex, said_of
 from chasles.reading.grammar import Atom
-from chasles.reading.read_back import tokens_of
 from chasles.reading.spellings import Make
 from chasles.vocabulary import (
     NO_DIMENSION,

@@ -12,10 +12,10 @@ from chasles.reading.printed_atoms import (
     bracket,
     flat,
     styled,
+    text_atoms,
     with_scripts,
     without_empty_cells,
 )
-from chasles.reading.texts import text_atoms
 
 DEEPEST = 60
 SCRIPTLESS = commands.RELATIONS | commands.OPERATORS | {r"\\", "&", ",", ";", "(", "[", r"\{", r"\quad", r"\qquad"}

@@ -1,19 +1,33 @@
-"""What reading one equation needs: the notation, how words are printed again, and what could not be read."""
+"""What reading one equation needs: the notation, how words are printed again, and what could not be read.
+
+Does an expression print the tokens of the page again? Typefaces, braces, alignment and spaces are layout.
+"""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 
 from chasles.reading.fits import Fit, Said, Shape, made
 from chasles.reading.grammar import Atom, Terms
 from chasles.reading.grouping import Unread
 from chasles.reading.page_notation import PageNotation
-from chasles.reading.read_back import tokens_of
 from chasles.vocabulary import Group, Node
 from chasles.vocabulary.spelling import Piece, Precedence, spell
 from chasles.vocabulary.typesetting import BRACKETS, Latex
 
 KINDS = {"()": "()", "[]": "[]", r"\{\}": "{}"}
+
+LAYOUT = {r"\left", r"\right", r"\quad", r"\,", r"\ ", r"\\", r"\mathbf", r"\boldsymbol", r"\overrightarrow", r"\text",
+          r"\mathsf", r"\mathrm", r"\operatorname", "&", ",", "{", "}"}  # fmt: skip
+MATRIX = re.compile(r"\\(begin|end)\{[bp]matrix\}")
+MARK = re.compile(r"\\[a-zA-Z]+|\\.|[A-Za-z]|\d+|\S")
+
+
+def tokens_of(text: str) -> tuple[str, ...]:
+    """The text as tokens without layout: a matrix is what stands in square brackets."""
+    text = MATRIX.sub(lambda found: " [ " if found[1] == "begin" else " ] ", text)
+    return tuple(token for token in MARK.findall(text) if token not in LAYOUT)
 
 
 class FittingContext:

@@ -16,9 +16,8 @@ from chasles.reading.lexemes import BadPage
 from chasles.reading.page_functions import functions_in, shown_alone
 from chasles.reading.page_notation import PageNotation
 from chasles.reading.printed import PrintedEquation
-from chasles.reading.reading import Part, ReadEquation, Reading
+from chasles.reading.reading import Part, ReadEquation, Reading, settled
 from chasles.reading.segments import segments
-from chasles.reading.settling import settled
 from chasles.reading.sums import sum_fits
 from chasles.reading.tokens import tokens
 from chasles.vocabulary import Misfit, Node, Rate, Symbol, symbols_of, walk

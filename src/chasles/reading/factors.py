@@ -29,8 +29,6 @@ from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.partial import PartialDerivative
 from chasles.vocabulary.spelling import Precedence
 
-BACKSLASH = "\\"
-
 
 def factors(items: tuple[Atom, ...], start: int, ctx: FittingContext) -> Iterator[tuple[int, list[Fit]]]:
     """What begins here and is one factor: an atom, a function of something, a quantity with its argument."""
@@ -62,8 +60,8 @@ def factors(items: tuple[Atom, ...], start: int, ctx: FittingContext) -> Iterato
             yield start + 2, value
             return
         make = partial(_difference, atom, ctx.notation.home)
-        for end, inner in factors(items, start + 1, ctx):
-            yield end, applied((make,), inner, ctx, Glyph(""), atom.text)
+        for end, found in factors(items, start + 1, ctx):
+            yield end, applied((make,), found, ctx, Glyph(""), atom.text)
         return
     if behind is not None and _is_inverse_function(atom, behind, ctx):
         ctx.note(f"{spelled(letter_of(atom))} before an argument is an inverse function", atom.place)
@@ -143,7 +141,8 @@ def _applications(
         yield start + 2, with_marks(list(made_of(makes, choices, name, ctx)), marks, ctx)
         return
     for end in range(start + 2, len(items) + 1 if not _is_letter(name, ctx) else 0):
-        if any(_ends_argument(item, ctx) for item in items[start + 1 : end]):
+        last = items[end - 1]  # an argument without brackets ends before brackets, and before another function
+        if (last.kind == "BRACKET" and "|" not in last.text) or _is_function(last, ctx):
             break
         inner = [[fit] for fit in ctx.product(items[start + 1 : end])]
         fits = list(made_of(makes, inner, name, ctx))
@@ -153,11 +152,6 @@ def _applications(
 
 def _is_letter(atom: Atom, ctx: FittingContext) -> bool:
     return next(ctx.notation.letters.meanings(letter_of(atom)), None) is not None
-
-
-def _ends_argument(atom: Atom, ctx: FittingContext) -> bool:
-    """Whether an argument without brackets ends before it: it is in brackets, or another function."""
-    return (atom.kind == "BRACKET" and "|" not in atom.text) or _is_function(atom, ctx)
 
 
 def _is_function(atom: Atom, ctx: FittingContext) -> bool:

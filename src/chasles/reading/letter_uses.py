@@ -103,8 +103,6 @@ def letter_uses(
             _note(side, "", _Noting(uses, usual, place, operators, bare, alone))
     if any(map(DIFFERENTIAL.search, texts)):
         uses.pop(Glyph("d"), None)
-    elif Glyph("d") in uses:
-        uses = {stem: use for stem, use in uses.items() if not stem.base.startswith("d ")}
     uses = dict(sorted(uses.items(), key=lambda each: spelled(each[0])))
     are_bold = sum(looks(stem)[0] for stem in uses) >= MANY
     are_thin = any(map(GRID.search, texts))

@@ -9,13 +9,12 @@ from itertools import product
 
 from chasles.reading.applying import applied, made_of, with_marks
 from chasles.reading.case_grids import ENVIRONMENTS, case_fits
-from chasles.reading.context import FittingContext
+from chasles.reading.context import KINDS, FittingContext, tokens_of
 from chasles.reading.fits import UNUSUAL, Fit, Shape, kept
 from chasles.reading.glyphs import Glyph, letter_of, spelled
 from chasles.reading.grammar import Atom, Terms
 from chasles.reading.matrices import block_fits, grid_fits, row_of_blocks
 from chasles.reading.quotients import exponential_fits, fraction_fits, of_tokens
-from chasles.reading.read_back import tokens_of
 from chasles.reading.spellings import signed
 from chasles.vocabulary import (
     Group,
@@ -29,7 +28,6 @@ from chasles.vocabulary import (
 )
 from chasles.vocabulary.families import Entry, Kronecker
 
-GROUPS = {"()": "()", "[]": "[]", r"\{\}": "{}"}
 SIZE = re.compile(r"(\d+)(?: \\times (\d+))?")
 WITHOUT_WORD = {
     ".": "a full stop stands inside a formula",
@@ -222,7 +220,7 @@ def _column(atom: Atom, rest: Glyph, ctx: FittingContext) -> list[Fit]:
     if rest.sups and Transpose not in makes:
         return []
     shapes = [{fit.shape for fit in part} for part in parts]
-    if atom.text == "[]" and not rest.sups and len(parts) == 2 and shapes[0] & shapes[1]:
+    if atom.text == "[]" and not rest.sups and len(shapes) == 2 and shapes[0] & shapes[1]:
         ctx.note("two in square brackets may be a commutator: write a column as a matrix", atom.place)
         return []
     return with_marks([replace(fit, cost=fit.cost + 1) for fit in fits], replace(rest, sups=()), ctx)
@@ -239,7 +237,7 @@ def _in_brackets(fit: Fit, brackets: str) -> Fit:
     """The same with brackets around it; those inside stand for a group."""
     if not fit.brackets:
         return replace(fit, brackets=brackets)
-    kind, sized, said = GROUPS[fit.brackets], fit.sized, fit.printed
+    kind, sized, said = KINDS[fit.brackets], fit.sized, fit.printed
     if sized is None:
         return Fit(None if fit.node is None else Group(fit.node, kind), said, fit.cost, brackets)
     grouped = lambda shape: None if (node := sized(shape)) is None else Group(node, kind)  # noqa: E731

@@ -7,14 +7,12 @@ import re
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass, replace
-from types import ModuleType
 from typing import Any, cast, get_type_hints
 
-from chasles.reading.exponentials import exponential
 from chasles.reading.fits import made
 from chasles.reading.glyphs import Glyph, letter_in
 from chasles.reading.letter_table import LetterTable
-from chasles.reading.spellings import Make, Spellings
+from chasles.reading.spellings import Make, Spellings, exponential
 from chasles.vocabulary import (
     PI,
     Call,
@@ -96,10 +94,6 @@ class PageNotation:
         for extent in node.shape:
             if isinstance(extent, int):
                 self.sizes.add(extent)
-
-
-def _power(exponent: int) -> Make:
-    return lambda of: Power(of, exponent)
 
 
 def repeated_rate(order: int) -> Make:
@@ -186,11 +180,6 @@ def usual_spellings(notation: PageNotation) -> None:
     notation.declare(PI, PI.letter)
 
 
-def in_module(module: ModuleType) -> PageNotation:
-    """The notation of a Python module: its symbols, and the spellings that its `NOTATION`, or its chapter's, says."""
-    return declared_in(module.__name__, vars(module).values())
-
-
 def declared_in(module: str, values: Iterable[Any]) -> PageNotation:
     """The notation of what a Python module, by its name, declares, in the forms that it or its chapter prints."""
     notation = PageNotation()
@@ -203,7 +192,7 @@ def declared_in(module: str, values: Iterable[Any]) -> PageNotation:
     makers = _makers(nodes)
     for word, form in notation.forms.all_forms.items():
         make = makers.get(word) or (lambda *of, word=word: word(*of) if callable(word) else Call(word, *of))
-        if form_has_place(form):
+        if "#" in form:
             notation.spellings.add(form, make)
     usual_spellings(notation)
     for value in nodes:
@@ -231,11 +220,6 @@ def known_words() -> Iterator[tuple[str, type[Node]]]:
         held = node_fields(cast(Any, kind)) if is_dataclass(kind) else ()
         if held and {each.name for each in fields(cast(Any, kind))} <= {*held, *CONVENTIONS}:
             yield re.sub(r"(?<!^)(?=[A-Z])", "_", kind.__name__).lower(), kind
-
-
-def form_has_place(form: str) -> bool:
-    """Whether the form is that of a word with operands."""
-    return "#" in form
 
 
 def _makers(values: Iterable[Any]) -> dict[Any, Make]:

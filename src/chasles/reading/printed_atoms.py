@@ -1,15 +1,18 @@
-"""What carries scripts in an equation: typefaces, braces and brackets around it in one spelling."""
+"""What carries scripts in an equation: typefaces, braces, brackets and texts in one spelling."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import NamedTuple
 
 from chasles.reading import commands
 from chasles.reading.lexemes import Token, cut, spelled
 
 BRACKETED = {"[": ("]", "bmatrix"), "(": (")", "pmatrix"), "|": ("|", "vmatrix")}
+UNIT = re.compile(
+    r"(?:(?:[kcmnMG]?(?:m|g|s|N|J|W|Pa|Hz|V|A|K|T)|rad|deg|h|min|ft|lbf?|rev)(?:\^?-?\d)?(?:[ /*](?=\w)|$))+", re.ASCII
+)
 UNBRACKETED = (r"\begin{array}", r"\begin{matrix}", r"\begin{smallmatrix}")
 
 
@@ -106,3 +109,24 @@ def bracket(atoms: list[PrintedAtom]) -> None:
     if close and [token.text for token in closing] == [close] and inside and inside[0].text in UNBRACKETED:
         ends = opening._replace(text=rf"\begin{{{name}}}"), closing[0]._replace(text=rf"\end{{{name}}}")
         atoms[-3:] = [atoms[-1]._replace(nucleus=[ends[0], *inside[1:-1], ends[1]])]
+
+
+def text_atoms(
+    command: Token, inside: list[Token], atoms_of: Callable[[list[Token]], list[PrintedAtom]]
+) -> list[PrintedAtom]:
+    """A text in an equation: a formula in it, a name such as tr, punctuation, or words between equations."""
+    words = " ".join(spelled(each for each in inside if each.text not in commands.TEXT).split())
+    words = words if "$" in words else re.sub(r"[{}]", "", words).strip()
+    if formula := re.fullmatch(r"(\\boldmath)?\s*\$[^$]*\$\s*(?:\\unboldmath)?", words):
+        start, end = (at for at, token in enumerate(inside) if token.text == "$")
+        return styled(r"\boldsymbol" if formula[1] else "", atoms_of(inside[start + 1 : end]), command)
+    if not words:
+        return []
+    if len(words) == 1:
+        style = commands.TEXT_STYLES.get(command.text, r"\mathrm") if words.isalpha() else ""
+        return styled(style, [PrintedAtom([command._replace(text=words)])], command)
+    if UNIT.fullmatch(words) and not words.isalpha():
+        return [PrintedAtom([command._replace(text=rf"\operatorname{{{words}}}")])]
+    words = words[:-1] if words[:-1].isalpha() and words[-1] == "." else words  # an abbreviation
+    is_name = words.isalpha() and words.isascii() and "\\" + words.lower() not in commands.CONNECTIVES
+    return [PrintedAtom([command._replace(text=rf"\{'operatorname' if is_name else 'text'}{{{words}}}")])]

@@ -8,13 +8,12 @@ from itertools import product
 
 from chasles.reading.applying import applied, of_matrix
 from chasles.reading.context import FittingContext
-from chasles.reading.exponentials import exponential
 from chasles.reading.fits import Fit, made, own_quantity
 from chasles.reading.glyphs import Glyph, in_latex, letter_of, said_of
 from chasles.reading.grammar import Atom, formula
 from chasles.reading.grouping import Tokens, Unread, closing, lines_of
 from chasles.reading.page_notation import repeated_rate
-from chasles.reading.spellings import Make
+from chasles.reading.spellings import Make, exponential
 from chasles.vocabulary import (
     Node,
     Quotient,
@@ -105,8 +104,8 @@ def fraction_fits(atom: Atom, ctx: FittingContext) -> list[Fit]:
     frame, of = seen_from(above, below)
     if frame and of:
         return applied((rate_in_frame(frame, ctx.notation.home),), of_tokens(of, ctx), ctx, Glyph(""), atom.text)
-    if upright(above)[:1] == ["D"] and upright(below) == ["D", "t"]:
-        ctx.note("no word for a derivative D/Dt", atom.place)
+    if upright(above)[:1] == ["D"] == upright(below)[:-1]:
+        ctx.note("no word for such a derivative", atom.place)
         return []
     if upright(above)[:1] == upright(below)[:1] == ["d"]:
         start = next(at for at, token in enumerate(above) if token.text == "d") + 1 + (above[0].text == r"\mathrm")

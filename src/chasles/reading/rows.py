@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from chasles.reading.applying import applied, made_of
 from chasles.reading.context import FittingContext
+from chasles.reading.expanding import OPEN, TOTALS, end_of_total, totals
 from chasles.reading.factors import factors, operators_of
 from chasles.reading.fits import UNUSUAL, Fit, kept, made
 from chasles.reading.glyphs import Glyph, joined, letter_of
@@ -15,7 +16,6 @@ from chasles.reading.lexemes import Token
 from chasles.reading.products import multiplied, times
 from chasles.reading.quotients import sized_quotient
 from chasles.reading.spellings import Make
-from chasles.reading.totals import OPEN, TOTALS, end_of_total, totals
 from chasles.vocabulary import Quotient, Skew
 from chasles.vocabulary.spelling import Precedence
 

@@ -10,7 +10,9 @@ from chasles.reading.grammar import Atom, FlatRow, Terms, formula
 from chasles.reading.grouping import TYPEFACES, Unread
 from chasles.reading.lexemes import Token
 from chasles.reading.tokens import tokens
-from chasles.vocabulary import Node
+from chasles.vocabulary import Group, Misfit, Negative, Node, Scale, Skew
+from chasles.vocabulary.functions import FunctionOf
+from chasles.vocabulary.rotation_vectors import RotationByVector
 
 Make = Callable[..., Node]
 HOLES = (r"\holeA", r"\holeB")
@@ -93,4 +95,25 @@ def _applied(row: tuple[Atom | Token, ...]) -> tuple[str, object] | None:
             return "infixes", ""
         subscript = f" _ {said_of(row[0].sub)}" if row[0].sub else ""
         return "names", called(row[0]) + subscript
+    return None
+
+
+def exponential(of: Node) -> Node:
+    """The exponential of a scalar, or of a multiple of a cross-product matrix; raises `Misfit` for anything else."""
+    if of.is_scalar:
+        return FunctionOf("exp", (of,))
+    vector = _axial(of)
+    if vector is None:
+        raise Misfit(f"{of} is neither a scalar nor a multiple of a cross-product matrix")
+    return RotationByVector(vector)
+
+
+def _axial(of: Node) -> Node | None:
+    """The vector whose cross-product matrix it is."""
+    if isinstance(of, Skew):
+        return of.of
+    if isinstance(of, Group | Negative) and (inner := _axial(of.below[0])) is not None:
+        return inner if isinstance(of, Group) else Negative(inner)
+    if isinstance(of, Scale) and (inner := _axial(of.term)) is not None:
+        return Scale(of.factor, inner, of.trailing)
     return None
