@@ -20,6 +20,7 @@ import sympy as sp
 import chasles
 from chasles import kernels
 from chasles.compiling import LoweringError, compiler, store
+from chasles.targets.c import blocks
 
 from .sampling import WHOLE
 
@@ -359,7 +360,6 @@ REFUSED = [
     (lambda: chasles.compile(x + sp.Rational(1, 10**320), x), "range of double"),
     (lambda: chasles.compile(x * sp.exp(800), x), "range of double"),
     (lambda: chasles.compile(x + 10**400, x), "range of double"),
-    (lambda: chasles.compile(x, (x, sp.MatrixSymbol("Y", 200, 200))), "at most"),
 ]
 
 
@@ -369,6 +369,12 @@ def test_what_is_refused_is_named(number):
     with pytest.raises(LoweringError, match=said) as caught:
         wrong()
     assert "Traceback" not in str(caught.value)
+
+
+def test_more_numbers_than_a_batch_takes_are_refused(monkeypatch):
+    monkeypatch.setattr(blocks, "MOST_ENTRIES", 100)
+    with pytest.raises(LoweringError, match="a batch takes at most 32 with 100: split"):
+        chasles.compile(x, (x, sp.MatrixSymbol("Y", 10, 11)))
 
 
 @pytest.fixture

@@ -72,10 +72,10 @@ def test_what_an_import_costs(code: str, absent: set[str], backend: str) -> None
     assert sorted(absent & (set(printed.split()) - set(before.split()))) == []
 
 
-@pytest.mark.parametrize("name", ["prove", "load", "decide", "repair", "derive"])
-def test_a_submodule_does_not_hide_the_function_of_its_name(name: str) -> None:
-    code = f"import chasles, chasles.prove, chasles.statements, sys; sys.exit(not callable(chasles.{name}))"
-    succeed(sys.executable, "-c", code)
+def test_a_submodule_does_not_hide_the_function_of_its_name() -> None:
+    names = ("prove", "load", "decide", "repair", "derive")
+    code = f"import chasles, chasles.prove, chasles.statements; print([callable(getattr(chasles, n)) for n in {names}])"
+    assert succeed(sys.executable, "-c", code) == "[True, True, True, True, True]\n"
 
 
 def test_unknown_names_are_named() -> None:

@@ -222,6 +222,7 @@ MISTAKES_IN_EXERCISES = [
 ]
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(("right", "wrong", "said"), MISTAKES_IN_EXERCISES)
 def test_a_mistake_in_an_exercise_is_told_by_file_and_line(mine: Path, right: str, wrong: str, said: str) -> None:
     module = mine / "exercises" / "x1.py"
@@ -258,6 +259,7 @@ def test_without_a_compiler_the_kernels_are_emitted_and_run_in_numpy(mine: Path)
     assert python(code, mine.parent) == "numpy -3.0\n"
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("name", ["checked", "backend", "instructions"])
 def test_a_kernel_is_not_called_like_what_stands_beside_it(mine: Path, name: str) -> None:
     section = mine / "s01_reflection.py"
@@ -266,6 +268,7 @@ def test_a_kernel_is_not_called_like_what_stands_beside_it(mine: Path, name: str
     assert f"a kernel may not be called {name}" in run("--chapter", "./mine", "emit", cwd=mine.parent, status=1)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("said", ['"one text"', "[1, 2]", "(1,)", r'("\\hat a",)', '("a\\nb",)'])
 def test_conventions_are_lines_of_plain_text(mine: Path, said: str) -> None:
     package = mine / "__init__.py"

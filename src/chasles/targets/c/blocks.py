@@ -19,7 +19,7 @@ from chasles.targets.kernel import EmissionError, TargetKernel
 from chasles.targets.layout import listed
 from chasles.targets.spelling import Spelled, spelled
 
-_MOST_ENTRIES = 32768
+MOST_ENTRIES = 32768
 """So that a group of items fits on the stack."""
 _WORD = re.compile(r"\w+")
 _WIDTHS = (4, 3, 2, 1)
@@ -53,10 +53,10 @@ def block(kernel: TargetKernel, precision: Precision) -> BlockFunction:
     """The block function of the kernel. Raises EmissionError for more operands or entries than a batch can have."""
     operands = kernel.program.parameters
     entries = sum(math.prod(item.shape) for item in operands)
-    if len(operands) > MOST_OPERANDS or entries > _MOST_ENTRIES:
+    if len(operands) > MOST_OPERANDS or entries > MOST_ENTRIES:
         raise EmissionError(
             f"{kernel.name} has {len(operands)} operands with {entries} entries; a batch takes at most "
-            f"{MOST_OPERANDS} with {_MOST_ENTRIES}: split the kernel"
+            f"{MOST_OPERANDS} with {MOST_ENTRIES}: split the kernel"
         )
     parameters = ("ptrdiff_t groups", "char *const *at", "const ptrdiff_t *steps", "const chasles_stream *stream")
     prototype = "\n".join(listed(f"void CHASLES_LEVELED({block_name(kernel, precision)})(", parameters, ")"))
