@@ -12,7 +12,7 @@ import pytest
 from chasles.decisions.session import Session
 from chasles.report.html.citing import place_of_number
 from chasles.report.html.page import PageContents, page
-from chasles.report.html.palette import DARK, LIGHT, TEXT_ON, contrast
+from chasles.report.html.palette import DARK, LIGHT
 from chasles.report.html.trusted import Trusted
 from chasles.report.latex_page import latex_page
 from chasles.report.latex_text import escaped
@@ -31,6 +31,33 @@ EVERYTHING = {
     "wrong": Claim("9.3", 2 * x, 3 * x, says="It fails."),
     "hollow": Claim("9.5", column(x, x), x, says="It does not fit.", reading=column(x, x)),
 }
+
+
+TEXT_ON = (
+    *((text, ground) for text in ("ink", "quiet", "link") for ground in ("ground", "raised")),
+    *((kind, f"{kind}-ground") for kind in ("good", "bad", "odd", "open", "plain")),
+    *((kind, ground) for kind in ("good", "bad", "odd", "open", "plain") for ground in ("ground", "raised")),
+    ("ink", "taken-ground"),
+    ("ink", "added-ground"),
+    ("ink", "bad-ground"),
+    ("quiet", "bad-ground"),
+    ("link", "bad-ground"),
+    ("ground", "link"),
+    *((curve, "ground") for curve in ("first", "second", "third", "fourth")),
+)
+"""Which colour of text is put on which ground."""
+
+
+def contrast(text: str, ground: str) -> float:
+    """The contrast of two colours given as #rrggbb, from 1 to 21, as WCAG 2 defines it."""
+    lighter, darker = sorted((_luminance(text), _luminance(ground)), reverse=True)
+    return (lighter + 0.05) / (darker + 0.05)
+
+
+def _luminance(colour: str) -> float:
+    parts = [int(colour[k : k + 2], 16) / 255 for k in (1, 3, 5)]
+    linear = [part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
 
 
 def small(**statements: Statement) -> tuple[str, str]:

@@ -9,18 +9,20 @@ from __future__ import annotations
 from fractions import Fraction
 from functools import cached_property, reduce
 from math import factorial
+from operator import add
 
 from chasles import vocabulary as w
 from chasles.checker.determinants import Matrix
 from chasles.checker.reading import Reading
 from chasles.checker.refutation import Value, quotient_at
-from chasles.checker.sparse import Polynomial, Rejected, exponents, variable
+from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, exponents, number, variable
 from chasles.checker.witness import Point
 from chasles.coq.expressions import Unsaid
 
-Function = dict[tuple[int, int, int], Fraction]
-"""By exponents: a polynomial in time, the one transcendental number of a point, and one over `MotionThrough.below`."""
-Vector = list[Function]
+TIME, NUMBER, OVER = range(3)
+"""A function is a polynomial in time, the one transcendental number of a point, and one over `MotionThrough.below`."""
+MOVING = {TIME, OVER}
+Vector = list[Polynomial]
 TURNED = ("unit", "rotation", "orthonormal")
 
 
@@ -29,28 +31,28 @@ class MotionThrough:
 
     def __init__(self, reading: Reading, point: Point) -> None:
         self._reading, self._point = reading, point
-        self._known: dict[int, Function] = {}
+        self._known: dict[int, Polynomial] = {}
         self._waiting: set[int] = set()
-        self.turn: Vector = [{}, {}, {}]
+        self.turn: Vector = [ZERO] * 3
         self._turn()
 
     @cached_property
-    def below(self) -> Function:
+    def below(self) -> Polynomial:
         """What is divided by: one and the square of a polynomial vector, by which something is turned."""
-        return reduce(_plus, (_times(each, each) for each in self.turn), _number(1))
+        return reduce(add, (each * each for each in self.turn), ONE)
 
-    def __call__(self, polynomial: Polynomial) -> Function:
-        """The function; empty if it is zero."""
-        total: Function = {}
+    def __call__(self, polynomial: Polynomial) -> Polynomial:
+        """The function; zero if it is so at all times."""
+        total = ZERO
         for monomial, coefficient in polynomial.terms.items():
-            product = _number(Fraction(coefficient, polynomial.below))
+            product = number(Fraction(coefficient, polynomial.below))
             for place, exponent in exponents(monomial):
                 for _ in range(exponent):
-                    product = _times(product, self._at(place))
-            total = _plus(total, product)
+                    product *= self._at(place)
+            total += product
         return total
 
-    def _at(self, place: int) -> Function:
+    def _at(self, place: int) -> Polynomial:
         if place not in self._known:
             if place in self._waiting:
                 raise Unsaid("a motion that is said by its own rate")
@@ -61,15 +63,15 @@ class MotionThrough:
                 self._waiting.discard(place)
         return self._known[place]
 
-    def _variable(self, place: int) -> Function:
+    def _variable(self, place: int) -> Polynomial:
         """A variable as a function: the integral of its rate, or what stays as it is."""
-        now = {(0, x, 0): c for x, c in self._value(place).items()}
-        rate = self._rate(place)
-        if any(d for *_, d in rate):
+        now, rate = self._now(place), self._rate(place)
+        if OVER in rate.places:
             raise Unsaid("a motion that is no polynomial in time")
-        return now | {(t + 1, x, 0): c / (t + 1) for (t, x, _), c in rate.items()}
+        grown = (Polynomial({m + 1: c}, rate.below * ((m & 255) + 1)) for m, c in rate.terms.items())
+        return reduce(add, grown, now)
 
-    def _rate(self, place: int) -> Function:
+    def _rate(self, place: int) -> Polynomial:
         made_of: Matrix = []
         match self._reading.variables[place]:
             case ("entry", w.Symbol() as of, int() as order, int() as i, int() as j):
@@ -82,9 +84,9 @@ class MotionThrough:
                 made_of = self._reading(of)
             case ("inverse", int() as k):
                 made_of = [[self._reading.nonzero[k]]]
-        if any(t or d for row in made_of for entry in row for t, _, d in self(entry)):
+        if any(MOVING & self(entry).places for row in made_of for entry in row):
             raise Unsaid("a motion that is no polynomial in time")
-        return {}
+        return ZERO
 
     @property
     def _places(self) -> dict[tuple[object, ...], int]:
@@ -99,6 +101,11 @@ class MotionThrough:
             return quotient_at(self._reading, variable(place), self._point)
         except (ArithmeticError, LookupError, Rejected) as reason:
             raise Unsaid("a quantity without a value") from reason
+
+    def _now(self, place: int) -> Polynomial:
+        """The value at the point as a function that stays as it is."""
+        parts = (number(c) * variable(NUMBER, x) for x, c in self._value(place).items())
+        return reduce(add, parts, ZERO)
 
     def _turn(self) -> None:
         """The unit vector or rotation that moves is turned as its rates at the point say."""
@@ -115,13 +122,12 @@ class MotionThrough:
             columns = self._columns(group, 0)
             for order in range(1, top + 1):
                 found = _derived([_turned(column, self.turn) for column in columns], order, self.turn)
-                axis: Vector = [{}, {}, {}]
+                axis: Vector = [ZERO] * 3
                 for column, given, made in zip(columns, self._columns(group, order), found, strict=True):
-                    lacking = [_less(a, _at_once(b)) for a, b in zip(given, made, strict=True)]
-                    axis = [_plus(a, b) for a, b in zip(axis, _crossed(column, lacking), strict=True)]
-                factor = Fraction(1, 2 * factorial(order) * (2 if len(columns) > 1 else 1))
-                more = [{(order, x, 0): c * factor for (_, x, _), c in each.items()} for each in axis]
-                self.turn = [_plus(a, b) for a, b in zip(self.turn, more, strict=True)]
+                    lacking = [a - _at_once(b) for a, b in zip(given, made, strict=True)]
+                    axis = list(map(add, axis, _crossed(column, lacking)))
+                factor = Polynomial({order: 1}, 2 * factorial(order) * (2 if len(columns) > 1 else 1))
+                self.turn = [turn + each * factor for turn, each in zip(self.turn, axis, strict=True)]
             self._keep(group, [_turned(column, self.turn) for column in columns], max(orders))
 
     def _columns(self, group: tuple[w.Node, ...], order: int) -> list[Vector]:
@@ -130,8 +136,7 @@ class MotionThrough:
         for each in group:
             places = [[(each, order, i, j) for i in range(3)] for j in range(each.shape[1])]
             for column in places:
-                values = [self._value(self._places[at]) if at in self._places else {} for at in column]
-                found.append([{(0, x, 0): c for x, c in value.items()} for value in values])
+                found.append([self._now(self._places[at]) if at in self._places else ZERO for at in column])
         return found
 
     def _keep(self, group: tuple[w.Node, ...], columns: list[Vector], top: int) -> None:
@@ -152,52 +157,29 @@ def _rated(of: w.Node, order: int) -> w.Node:
 
 def _turned(column: Vector, turn: Vector) -> Vector:
     """Cayley's formula: v + 2 (s x v + s x (s x v)) / (1 + s . s)."""
-    once = _crossed(turn, column)
-    more = [_times({(0, 0, 1): Fraction(2)}, _plus(a, b)) for a, b in zip(once, _crossed(turn, once), strict=True)]
-    return [_plus(a, b) for a, b in zip(column, more, strict=True)]
+    once, twice = _crossed(turn, column), number(2) * variable(OVER)
+    return [v + twice * (a + b) for v, a, b in zip(column, once, _crossed(turn, once), strict=True)]
 
 
 def _derived(columns: list[Vector], order: int, turn: Vector) -> list[Vector]:
     """The rates of some order."""
-    speed = _times(_number(2), reduce(_plus, (_times(each, _rate_of(each, {})) for each in turn), {}))
+    speed = reduce(add, (number(2) * each * _rate_of(each, ZERO) for each in turn))
     for _ in range(order):
         columns = [[_rate_of(function, speed) for function in column] for column in columns]
     return columns
 
 
-def _rate_of(function: Function, speed: Function) -> Function:
+def _rate_of(function: Polynomial, speed: Polynomial) -> Polynomial:
     """The derivative, `speed` being that of what is divided by."""
-    total: Function = {}
-    for (t, x, d), c in function.items():
-        here = {(t - 1, x, d): c * t} if t else {}
-        total = _plus(total, _plus(here, _times({(t, x, d + 1): -c * d}, speed) if d else {}))
-    return total
+    by = function.partials()
+    return by.get(TIME, ZERO) - by.get(OVER, ZERO) * variable(OVER, 2) * speed
 
 
-def _at_once(function: Function) -> Function:
+def _at_once(function: Polynomial) -> Polynomial:
     """The value at the instant 0, where what is divided by is one."""
-    return reduce(_plus, ({(0, x, 0): c} for (t, x, _), c in function.items() if not t), {})
+    parts = (Polynomial({m & 255 << 8: c}, function.below) for m, c in function.terms.items() if not m & 255)
+    return reduce(add, parts, ZERO)
 
 
 def _crossed(one: Vector, other: Vector) -> Vector:
-    return [_less(_times(one[i - 2], other[i - 1]), _times(one[i - 1], other[i - 2])) for i in range(3)]
-
-
-def _number(value: Fraction | int) -> Function:
-    return {(0, 0, 0): Fraction(value)}
-
-
-def _plus(one: Function, other: Function) -> Function:
-    total = {key: one.get(key, Fraction(0)) + other.get(key, Fraction(0)) for key in {**one, **other}}
-    return {key: value for key, value in total.items() if value}
-
-
-def _less(one: Function, other: Function) -> Function:
-    return _plus(one, {key: -value for key, value in other.items()})
-
-
-def _times(one: Function, other: Function) -> Function:
-    total: Function = {}
-    for (t, x, d), a in one.items():
-        total = _plus(total, {(t + u, x + y, d + e): a * b for (u, y, e), b in other.items()})
-    return total
+    return [one[i - 2] * other[i - 1] - one[i - 1] * other[i - 2] for i in range(3)]

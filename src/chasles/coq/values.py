@@ -13,7 +13,7 @@ from chasles.checker.refutation import Value, bound_in, completed, quotient_at
 from chasles.checker.sparse import Polynomial, Rejected, variable
 from chasles.checker.witness import value_at
 from chasles.coq.expressions import Unsaid
-from chasles.coq.functions import Function, MotionThrough
+from chasles.coq.functions import MOVING, MotionThrough
 from chasles.coq.polynomials import literal, multiple, spelled
 from chasles.coq.statement import CoqStatement
 
@@ -85,7 +85,7 @@ class PointValues:
     def is_constant(self, node: w.Node) -> bool:
         """Whether it has the same value at all times."""
         try:
-            return not any(t or d for row in self.reading(node) for entry in row for t, _, d in self.motion(entry))
+            return not any(MOVING & self.motion(entry).places for row in self.reading(node) for entry in row)
         except Unsaid:
             return False
 
@@ -119,11 +119,12 @@ class PointValues:
         angle = next((name for at, (*_, name) in self.angles.items() if entry == self._bare(at)), "")
         return self._function(self.motion(entry), angle)
 
-    def _function(self, function: Function, angle: str = "") -> str:
+    def _function(self, function: Polynomial, angle: str = "") -> str:
         """A function of time, that has the value of an angle at the instant 0 if one is named."""
         terms = []
-        for below in sorted({d for *_, d in function} | {0}):
-            part = {(t, x): c for (t, x, d), c in function.items() if d == below}
+        for below in sorted({m >> 16 for m in function.terms} | {0}):
+            found = {m: Fraction(c, function.below) for m, c in function.terms.items() if m >> 16 == below}
+            part = {(m & 255, m >> 8 & 255): c for m, c in found.items()}
             top = max((t for t, _ in part), default=0)
             *others, text = (self.number({x: c for (t, x), c in part.items() if t == k}) for k in range(top + 1))
             if angle:

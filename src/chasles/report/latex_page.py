@@ -23,7 +23,6 @@ from chasles.report.findings import (
 from chasles.report.html.exercises import WorkedView
 from chasles.report.latex_text import escaped
 from chasles.report.words import VERDICTS, counted
-from chasles.report.worked_latex import exercises_in_latex
 from chasles.statements import Chapter, Entry
 from chasles.verdict import Verdict
 from chasles.vocabulary import latex
@@ -71,7 +70,7 @@ def latex_page(chapter: Chapter, decisions: DecisionsByName, worked: Sequence[Wo
         "slips": escaped(slips_in_words(decided)),
         "statements": len(decided),
         "totals": escaped(counted(decision.verdict for _, decision in decided)),
-        "exercises": tuple(exercises_in_latex(worked)),
+        "exercises": worked,
         "headings": tuple(_headings(decided, hypotheses_in_latex(chapter))),
     }
     return _environment().get_template("chapter.tex.jinja").render(values)
@@ -79,7 +78,7 @@ def latex_page(chapter: Chapter, decisions: DecisionsByName, worked: Sequence[Wo
 
 def _environment() -> Environment:
     """Templates whose marks do not look like LaTeX."""
-    return Environment(
+    environment = Environment(
         loader=PackageLoader("chasles.report"),
         undefined=StrictUndefined,
         block_start_string="<%",
@@ -93,6 +92,8 @@ def _environment() -> Environment:
         keep_trailing_newline=True,
         autoescape=False,
     )
+    environment.filters["tex"] = escaped
+    return environment
 
 
 def _headings(decided: Pairs, hypotheses: Mapping[str, str]) -> Iterator[SectionHeading]:

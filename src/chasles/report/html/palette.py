@@ -53,28 +53,3 @@ DARK = {
     "third": "#3cc79b",
     "fourth": "#f0bd45",
 }
-TEXT_ON = (
-    *((text, ground) for text in ("ink", "quiet", "link") for ground in ("ground", "raised")),
-    *((kind, f"{kind}-ground") for kind in ("good", "bad", "odd", "open", "plain")),
-    *((kind, ground) for kind in ("good", "bad", "odd", "open", "plain") for ground in ("ground", "raised")),
-    ("ink", "taken-ground"),
-    ("ink", "added-ground"),
-    ("ink", "bad-ground"),
-    ("quiet", "bad-ground"),
-    ("link", "bad-ground"),
-    ("ground", "link"),
-    *((curve, "ground") for curve in ("first", "second", "third", "fourth")),
-)
-"""Which colour of text is put on which ground."""
-
-
-def contrast(text: str, ground: str) -> float:
-    """The contrast of two colours given as #rrggbb, from 1 to 21, as WCAG 2 defines it."""
-    lighter, darker = sorted((_luminance(text), _luminance(ground)), reverse=True)
-    return (lighter + 0.05) / (darker + 0.05)
-
-
-def _luminance(colour: str) -> float:
-    parts = [int(colour[k : k + 2], 16) / 255 for k in (1, 3, 5)]
-    linear = [part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts]
-    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]

@@ -32,8 +32,6 @@ from chasles.statements.derivation import Derivation
 from chasles.verdict import Counterexample, Verdict
 from chasles.vocabulary import Node, plain
 
-SENTENCE = (Statement, Theorem, Inverse)
-
 
 @singledispatch
 def card_of(value: object) -> Card:
