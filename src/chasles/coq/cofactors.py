@@ -19,6 +19,7 @@ from chasles.checker.sparse import (
     number,
     parsed,
     powered,
+    product,
     variable,
 )
 from chasles.coq.sources import ProofReading
@@ -138,15 +139,5 @@ def _joined(*tops: int) -> int:
 
 def _times(polynomial: Polynomial, top: int, nonzero: list[Polynomial]) -> Polynomial:
     """A polynomial times the product of nonzero factors, which leaves no inverse in it."""
-    for k, power in exponents(top):
-        for _ in range(power):
-            polynomial = _once(polynomial, k, nonzero[k])
-    return polynomial
-
-
-def _once(polynomial: Polynomial, k: int, factor: Polynomial) -> Polynomial:
-    """A polynomial times a nonzero factor, of which variable k is the inverse."""
-    inverse = 1 << 8 * k
-    over = {m - inverse: c for m, c in polynomial.terms.items() if m >> 8 * k & 255}
-    rest = {m: c for m, c in polynomial.terms.items() if not m >> 8 * k & 255}
-    return Polynomial(over, polynomial.below) + Polynomial(rest, polynomial.below) * factor
+    numerator, powers = cleared(polynomial, nonzero)
+    return numerator * product(nonzero, top - powers)
