@@ -5,20 +5,17 @@ from __future__ import annotations
 import re
 from fractions import Fraction
 from random import Random
-from typing import Any
 
 import mpmath
 import pytest
 
 from chasles.checker.certificate import Rejected, check
-from chasles.checker.refutation import check_counterexample
 from chasles.decisions.session import Session
 from chasles.numerics.reference import evaluate
 from chasles.statements import Claim, Condition, Definition, nonzero, positive, unit
 from chasles.statements.expanding import coefficients_of
 from chasles.statements.matrices import invertible
-from chasles.statements.problem import problem_of
-from chasles.verdict import Fails, Holds, HoldsUnder, IllFormed, Undecided
+from chasles.verdict import Holds, IllFormed, Undecided
 from chasles.vocabulary import (
     CPM,
     Identity,
@@ -47,6 +44,8 @@ from chasles.vocabulary.nodes import lifted
 from chasles.vocabulary.rotation_vectors import exp_of_vector
 from chasles.vocabulary.sizes import Size
 
+from .decided import claim, proved, refuted
+
 t, y, a = scalar("t", r"\theta", "an angle"), scalar("y", "y", "a number"), scalar("a", "a", "a number")
 e, v, w = vector("e", "e", "an axis"), vector("v", r"\phi", "a rotation vector"), vector("w", "w", "a vector")
 M, n = square("M", "M", "a matrix"), Size("n")
@@ -58,10 +57,6 @@ about_e = Identity(3) + sin(t) * CPM(e) + (1 - cos(t)) * CPM(e) @ CPM(e)
 about_z = matrix((cos(t), -sin(t), 0), (sin(t), cos(t), 0), (0, 0, 1))
 z = column(0, 0, 1)
 left_jacobian = Identity(3) + (1 - cos(size)) / size**2 * CPM(v) + (size - sin(size)) / size**3 * CPM(v) @ CPM(v)
-
-
-def claim(left: Any, right: Any, *assuming: Any, given: tuple[Any, ...] = ()) -> Claim:
-    return Claim("1", lifted(left), lifted(right), assuming=assuming, given=given)
 
 
 TRUE = [
@@ -127,16 +122,12 @@ FALSE = [
 
 @pytest.mark.parametrize("said", TRUE, ids=lambda said: f"{said.left} = {said.right}")
 def test_what_is_true_is_proved_and_checked(said: Claim) -> None:
-    verdict = Session().decide(said).verdict
-    assert isinstance(verdict, Holds | HoldsUnder), verdict
-    check(said, "printed", verdict.certificate)
+    proved(said)
 
 
 @pytest.mark.parametrize("said", FALSE, ids=lambda said: f"{said.left} = {said.right}")
 def test_what_is_false_is_refuted_and_checked(said: Claim) -> None:
-    verdict = Session().decide(said).verdict
-    assert isinstance(verdict, Fails), verdict
-    check_counterexample(problem_of(said), verdict.counterexample)
+    refuted(said)
 
 
 def test_a_proof_of_fewer_terms_proves_no_more() -> None:

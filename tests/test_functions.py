@@ -18,7 +18,7 @@ from chasles.decisions.session import Session
 from chasles.numerics.reference import evaluate
 from chasles.statements import Claim, Definition, definite, nonzero, positive, rotation, unit
 from chasles.statements.problem import problem_of
-from chasles.verdict import Fails, Holds, HoldsUnder, Undecided
+from chasles.verdict import Fails, HoldsUnder, Undecided
 from chasles.vocabulary import (
     CPM,
     LENGTH,
@@ -59,8 +59,9 @@ from chasles.vocabulary.functions import (
     sqrt,
     tanh,
 )
-from chasles.vocabulary.nodes import lifted
 from chasles.vocabulary.tree import rebuilt
+
+from .decided import claim, proved, refuted
 
 x, y, p, phi = (scalar(name, letter, "a number") for name, letter in zip("xypf", ("x", "y", "p", r"\phi"), strict=True))
 r = scalar("r", "r", "a length", LENGTH)
@@ -70,10 +71,6 @@ Q, M = square("Q", "Q", "a rotation"), square("M", "M", "a matrix")
 a = scalar("a", r"\alpha", "an angle")
 angle = Definition("0.1", a, arccos((tr(Q) - 1) / 2))
 turn = Definition("0.2", Q, e @ e.T + cos(phi) * (Identity(3) - e @ e.T) + sin(phi) * CPM(e), assuming=(unit(e),))
-
-
-def claim(left: Any, right: Any, *assuming: Any, given: tuple[Any, ...] = ()) -> Claim:
-    return Claim("1", lifted(left), lifted(right), assuming=assuming, given=given)
 
 
 TRUE = [
@@ -119,9 +116,7 @@ FALSE = [
 
 @pytest.mark.parametrize("said", TRUE, ids=lambda said: f"{said.left} = {said.right}")
 def test_what_is_true_is_proved_and_the_proof_is_checked(said: Claim) -> None:
-    verdict = Session().decide(said).verdict
-    assert isinstance(verdict, Holds | HoldsUnder), verdict
-    check(said, "printed", json.loads(json.dumps(verdict.certificate)))
+    verdict = proved(said)
     if said.left != said.right:
         with pytest.raises(Rejected):
             check(replace(said, right=said.right + said.right + said.left), "printed", verdict.certificate)
@@ -129,9 +124,7 @@ def test_what_is_true_is_proved_and_the_proof_is_checked(said: Claim) -> None:
 
 @pytest.mark.parametrize("said", FALSE, ids=lambda said: f"{said.left} = {said.right}")
 def test_what_is_false_is_refuted_and_the_point_is_checked(said: Claim) -> None:
-    verdict = Session().decide(said).verdict
-    assert isinstance(verdict, Fails), verdict
-    check_counterexample(problem_of(said), verdict.counterexample)
+    verdict = refuted(said)
     with pytest.raises(Rejected):
         check_counterexample(problem_of(replace(said, right=said.left)), verdict.counterexample)
 
@@ -254,9 +247,7 @@ BEYOND_SUMS = [
 
 @pytest.mark.parametrize("said", BEYOND_SUMS, ids=lambda said: f"{said.left} = {said.right}")
 def test_angles_that_are_no_sums_of_symbols_are_decided(said: Claim) -> None:
-    verdict = Session().decide(said).verdict
-    assert isinstance(verdict, Holds | HoldsUnder), verdict
-    check(said, "printed", verdict.certificate)
+    proved(said)
     wrong = replace(said, right=said.right + said.right)
     refuted = Session().decide(wrong).verdict
     assert isinstance(refuted, Fails), refuted

@@ -7,13 +7,13 @@ from typing import Any
 
 import pytest
 
-from chasles.checker.certificate import check
-from chasles.checker.refutation import check_counterexample
 from chasles.decisions.session import Session
 from chasles.statements import Claim, Definition, problem_of, symmetric
 from chasles.statements.matrices import invertible
-from chasles.verdict import Fails, Holds, HoldsUnder
+from chasles.verdict import Holds
 from chasles.vocabulary import Identity, cross, det, inverse, number, rate, scalar, square, tr, vector
+
+from .decided import proved, refuted
 
 UNITS = False
 one, half = Identity(3), Fraction(1, 2)
@@ -52,16 +52,12 @@ FALSE = [
 
 @pytest.mark.parametrize("said", TRUE, ids=lambda said: f"{said.left} = {said.right}")
 def test_true_ones_are_proved(said: Claim) -> None:
-    verdict = Session().decide(said).verdict
-    assert isinstance(verdict, Holds | HoldsUnder), verdict
-    check(said, "printed", verdict.certificate)
+    proved(said)
 
 
 @pytest.mark.parametrize("said", FALSE, ids=lambda said: f"{said.left} = {said.right}")
 def test_false_ones_are_refuted(said: Claim) -> None:
-    verdict = Session().decide(said).verdict
-    assert isinstance(verdict, Fails), verdict
-    check_counterexample(problem_of(said), verdict.counterexample)
+    refuted(said)
 
 
 def test_what_is_given_itself_comes_first() -> None:

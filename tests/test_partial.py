@@ -8,13 +8,10 @@ from typing import Any
 import mpmath
 import pytest
 
-from chasles.checker.certificate import check
-from chasles.checker.refutation import check_counterexample
 from chasles.decisions.session import Session
 from chasles.numerics.reference import evaluate
 from chasles.statements import Claim, Condition, Definition, nonzero, rotation
-from chasles.statements.problem import problem_of
-from chasles.verdict import Fails, Holds, HoldsUnder, IllFormed, Undecided
+from chasles.verdict import IllFormed, Undecided
 from chasles.vocabulary import (
     ACCELERATION,
     CPM,
@@ -44,16 +41,14 @@ from chasles.vocabulary.functions import exp, sqrt
 from chasles.vocabulary.nodes import lifted
 from chasles.vocabulary.partial import gradient, partial, with_derivatives
 
+from .decided import claim, proved, refuted
+
 x, y, t = scalar("x", "x", "a number"), scalar("y", "y", "a number"), scalar("t", r"\theta", "an angle")
 v, w, A, R = vector("v", "v", ""), vector("w", "w", ""), square("A", "A", ""), square("R", "R", "")
 m, g = scalar("m", "m", "", MASS, constant=True), scalar("g", "g", "", ACCELERATION, constant=True)
 length, L = scalar("l", "l", "", LENGTH, constant=True), scalar("L", "L", "the Lagrangian", MOMENT)
 pendulum = Definition("0.1", L, m * length**2 * rate(t) ** 2 / 2 + m * g * length * cos(t))
 circle = Definition("0.2", v, column(x * cos(y), x * sin(y), x))
-
-
-def claim(left: Any, right: Any, *assuming: Any, given: tuple[Any, ...] = ()) -> Claim:
-    return Claim("1", lifted(left), lifted(right), assuming=assuming, given=given)
 
 
 TRUE = [
@@ -95,16 +90,12 @@ FALSE = [
 
 @pytest.mark.parametrize("said", TRUE, ids=lambda said: f"{said.left} = {said.right}")
 def test_what_is_true_is_proved_and_checked(said: Claim) -> None:
-    verdict = Session().decide(said).verdict
-    assert isinstance(verdict, Holds | HoldsUnder), verdict
-    check(said, "printed", verdict.certificate)
+    proved(said)
 
 
 @pytest.mark.parametrize("said", FALSE, ids=lambda said: f"{said.left} = {said.right}")
 def test_what_is_false_is_refuted_and_checked(said: Claim) -> None:
-    verdict = Session().decide(said).verdict
-    assert isinstance(verdict, Fails), verdict
-    check_counterexample(problem_of(said), verdict.counterexample)
+    refuted(said)
 
 
 def test_what_conditions_determine_is_not_differentiated_as_if_it_were_free() -> None:

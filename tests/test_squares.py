@@ -12,11 +12,10 @@ import pytest
 from chasles.algebra.squares import sum_of_squares
 from chasles.checker.certificate import Rejected, check
 from chasles.checker.contradiction import check_contradiction
-from chasles.checker.refutation import check_counterexample
 from chasles.decisions.session import Session
 from chasles.statements import Claim, Definition, Hypothesis, Problem, Theorem, nonzero, positive, problem_of, unit
 from chasles.statements.inequalities import PositiveDefinite, inequality, says_that
-from chasles.verdict import Fails, Holds, HoldsUnder
+from chasles.verdict import Holds, HoldsUnder
 from chasles.vocabulary import (
     CPM,
     Identity,
@@ -35,6 +34,8 @@ from chasles.vocabulary import (
     vector,
 )
 from chasles.vocabulary.functions import Relation
+
+from .decided import proved, refuted
 
 a, b, c, d, m, k, l, x, y, z, t = (scalar(name, name, "a number") for name in "abcdmklxyzt")
 u, v, w, e = (vector(name, name, "a vector") for name in "uvwe")
@@ -112,9 +113,7 @@ def test_sums_of_squares_are_never_negative(relation: Relation, assuming: tuple[
 @pytest.mark.parametrize(("relation", "assuming"), FALSE, ids=str)
 def test_what_is_negative_somewhere_is_refuted(relation: Relation, assuming: tuple[Hypothesis, ...]) -> None:
     said = claim(relation, assuming)
-    verdict = Session().decide(said).verdict
-    assert isinstance(verdict, Fails), verdict
-    check_counterexample(problem_of(said), verdict.counterexample)
+    refuted(said)
 
 
 DEFINITE: tuple[tuple[Node, bool, tuple[Hypothesis, ...], bool | None], ...] = (
@@ -143,14 +142,10 @@ DEFINITE: tuple[tuple[Node, bool, tuple[Hypothesis, ...], bool | None], ...] = (
 @pytest.mark.parametrize(("of", "semi", "assuming", "holds"), DEFINITE, ids=str)
 def test_definite_matrices(of: Node, semi: bool, assuming: tuple[Hypothesis, ...], holds: bool) -> None:
     said = Theorem("1", "it is positive-definite", (PositiveDefinite(of, semi),), assuming=assuming)
-    verdict = Session().decide(said).verdict
     if holds:
-        assert isinstance(verdict, Holds | HoldsUnder), verdict
-        assert set(verdict.needs) <= {h.text for h in assuming}
-        check(said, "printed", verdict.certificate)
+        assert set(proved(said).needs) <= {h.text for h in assuming}
     else:
-        assert isinstance(verdict, Fails), verdict
-        check_counterexample(problem_of(said), verdict.counterexample)
+        refuted(said)
 
 
 def test_given_definitions_are_used() -> None:

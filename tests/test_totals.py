@@ -7,12 +7,9 @@ from typing import Any
 
 import pytest
 
-from chasles.checker.certificate import check
-from chasles.checker.refutation import check_counterexample
 from chasles.decisions.session import Session
 from chasles.statements import Claim, Condition, Definition, positive, rotation, unit
-from chasles.statements.problem import problem_of
-from chasles.verdict import Fails, Holds, HoldsUnder, Undecided
+from chasles.verdict import HoldsUnder, Undecided
 from chasles.vocabulary import (
     LENGTH,
     MASS,
@@ -34,6 +31,8 @@ from chasles.vocabulary.arguments import WrongArgument
 from chasles.vocabulary.nodes import lifted
 from chasles.vocabulary.totals import members, total
 
+from .decided import claim, proved, refuted
+
 n, x, y = scalar("n", "n", ""), scalar("x_i", "x_i", ""), scalar("y_i", "y_i", "")
 m = scalar("m_i", "m_i", "", MASS, constant=True)
 r, e, R = vector("r_i", "r_i", "", LENGTH), vector("e_i", "e_i", ""), square("R_i", "R_i", "")
@@ -49,10 +48,6 @@ mass = Definition("0.1", M, total(m, i))
 centre = Definition("0.2", c, total(m * r, i) / M, assuming=(positive(M),))
 average = Definition("0.3", mean, 1 / n * total(x, j))
 nothing = column(0, 0, 0)
-
-
-def claim(left: Any, right: Any, *assuming: Any, given: tuple[Any, ...] = ()) -> Claim:
-    return Claim("1", lifted(left), lifted(right), assuming=assuming, given=given)
 
 
 TRUE = [
@@ -87,16 +82,12 @@ FALSE = [
 
 @pytest.mark.parametrize("said", TRUE, ids=lambda said: f"{said.left} = {said.right}")
 def test_true_ones_are_proved(said: Claim) -> None:
-    verdict = Session().decide(said).verdict
-    assert isinstance(verdict, Holds | HoldsUnder), verdict
-    check(said, "printed", verdict.certificate)
+    proved(said)
 
 
 @pytest.mark.parametrize("said", FALSE, ids=lambda said: f"{said.left} = {said.right}")
 def test_false_ones_are_refuted(said: Claim) -> None:
-    verdict = Session().decide(said).verdict
-    assert isinstance(verdict, Fails), verdict
-    check_counterexample(problem_of(said), verdict.counterexample)
+    refuted(said)
 
 
 def test_what_is_assumed_of_each_is_assumed_of_elements_of_a_body() -> None:
