@@ -156,6 +156,14 @@ def test_a_power_of_what_does_not_vanish_is_read_as_it_is() -> None:
         check_contradiction(asked, verdict.hypotheses, certificate | {"nonvanishing": {}})
 
 
+def test_what_only_does_not_vanish_is_not_taken_to_be_positive() -> None:
+    name = "a positive number minus squares"
+    _, _, certificate = certified(name)
+    asked = problem_of(Claim("1", p, q, given=CONTRADICTORY[name][0], assuming=(nonzero(m),)))
+    with pytest.raises(Rejected, match="shows no contradiction"):
+        check_contradiction(asked, (nonzero(m).text,), certificate)
+
+
 def test_a_condition_is_among_what_contradicts_itself() -> None:
     given = Condition("3", e, 2 * f, on=(e,))
     verdict = decide_problem(problem_of(Claim("1", p, q, given=(given,), assuming=(unit(e), unit(f), positive(m)))))
