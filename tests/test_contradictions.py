@@ -161,7 +161,7 @@ def test_what_only_does_not_vanish_is_not_taken_to_be_positive() -> None:
     _, _, certificate = certified(name)
     asked = problem_of(Claim("1", p, q, given=CONTRADICTORY[name][0], assuming=(nonzero(m),)))
     with pytest.raises(Rejected, match="shows no contradiction"):
-        check_contradiction(asked, (nonzero(m).text,), certificate)
+        check_contradiction(asked, (nonzero(m).text,), certificate | {"nonvanishing": {f"1. {nonzero(m).text}": 1}})
 
 
 def test_a_condition_is_among_what_contradicts_itself() -> None:
