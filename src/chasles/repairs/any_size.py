@@ -24,8 +24,6 @@ from chasles.vocabulary import Node
 from chasles.vocabulary.measure import Extent
 from chasles.vocabulary.sizes import at_sizes, sizes_of
 
-FIRST = (2, 3)
-"""What is put for the first size, then in its place; for others more than three, which is the dimension of space."""
 DRAWN, POINTS = 60, 6
 """So many points are drawn, of which so many are used, those of the largest sizes first."""
 
@@ -33,12 +31,15 @@ DRAWN, POINTS = 60, 6
 def nearest_at_numbers(claim: Claim, accepted: AcceptedSides) -> NearestAtNumbers | None:
     """What can be changed in a claim on matrices of any size that fails; None where no letter stands for a size.
 
-    For the letters stand different small numbers at which it fails: there are claims that are true of even sizes only.
+    For the letters stand different small numbers at which it fails: there are claims that are true of even sizes only,
+    and matrices of which it is assumed that they have no fewer rows than columns.
     """
     hypotheses = [node for h in claim.assuming for node in (*h.subjects, *h.nonvanishing)]
     sizes = sizes_of([claim.left, claim.right, *hypotheses])
-    for first in FIRST if sizes else ():
-        numbers = {size.name: place + 3 if place else first for place, size in enumerate(sizes)}
+    more = range(len(sizes) - 1)
+    growing, falling = [2, *(4 + k for k in more)], [3, *(5 + k for k in more)][::-1]
+    for chosen in (growing, falling) if sizes else ():
+        numbers = {size.name: number for size, number in zip(sizes, chosen, strict=True)}
         known: dict[tuple[str, int], Equation] = {}
         for given in with_their_definitions(claim.given):
             left, right = accepted(given)
@@ -50,7 +51,7 @@ def nearest_at_numbers(claim: Claim, accepted: AcceptedSides) -> NearestAtNumber
             at_points=_PointTest(claim, accepted),
             back=at_letters(claim, numbers),
         )
-        if first == FIRST[-1] or not near.agree(*near.statement.printed):
+        if chosen is falling or near.is_tested(*near.statement.printed):
             return near
     return None
 

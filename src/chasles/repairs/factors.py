@@ -42,7 +42,7 @@ class Factors:
         squares = [part for part in found if (_is_named(part) or part in own) and _is_factor(part)]
         inverses = dict.fromkeys(part for part in found if isinstance(part, w.Inverse) and not part.is_scalar)
         declared = (node for h in test.problem.hypotheses for node in h.nonvanishing if isinstance(node, w.Determinant))
-        inverses |= dict.fromkeys(w.Inverse(node.of) for node in declared if inverses or isinstance(node.of, w.Symbol))
+        inverses |= dict.fromkeys(w.Inverse(node.of) for node in declared)
         self.matrices = (*squares, *map(w.Transpose, squares), *inverses)
         scalars = [part for part in found if part.is_scalar]
         scalars += [w.Determinant(each.of) for each in inverses]

@@ -25,7 +25,7 @@ from chasles.statements import Claim, Definition, Statement, problem_of
 from chasles.statements.goals import AcceptedSides
 from chasles.statements.problem import default_sides
 from chasles.verdict import Holds, HoldsUnder, Verdict
-from chasles.vocabulary import Misfit, Node, plain, walk
+from chasles.vocabulary import Misfit, Node, plain, symbols_of, walk
 from chasles.vocabulary.families import indices_of
 
 EFFORT = 2e7
@@ -192,23 +192,18 @@ def _proved(near: Nearest, changes: Iterable[Change]) -> Iterator[Repair]:
             yield Repair(change.left, change.right, change.words, edits, verdict, change.modulo, marks=change.marks)
 
 
-def _rank(
-    change: Change, sides: tuple[Node, Node], known: Container[Node]
-) -> tuple[int, int, int, bool, int, int, str]:
-    """The fewest changes first, then the smallest, those of the fewest marks, right before left, what is printed."""
+def _rank(change: Change, sides: tuple[Node, Node], known: Container[Node]) -> tuple[int | str, ...]:
+    """The fewest changes first, then the smallest, those of the fewest marks, what has the most letters, right first.
+
+    What is put for a letter by mistake makes the equation say less; so one with more letters is the likelier original.
+    """
     new = change.left, change.right
     strange = sum(part not in known for side in new for part in walk(side))
     marks = sum(_changed_marks(plain(one), plain(other)) for one, other in zip(sides, new, strict=True))
+    letters = len({*symbols_of(change.left), *symbols_of(change.right)})
     text = plain(change.right)
-    return (
-        len(change.words),
-        change.effort,
-        marks,
-        change.left != sides[0],
-        strange,
-        len(text),
-        text + plain(change.left),
-    )
+    place = change.left != sides[0]
+    return len(change.words), change.effort, marks, -letters, place, strange, len(text), text, plain(change.left)
 
 
 def _changed_marks(one: str, other: str) -> int:

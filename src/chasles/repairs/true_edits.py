@@ -78,13 +78,15 @@ def _multiplied(node: Node, parent: Node | None, factors: Factors) -> Iterator[S
 def _unknown(node: Node, parent: Node | None, factors: Factors) -> Iterator[SingleEdit]:
     """Other letters, other numbers and more terms, where the values wanted of the place itself are not known."""
     if isinstance(node, w.Symbol | w.Zero):
-        yield from (SingleEdit(other, "") for other in factors.letters if other != node and other.shape == node.shape)
+        ones = (w.Identity(node.shape[0]),) if isinstance(node, w.Zero) and len({*node.shape}) == 1 else ()
+        others = (*factors.letters, *ones)
+        yield from (SingleEdit(other, "") for other in others if other != node and other.shape == node.shape)
     if isinstance(node, w.Number):
-        others = (node.value + 1, node.value - 1, 2 * node.value, node.value / 2)
+        numbers = (node.value + 1, node.value - 1, 2 * node.value, node.value / 2)
         least = 1 if isinstance(parent, w.Scale | w.Quotient) else 0
-        yield from (SingleEdit(w.Number(number), "") for number in others if number > 0 and number != least)
-    elif node.is_scalar:
-        for factor in factors.simple:
+        yield from (SingleEdit(w.Number(number), "") for number in numbers if number > 0 and number != least)
+    elif node.is_scalar or not isinstance(parent, w.Sum | w.Contract | w.Transpose):
+        for factor in factors.simple if node.is_scalar else dict.fromkeys((*factors.letters, *factors.matrices)):
             if not isinstance(factor, w.Number) and fit(factor, node):
                 yield from (SingleEdit(with_term(node, t), missing(t), FORM + 1) for t in (factor, w.Negative(factor)))
 

@@ -49,7 +49,7 @@ def real_test(statement: Statement, left: Node, right: Node, accepted: AcceptedS
         test = RealTest(problem_of(statement.saying(left, right), "printed", accepted), (left, right))
     except (w.Misfit, TypeError, ValueError):
         return None
-    return test if test.points else None
+    return test if all(test.has_values(side) for side in (left, right)) else None
 
 
 def _with_scalars(side: Node, scalars: Iterable[Node]) -> Iterator[SingleEdit]:
@@ -141,6 +141,15 @@ class RealTest:
         }
         moving = any(isinstance(part, w.Rate) for side in said for part in w.walk(side))
         self.points = [] if moving else list(islice(self._drawn(), POINTS))
+
+    def has_values(self, side: Node) -> bool:
+        """Whether a side is made of words that have values at points, at some of which it may have none."""
+        try:
+            return bool(self.points) and bool(self.points[0](side))
+        except TypeError:
+            return False
+        except NO_VALUE:
+            return True
 
     def agree(self, left: Node, right: Node) -> bool:
         """Whether the sides agree at all points at which both have a value, two or more."""
