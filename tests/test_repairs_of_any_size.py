@@ -84,6 +84,16 @@ def test_a_claim_that_is_true_of_even_sizes_alone_is_repaired() -> None:
     assert "[A, B; 0, X] instead of [B, A; X, 0]" in {each.changes[0] for each in found}
 
 
+def test_points_of_matrices_with_more_rows_than_columns() -> None:
+    found = repair(Claim("1", H @ H.T @ H, H, assuming=(invertible(H.T @ H),)))
+    assert "H (H^T H)^-1 H^T H" in {plain(each.left) for each in found}
+
+
+def test_what_says_more_comes_first_of_two_letters_that_may_be_wrong() -> None:
+    claim = Claim("1", det(matrix([A, X], [P, X])), det(A) * det(X - P @ inverse(A) @ B), assuming=(invertible(A),))
+    assert repair(claim)[0].changes == ("B instead of X",)
+
+
 def test_a_determinant_inside_what_is_said_to_have_an_inverse() -> None:
     claim = Claim("1", det(X - A / det(B)), det(X), assuming=(invertible(B), invertible(X - A / det(B))))
     assert Session().decide(claim).verdict.name == "fails"

@@ -201,9 +201,8 @@ def _rank(change: Change, sides: tuple[Node, Node], known: Container[Node]) -> t
     strange = sum(part not in known for side in new for part in walk(side))
     marks = sum(_changed_marks(plain(one), plain(other)) for one, other in zip(sides, new, strict=True))
     letters = len({*symbols_of(change.left), *symbols_of(change.right)})
-    text = plain(change.right)
-    place = change.left != sides[0]
-    return len(change.words), change.effort, marks, -letters, place, strange, len(text), text, plain(change.left)
+    left, right = map(plain, new)
+    return len(change.words), change.effort, marks, -letters, change.left != sides[0], strange, len(right), right, left
 
 
 def _changed_marks(one: str, other: str) -> int:

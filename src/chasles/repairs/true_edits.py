@@ -87,7 +87,7 @@ def _unknown(node: Node, parent: Node | None, factors: Factors) -> Iterator[Sing
         yield from (SingleEdit(w.Number(number), "") for number in numbers if number > 0 and number != least)
     elif node.is_scalar or not isinstance(parent, w.Sum | w.Contract | w.Transpose):
         for factor in factors.simple if node.is_scalar else dict.fromkeys((*factors.letters, *factors.matrices)):
-            if not isinstance(factor, w.Number) and fit(factor, node):
+            if not isinstance(factor, w.Number) and factor != node and fit(factor, node):
                 yield from (SingleEdit(with_term(node, t), missing(t), FORM + 1) for t in (factor, w.Negative(factor)))
 
 
