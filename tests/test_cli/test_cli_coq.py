@@ -239,7 +239,7 @@ def test_what_coq_has_accepted_is_not_checked_again(run, tmp_path: Path, monkeyp
     assert json.loads(again.stdout)["coq"] == json.loads(first.stdout)["coq"]
     assert compiled == []
     run("decide", "3.13", "--anew", "--coq", str(tmp_path / "out"))
-    assert compiled == ["Statements_1"]
+    assert compiled == ["Words"]
 
 
 def test_without_coq_the_command_writes_and_says_what_is_missing(

@@ -113,7 +113,7 @@ def written(folder: Path, decisions: Sequence[Decision], anew: bool = False) -> 
     if version is not None:
         try:
             before = set() if anew else accepted_before(proved, version)
-            checked = tuple(progress(verdicts_of_coq(parts, before), len(proved), "Coq"))
+            checked = tuple(progress(verdicts_of_coq(parts, before, anew), len(proved), "Coq"))
             keep_accepted(checked, version)
         except ChildProcessError as error:
             raise Failure(str(error), FAILED) from error

@@ -59,7 +59,7 @@ def coq_version() -> str | None:
     return said[0] if said else None
 
 
-def verdicts_of_coq(parts: Sequence[Chunk], known: Container[str] = ()) -> Iterator[CoqVerdict]:
+def verdicts_of_coq(parts: Sequence[Chunk], known: Container[str] = (), anew: bool = False) -> Iterator[CoqVerdict]:
     """What Coq says of each theorem that has a proof; those `known` by their names have been accepted before.
 
     Raises `ChildProcessError` if it refuses a statement.
@@ -74,20 +74,20 @@ def verdicts_of_coq(parts: Sequence[Chunk], known: Container[str] = ()) -> Itera
         return
     with TemporaryDirectory(prefix="chasles-coq-") as name:
         folder = Path(name)
-        compile_theories(folder)
+        compile_theories(folder, anew)
         with ThreadPoolExecutor(max_workers=min(processors(), AT_ONCE)) as pool:
             for found in pool.map(lambda each: _judged(folder, *each), todo):
                 yield from found
 
 
-def compile_theories(folder: Path) -> None:
-    """Put the theories into a folder, compiled: as an earlier run has kept them, where there is a cache.
+def compile_theories(folder: Path, anew: bool = False) -> None:
+    """Put the theories into a folder, compiled: unless `anew`, as an earlier run has kept them where there is a cache.
 
     Raises `ChildProcessError` if Coq refuses one.
     """
     root = cache.folder()
     kept = root and root / f"coq-{hash_of_theories(coq_version() or '')}"
-    if kept and kept.is_dir():
+    if kept and kept.is_dir() and not anew:
         shutil.copytree(kept, folder, dirs_exist_ok=True)
         return
     for each in THEORIES:
