@@ -51,6 +51,7 @@ TRUE: list[tuple[Any, Any, list[Any]]] = [
     (Abs(p * x), p * Abs(x), []),
     (sqrt(p * x) / sqrt(p), sqrt(x), []),
     (sp.sign(p), 1, []),
+    (sp.Min(-N - q, sp.sign(n)), -sp.Max(N + q, -sp.sign(n)), []),
     (f.diff(t), 0, [Eq(f**2, 1)]),
 ]
 FALSE: list[tuple[Any, Any, list[Any]]] = [
