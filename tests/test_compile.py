@@ -490,6 +490,7 @@ def test_processes_at_once_and_one_after_another(tmp_path):
     assert not list(tmp_path.rglob("*.part"))
 
 
+@pytest.mark.sampled(2)
 @needs_c
 @pytest.mark.parametrize("harm", ["truncated", "changed", "removed", "index", "index of nothing", "half-written"])
 def test_a_harmed_cache_is_made_anew(harm, empty_cache, compilations, monkeypatch):

@@ -44,6 +44,7 @@ def exact(expression, point):
         return [float(value) for value in sp.lambdify([x, y, z], rows, "mpmath")(*map(mpmath.mpf, point))]
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("number", range(len(LIMITS)), ids=lambda number: str(LIMITS[number]))
 def test_values_and_derivatives_near_a_limit(kernel, number):
     expression = LIMITS[number].replace(sp.sinc, lambda a: sp.sin(a) / a)

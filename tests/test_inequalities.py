@@ -104,6 +104,7 @@ def test_what_is_false_is_refuted_where_the_inequalities_hold(said: Claim) -> No
     refuted(said)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     "said",
     [

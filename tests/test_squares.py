@@ -139,6 +139,7 @@ DEFINITE: tuple[tuple[Node, bool, tuple[Hypothesis, ...], bool | None], ...] = (
 )  # fmt: skip
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(("of", "semi", "assuming", "holds"), DEFINITE, ids=str)
 def test_definite_matrices(of: Node, semi: bool, assuming: tuple[Hypothesis, ...], holds: bool) -> None:
     said = Theorem("1", "it is positive-definite", (PositiveDefinite(of, semi),), assuming=assuming)

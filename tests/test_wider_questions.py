@@ -51,6 +51,7 @@ def name(case: Any) -> str:
     return str(case)[:40]
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(("lhs", "rhs", "given"), TRUE, ids=name)
 def test_it_holds_and_no_more_than_it(lhs: Any, rhs: Any, given: list[Any]) -> None:
     verdict = prove(lhs, rhs, given)

@@ -26,6 +26,7 @@ FINE = [
 ]
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("words", FINE, ids=" ".join)
 def test_what_is_fine_says_nothing(run, words: tuple[str, ...]) -> None:
     for line in (("-q", *words), (*words, "--quiet")):
