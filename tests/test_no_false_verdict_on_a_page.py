@@ -76,9 +76,14 @@ def test_the_letter_with_its_difference_is_one() -> None:
         "[x, y] = x y - y x",
         "[x, y] = -[y, x]",
         "[x z, y z] = z [x, y]",
+        r"\log_2 x = \log x",
+        r"\max_x f = f",
+        r"2 \frac{1}{2} = \frac{5}{2}",
+        r"2 \frac{1}{2} x = x",
+        r"\pi = 3.14, \quad 2 \pi = 6.28",
     ],
 )
-def test_inverse_functions_and_brackets_of_two_are_not_read_as_quotients_and_columns(claim: str) -> None:
+def test_inverse_functions_brackets_of_two_and_mixed_numbers_are_not_read_as_what_they_look_like(claim: str) -> None:
     assert not {*verdicts(claim)} & DECIDED
     assert not {*verdicts_as_proposed(claim)} & DECIDED
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from functools import lru_cache
 
 from chasles.statements.statement import bare
-from chasles.vocabulary import Node, Rate, Symbol, undotted
+from chasles.vocabulary import PI, Node, Rate, Symbol, undotted
 from chasles.vocabulary.families import Member
 
 Quantity = tuple[Symbol, int]
@@ -14,10 +14,10 @@ Quantity = tuple[Symbol, int]
 
 
 def quantity(node: Node) -> Quantity | None:
-    """The symbol, or rate of one, that a side is; None for anything else, and for an abbreviation."""
+    """The symbol, or rate of one, that a side is; None for anything else, for an abbreviation, and for pi."""
     base, order = undotted(bare(node))
     base = bare(base)
-    return (base, order) if isinstance(base, Symbol) and base.stands_for is None else None
+    return (base, order) if isinstance(base, Symbol) and base.stands_for is None and base != PI else None
 
 
 @lru_cache(maxsize=4096)

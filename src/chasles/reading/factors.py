@@ -35,12 +35,11 @@ def factors(items: tuple[Atom, ...], start: int, ctx: FittingContext) -> Iterato
     atom = items[start]
     spellings = ctx.notation.spellings
     name = called(atom)
-    subscripted = f"{name} _ {said_of(atom.sub)}" if atom.sub else name
     integral = _integral(items, start, ctx)
     if integral is not None:
         yield integral
         return
-    makes = spellings.names.get(subscripted) or spellings.names.get(name)
+    makes = spellings.names.get(f"{name} _ {said_of(atom.sub)}" if atom.sub else name)
     if makes and atom.kind in ("LETTER", "COMMAND") and start + 1 < len(items):
         values = list(_applications(items, start, makes, ctx))
         yield from values
@@ -63,6 +62,9 @@ def factors(items: tuple[Atom, ...], start: int, ctx: FittingContext) -> Iterato
         for end, found in factors(items, start + 1, ctx):
             yield end, applied((make,), found, ctx, Glyph(""), atom.text)
         return
+    if behind is not None and atom.kind == "NUMBER" and _is_numeral(behind):
+        ctx.note("a number before a fraction of numbers may be one number: write a sign between them", atom.place)
+        return
     if behind is not None and _is_inverse_function(atom, behind, ctx):
         ctx.note(f"{spelled(letter_of(atom))} before an argument is an inverse function", atom.place)
         return
@@ -82,6 +84,10 @@ def _difference(sign: Atom, home: str, of: Node) -> Node:
     """The change of a quantity: one of its own."""
     said = latex(of) if isinstance(of, Symbol | Group) else rf"\left( {latex(of)} \right)"
     return own_quantity(f"{spelled(letter_of(sign))} {said}", measured(of), home)
+
+
+def _is_numeral(atom: Atom) -> bool:
+    return "frac" in atom.text and all(said_of(each).isdigit() for each in atom.arguments)
 
 
 def _is_inverse_function(atom: Atom, behind: Atom, ctx: FittingContext) -> bool:
