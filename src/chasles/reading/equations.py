@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from contextlib import suppress
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -17,7 +16,7 @@ from chasles.reading.page_functions import functions_in, shown_alone
 from chasles.reading.page_notation import PageNotation
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.reading import Part, ReadEquation, Reading, settled
-from chasles.reading.segments import segments
+from chasles.reading.segments import chains_of, segments
 from chasles.reading.sums import sum_fits
 from chasles.reading.tokens import tokens
 from chasles.vocabulary import Misfit, Node, Rate, Symbol, symbols_of, walk
@@ -41,7 +40,7 @@ def read_equations(printed: Sequence[PrintedEquation], notation: PageNotation) -
     """Each printed equation with its readings; one that begins with a relation goes on with the side before."""
     found: list[ReadEquation] = []
     before: Tokens | None = None
-    chains = list(_chains(printed))
+    chains = [chain for equation in printed for chain in chains_of(equation)]
     notation = replace(notation, functions=functions_in(chains), alone=shown_alone(chains))
     for equation in printed:
         try:
@@ -53,12 +52,6 @@ def read_equations(printed: Sequence[PrintedEquation], notation: PageNotation) -
             read = ReadEquation(equation, (), str(problem), problem.column)
         found.append(read)
     return settled(found)
-
-
-def _chains(printed: Sequence[PrintedEquation]) -> Iterator[Chain]:
-    for equation in printed:
-        with suppress(Unread, BadPage):
-            yield from (formula(line) for line, _ in segments(equation.tokens) if line)
 
 
 def expressions(latex: str, notation: PageNotation) -> list[Node]:

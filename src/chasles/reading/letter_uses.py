@@ -9,16 +9,16 @@ from dataclasses import dataclass, field, replace
 from chasles.reading.applying import EVALUATED
 from chasles.reading.commands import MARKS
 from chasles.reading.glyphs import ARROWS, Glyph, joined, letter_of, said_of, spelled, text_of
-from chasles.reading.grammar import Atom, Chain, Terms, formula, terms_in
-from chasles.reading.grouping import TYPEFACES, Unread
-from chasles.reading.lexemes import BadPage, Token
+from chasles.reading.grammar import Atom, Terms, terms_in
+from chasles.reading.grouping import TYPEFACES
+from chasles.reading.lexemes import Token
 from chasles.reading.marks import SIZE, WITHOUT_WORD
 from chasles.reading.notation_file import load_notation
 from chasles.reading.page_functions import DIFFERENCES, makes_difference, shown_alone
 from chasles.reading.page_notation import PageNotation
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.quotients import upright
-from chasles.reading.segments import segments
+from chasles.reading.segments import chains_of
 from chasles.reading.spellings import called
 from chasles.vocabulary.measure import Extent
 
@@ -77,14 +77,6 @@ class _Noting:
     operators: tuple[str, ...]
     bare: frozenset[str]
     alone: frozenset[str]
-
-
-def chains_of(equation: PrintedEquation) -> list[Chain]:
-    """What stands side by side or line by line in the equation; nothing where that cannot be read."""
-    try:
-        return [formula(line) for line, _ in segments(equation.tokens) if line]
-    except (Unread, BadPage):
-        return []
 
 
 def letter_uses(

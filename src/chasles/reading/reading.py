@@ -79,9 +79,7 @@ def settled(read: Sequence[ReadEquation]) -> tuple[ReadEquation, ...]:
 
 
 def _symbols(reading: Reading) -> frozenset[Symbol]:
-    return frozenset(
-        symbol for part in reading.parts for side in (part.left, part.right) for symbol in symbols_of(side)
-    )
+    return frozenset(symbol for side in reading.sides for symbol in symbols_of(side))
 
 
 def _chosen(readings: tuple[Reading, ...], here: int, places: dict[Symbol, list[int]], far: int) -> tuple[Reading, ...]:

@@ -8,8 +8,10 @@ from itertools import pairwise
 
 from chasles.reading.abbreviations import written_out
 from chasles.reading.commands import IMPLICATIONS
+from chasles.reading.grammar import Chain, formula
 from chasles.reading.grouping import RELATIONS, Tokens, Unread, lines_of
-from chasles.reading.lexemes import Token, cut
+from chasles.reading.lexemes import BadPage, Token, cut
+from chasles.reading.printed import PrintedEquation
 
 CONDITIONS = re.compile(r"(?:(?:for|if|when|where|provided|with|as)\b|i\.e\.)", re.IGNORECASE)
 PROSE = re.compile(r"(?:is|are|being)\b")
@@ -44,6 +46,14 @@ def segments(marks: Tokens) -> list[tuple[Tokens, bool]]:
     if not all(_is_membership(part) for part, _ in found):
         found = [each for each in found if not _is_membership(each[0])]
     return [(full, condition) for part, condition in found for full in written_out(part)]
+
+
+def chains_of(equation: PrintedEquation) -> list[Chain]:
+    """What stands side by side or line by line in the equation; nothing where that cannot be read."""
+    try:
+        return [formula(line) for line, _ in segments(equation.tokens) if line]
+    except (Unread, BadPage):
+        return []
 
 
 def _relations(part: Sequence[Token]) -> list[str]:

@@ -12,7 +12,6 @@ from chasles.reading.letter_shapes import Misshapen, Shape, shape_of_chain
 from chasles.reading.letter_uses import (
     SKEW,
     LetterUse,
-    chains_of,
     is_declared,
     letter_uses,
     looks,
@@ -21,6 +20,7 @@ from chasles.reading.letter_uses import (
 )
 from chasles.reading.notation_file import load_notation
 from chasles.reading.printed import PrintedEquation
+from chasles.reading.segments import chains_of
 from chasles.vocabulary.measure import Extent
 
 Kind = tuple[str, tuple[Extent, ...]]
