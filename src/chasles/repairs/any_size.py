@@ -39,21 +39,24 @@ def nearest_at_numbers(claim: Claim, accepted: AcceptedSides) -> NearestAtNumber
     more = range(len(sizes) - 1)
     growing, falling = [2, *(4 + k for k in more)], [3, *(5 + k for k in more)][::-1]
     for chosen in (growing, falling) if sizes else ():
-        numbers = {size.name: number for size, number in zip(sizes, chosen, strict=True)}
-        known: dict[tuple[str, int], Equation] = {}
-        for given in with_their_definitions(claim.given):
-            left, right = accepted(given)
-            known[given.number, given.part] = at_sizes(left, numbers), at_sizes(right, numbers)
-        near = NearestAtNumbers(
-            with_sizes(claim, numbers),
-            lambda given: known[given.number, given.part],  # noqa: B023
-            tuple(side for pair in known.values() for side in pair),
-            at_points=_PointTest(claim, accepted),
-            back=at_letters(claim, numbers),
-        )
+        near = _at_numbers(claim, accepted, {size.name: number for size, number in zip(sizes, chosen, strict=True)})
         if chosen is falling or near.is_tested(*near.statement.printed):
             return near
     return None
+
+
+def _at_numbers(claim: Claim, accepted: AcceptedSides, numbers: dict[str, int]) -> NearestAtNumbers:
+    known: dict[tuple[str, int], Equation] = {}
+    for given in with_their_definitions(claim.given):
+        left, right = accepted(given)
+        known[given.number, given.part] = at_sizes(left, numbers), at_sizes(right, numbers)
+    return NearestAtNumbers(
+        with_sizes(claim, numbers),
+        lambda given: known[given.number, given.part],
+        tuple(side for pair in known.values() for side in pair),
+        at_points=_PointTest(claim, accepted),
+        back=at_letters(claim, numbers),
+    )
 
 
 @dataclass
