@@ -63,6 +63,8 @@ class Enclosing:
 
     def times(self, one: Enclosure, other: Enclosure) -> Enclosure:
         """The product."""
+        if one.low >= 0 <= other.low:
+            return Enclosure(one.low * other.low >> self.bits, -(-one.high * other.high >> self.bits))
         ends = [a * b for a in (one.low, one.high) for b in (other.low, other.high)]
         return Enclosure(min(ends) >> self.bits, -(-max(ends) >> self.bits))
 
@@ -124,12 +126,14 @@ class Enclosing:
         return self.coarser(total, finer)
 
     def series(self, x: Enclosure, ratio: Callable[[int], Fraction]) -> Enclosure:
-        """1 + r(1) x + r(1) r(2) x^2 + ... for |x| at most 1/2 and ratios of size at most 1."""
+        """1 + r(1) x + r(1) r(2) x^2 + ... for |x| at most 1/2 and ratios from 0 to 1."""
         total = term = self.number(1)
         k = 0
         while max(abs(term.low), abs(term.high)) > 1:
             k += 1
-            term = self.times(self.times(term, x), self.number(ratio(k)))
+            term, part = self.times(term, x), ratio(k)
+            above, below = part.numerator, part.denominator
+            term = Enclosure(term.low * above // below, -(-term.high * above // below))
             total = total + term
         # What is left out is at most the last term times 1/2 + 1/4 + ...
         return Enclosure(total.low - 2, total.high + 2)
@@ -193,16 +197,21 @@ class Enclosing:
 
 @cache
 def _pi(bits: int) -> Enclosure:
-    finer = Enclosing(bits + HALVINGS)
+    one = 1 << bits + bits.bit_length() + HALVINGS
+    (five, lost), (many, more) = _arctangent(5, one), _arctangent(239, one)
+    total, error = 16 * five - 4 * many, 16 * lost + 4 * more
+    shift = one.bit_length() - 1 - bits
+    return Enclosure(total - error >> shift, -(-(total + error) >> shift))
 
-    def arctangent(inverse: int) -> Enclosure:
-        square = finer.number(Fraction(-1, inverse * inverse))
-        series = finer.series(square, lambda k: Fraction(2 * k - 1, 2 * k + 1))
-        return finer.times(finer.number(Fraction(1, inverse)), series)
 
-    sixteen, four = finer.number(16), finer.number(4)
-    total = finer.times(sixteen, arctangent(5)) - finer.times(four, arctangent(239))
-    return Enclosing(bits).coarser(total, finer)
+def _arctangent(inverse: int, one: int) -> tuple[int, int]:
+    """Arctan of one over an integer, and a bound of the error: each of its terms is rounded down, once."""
+    power, total, count = one // inverse, 0, 0
+    while power:
+        total += (1 - count % 2 * 2) * (power // (2 * count + 1))
+        power //= inverse * inverse
+        count += 1
+    return total, count + 1
 
 
 def _root(number: int, degree: int) -> int:
