@@ -16,6 +16,7 @@ x, y, z = sp.symbols("x y z", real=True)
 X = sp.Symbol("X")
 p = sp.Symbol("p", positive=True)
 n = sp.Symbol("n", integer=True)
+Z = sp.Symbol("Z", complex=True)
 t, s = sp.symbols("t s")
 f, g = (sp.Function(name)(t) for name in "fg")
 TRUE: list[tuple[Any, Any, list[Any]]] = [
@@ -37,6 +38,9 @@ TRUE: list[tuple[Any, Any, list[Any]]] = [
     (atan2(y, x), atan(y / x) + pi, [x < 0, y > 0]),
     (x * y / y, x, [Ne(y, 0)]),
     (Abs(n), n, [n > -1]),
+    (Abs(n), -n, [n < 1]),
+    (Abs(Z - Z), 0, [Abs(Z) < 1]),
+    (Abs(2 + sp.re(Z)), 2 + sp.re(Z), [Abs(Z + sp.conjugate(Z)) < 2]),
     (sqrt(f**2), f, [f > 0]),
     (sqrt((f - g) ** 2).diff(t), f.diff(t) - g.diff(t), [f > g]),
     (acos(cos(x)), x, [x >= 0, x <= pi]),

@@ -42,7 +42,8 @@ def prove(lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), budget: float 
         rhs: one of the same shape.
         given: equations that hold, as `Eq(a, b)` or as expressions or matrices that are zero, one or a list of them,
             or the values of symbols as `{x: 1}`; between functions of time they hold at all times. Inequalities may be
-            among them; of `a > b` the verdict speaks as a = b + d_1, with a positive symbol d_1.
+            among them; of `a > b` the verdict speaks as a = b + d_1, with a positive symbol d_1, and of an angle
+            between two multiples of pi by its tangent, sine or direction.
         nonzero: scalars that do not vanish. Divisors need not be named: the verdict's `needs` lists them.
         budget: seconds after which the verdict is `Undecided`. Without it only the work is limited, so that the verdict
             does not depend on the machine.

@@ -54,9 +54,10 @@ def _plain(item: Any) -> Iterator[Any]:
     """What is said of a size, as two inequalities; of integers, one is less than the other one by one or more."""
     if isinstance(item, COMPARED) and item.has(sympy.oo, -sympy.oo, sympy.zoo, sympy.nan):
         raise Untreatable(f"{excerpt(item)} is not treated: it compares with what is infinite")
-    if isinstance(item, COMPARED) and isinstance(item.lts, sympy.Abs) and item.lts.args[0].is_real is not False:
+    if isinstance(item, COMPARED) and isinstance(item.lts, sympy.Abs) and not item.lts.has(sympy.I):
         less = sympy.Lt if isinstance(item, sympy.Gt | sympy.Lt) else sympy.Le
-        yield from (less(item.lts.args[0], item.gts), less(-item.gts, item.lts.args[0]))
+        yield from _plain(less(item.lts.args[0], item.gts))
+        yield from _plain(less(-item.gts, item.lts.args[0]))
     elif isinstance(item, sympy.Gt | sympy.Lt) and item.lts.is_integer and item.gts.is_integer:
         yield item.lts <= item.gts - 1 if item.gts.is_number else item.gts >= item.lts + 1
     else:
