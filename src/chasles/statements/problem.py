@@ -5,14 +5,13 @@ The prover and the checker of certificates both start here, and from nowhere els
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
 from weakref import WeakKeyDictionary
 
 from chasles.statements.angles import determined_angle, turning
 from chasles.statements.directions import with_directions
-from chasles.statements.evident import evident_divisors
 from chasles.statements.goals import (
     AcceptedSides,
     Goal,
@@ -23,10 +22,14 @@ from chasles.statements.goals import (
     presupposed_by,
 )
 from chasles.statements.hypotheses import Hypothesis
-from chasles.statements.inverses import Inverses, reached
-from chasles.statements.lengths import Lengths
-from chasles.statements.of_all_members import summed
 from chasles.statements.rules import behind, passed_on, rated, refuse_circles
+from chasles.statements.simpler_words import (
+    in_simpler_words,
+    sides_of,
+    with_rates_said,
+    with_simple_lengths,
+    with_what_is_seen,
+)
 from chasles.statements.statement import (
     Claim,
     Condition,
@@ -38,12 +41,10 @@ from chasles.statements.statement import (
     with_their_definitions,
 )
 from chasles.statements.varied import opened_parts
-from chasles.vocabulary import Negative, Node, Rate, Sum, Symbol, members_of, plain, walk
+from chasles.vocabulary import Negative, Node, Sum, Symbol, members_of, plain, walk
 from chasles.vocabulary.families import indices_of
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.measure import added
-from chasles.vocabulary.shorthand import opened
-from chasles.vocabulary.sizes import sizes_of
 from chasles.vocabulary.totals import Total
 
 Decidable = Statement | Theorem
@@ -72,7 +73,7 @@ class Problem:
     def has_functions(self) -> bool:
         """Whether functions of scalars occur that have no polynomial form."""
         said = [equation for h in self.hypotheses for equation in h.equations]
-        sides = (*_sides(self), *(side for pair in (*self.rules, *said) for side in pair))
+        sides = (*sides_of(self), *(side for pair in (*self.rules, *said) for side in pair))
         return any(part.has_no_polynomial_form for side in sides for part in walk(side))
 
 
@@ -126,8 +127,8 @@ def _problem_of(statement: Decidable, form: str, standing: AcceptedSides) -> Pro
         goals = tuple(goals_of(statement, form, standing, problem))
     for goal in goals:
         added(measured(goal.left), measured(goal.right), (goal.left, goal.right), "equate")
-    problem = _in_simpler_words(_with_rates_said(with_fields(problem, goals=goals)))
-    return with_directions(_with_simple_lengths(_with_what_is_seen(problem)))
+    problem = in_simpler_words(with_rates_said(with_fields(problem, goals=goals)))
+    return with_directions(with_simple_lengths(with_what_is_seen(problem)))
 
 
 def _given(statement: Decidable, accepted: AcceptedSides) -> tuple[list[Equation], list[Goal], dict[Symbol, None]]:
@@ -191,96 +192,6 @@ def _counted(sides: list[Node], rules: list[Equation]) -> Iterator[Equation]:
     found = dict.fromkeys(part.index for side in sides for part in opened_parts(side) if isinstance(part, Total))
     known = {left for left, _ in rules}
     yield from ((index.number, index.counted) for index in found if index.number not in known)
-
-
-def _in_simpler_words(problem: Problem) -> Problem:
-    """The same problem without defined words and inverses, under the hypotheses that there are such inverses."""
-    if problem.has_functions:
-        problem = _differentiated(problem)
-    problem = _rewritten(problem, opened, lambda said: said.rewritten(opened))
-    inverses = Inverses(problem.hypotheses, dict(problem.rules))
-    at_work = reached(_sides(problem), dict(problem.rules))
-    found = _rewritten(problem, inverses, inverses.hypothesis, at_work)
-    presupposed = tuple(dict.fromkeys((*problem.presupposed, *inverses.used)))
-    return with_fields(found, hypotheses=(*inverses.needed, *found.hypotheses), presupposed=presupposed)
-
-
-def _with_what_is_seen(problem: Problem) -> Problem:
-    """The same problem, with what is seen about divisors, and about all that sums are taken over."""
-    if problem.has_functions:
-        return problem
-    sides = (*_sides(problem), *(side for _, side in problem.rules))
-    found = (
-        *evident_divisors(sides, problem.hypotheses, dict(problem.rules)),
-        *summed(sides, problem.hypotheses),
-    )
-    return with_fields(problem, hypotheses=(*problem.hypotheses, *found)) if found else problem
-
-
-def _with_rates_said(problem: Problem) -> Problem:
-    """The same problem, if it is about matrices of any size, with letters for the rates of symbols."""
-    sides = [*_sides(problem), *(side for rule in problem.rules for side in rule)]
-    if not any(isinstance(part, Rate) for side in sides for part in walk(side)) or not sizes_of(sides):
-        return problem
-    from chasles.statements.sized_rates import SizedRates  # few chapters have such
-
-    if problem.conditions:
-        raise TypeError(
-            "a rate of a matrix of any size is taken: what a statement with one is given has to be definitions"
-        )
-    if problem.has_functions:
-        problem = _differentiated(problem)
-    carried_out = SizedRates({left: opened(right) for left, right in problem.rules})
-    found = _rewritten(problem, lambda side: carried_out(opened(side)), lambda said: said)
-    return with_fields(
-        found,
-        rules=tuple((carried_out(left) if isinstance(left, Rate) else left, right) for left, right in found.rules),
-        hypotheses=tuple(carried_out.bound(found.hypotheses)),
-    )
-
-
-def _differentiated(problem: Problem) -> Problem:
-    """The same problem with partial derivatives carried out; TypeError where it has conditions too."""
-    from chasles.vocabulary.partial import with_derivatives  # of no use to most claims
-
-    rules = dict(problem.rules)
-    found = _rewritten(problem, lambda side: with_derivatives(side, rules), lambda said: said)
-    if problem.conditions and found != problem:
-        raise TypeError("a derivative is taken: what a statement with one is given has to be definitions")
-    return found
-
-
-def _sides(problem: Problem) -> list[Node]:
-    return [side for goal in (*problem.goals, *problem.conditions) for side in (goal.left, goal.right)]
-
-
-def _rewritten(
-    problem: Problem,
-    side: Callable[[Node], Node],
-    hypothesis: Callable[[Hypothesis], Hypothesis],
-    at_work: Container[Node] | None = None,
-) -> Problem:
-    """The same problem with each side said otherwise; of rules only those `at_work`, if these are named."""
-
-    def rewritten(goal: Goal) -> Goal:
-        return Goal(goal.label, side(goal.left), side(goal.right))
-
-    rules = tuple((left, side(right) if at_work is None or left in at_work else right) for left, right in problem.rules)
-    return with_fields(
-        problem,
-        goals=tuple(map(rewritten, problem.goals)),
-        rules=rules,
-        conditions=tuple(map(rewritten, problem.conditions)),
-        hypotheses=tuple(map(hypothesis, problem.hypotheses)),
-        cases=tuple(map(rewritten, problem.cases)),
-    )
-
-
-def _with_simple_lengths(problem: Problem) -> Problem:
-    """The same problem with every length said of as simple a vector as is known."""
-    lengths = Lengths(problem.hypotheses, dict(problem.rules))
-    found = _rewritten(problem, lengths, lengths.hypothesis)
-    return with_fields(found, presupposed=tuple(dict.fromkeys((*problem.presupposed, *lengths.used))))
 
 
 def _agreeing(rules: Mapping[Node, Node]) -> Iterator[Hypothesis]:

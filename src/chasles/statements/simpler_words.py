@@ -1,0 +1,111 @@
+"""A problem said in simpler words: without defined words, inverses and partial derivatives, and by simple lengths."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Container
+from dataclasses import replace as with_fields
+from typing import TYPE_CHECKING
+
+from chasles.statements.evident import evident_divisors
+from chasles.statements.goals import Goal
+from chasles.statements.hypotheses import Hypothesis
+from chasles.statements.inverses import Inverses, reached
+from chasles.statements.lengths import Lengths
+from chasles.statements.of_all_members import summed
+from chasles.vocabulary import Node, Rate, walk
+from chasles.vocabulary.shorthand import opened
+from chasles.vocabulary.sizes import sizes_of
+
+if TYPE_CHECKING:
+    from chasles.statements.problem import Problem
+
+
+def in_simpler_words(problem: Problem) -> Problem:
+    """The same problem without defined words and inverses, under the hypotheses that there are such inverses."""
+    if problem.has_functions:
+        problem = _differentiated(problem)
+    problem = _rewritten(problem, opened, lambda said: said.rewritten(opened))
+    inverses = Inverses(problem.hypotheses, dict(problem.rules))
+    at_work = reached(sides_of(problem), dict(problem.rules))
+    found = _rewritten(problem, inverses, inverses.hypothesis, at_work)
+    presupposed = tuple(dict.fromkeys((*problem.presupposed, *inverses.used)))
+    return with_fields(found, hypotheses=(*inverses.needed, *found.hypotheses), presupposed=presupposed)
+
+
+def with_what_is_seen(problem: Problem) -> Problem:
+    """The same problem, with what is seen about divisors, and about all that sums are taken over."""
+    if problem.has_functions:
+        return problem
+    sides = (*sides_of(problem), *(side for _, side in problem.rules))
+    found = (
+        *evident_divisors(sides, problem.hypotheses, dict(problem.rules)),
+        *summed(sides, problem.hypotheses),
+    )
+    return with_fields(problem, hypotheses=(*problem.hypotheses, *found)) if found else problem
+
+
+def with_rates_said(problem: Problem) -> Problem:
+    """The same problem, if it is about matrices of any size, with letters for the rates of symbols."""
+    sides = [*sides_of(problem), *(side for rule in problem.rules for side in rule)]
+    if not any(isinstance(part, Rate) for side in sides for part in walk(side)) or not sizes_of(sides):
+        return problem
+    from chasles.statements.sized_rates import SizedRates  # few chapters have such
+
+    if problem.conditions:
+        raise TypeError(
+            "a rate of a matrix of any size is taken: what a statement with one is given has to be definitions"
+        )
+    if problem.has_functions:
+        problem = _differentiated(problem)
+    carried_out = SizedRates({left: opened(right) for left, right in problem.rules})
+    found = _rewritten(problem, lambda side: carried_out(opened(side)), lambda said: said)
+    return with_fields(
+        found,
+        rules=tuple((carried_out(left) if isinstance(left, Rate) else left, right) for left, right in found.rules),
+        hypotheses=tuple(carried_out.bound(found.hypotheses)),
+    )
+
+
+def _differentiated(problem: Problem) -> Problem:
+    """The same problem with partial derivatives carried out; TypeError where it has conditions too."""
+    from chasles.vocabulary.partial import with_derivatives  # of no use to most claims
+
+    rules = dict(problem.rules)
+    found = _rewritten(problem, lambda side: with_derivatives(side, rules), lambda said: said)
+    if problem.conditions and found != problem:
+        raise TypeError("a derivative is taken: what a statement with one is given has to be definitions")
+    return found
+
+
+def sides_of(problem: Problem) -> list[Node]:
+    """The sides of what is to be proved and of the conditions."""
+    return [side for goal in (*problem.goals, *problem.conditions) for side in (goal.left, goal.right)]
+
+
+def _rewritten(
+    problem: Problem,
+    side: Callable[[Node], Node],
+    hypothesis: Callable[[Hypothesis], Hypothesis],
+    at_work: Container[Node] | None = None,
+) -> Problem:
+    """The same problem with each side said otherwise; of rules only those `at_work`, if these are named."""
+
+    def rewritten(goal: Goal) -> Goal:
+        return Goal(goal.label, side(goal.left), side(goal.right))
+
+    rules = tuple((left, side(right) if at_work is None or left in at_work else right) for left, right in problem.rules)
+    return with_fields(
+        problem,
+        goals=tuple(map(rewritten, problem.goals)),
+        rules=rules,
+        conditions=tuple(map(rewritten, problem.conditions)),
+        hypotheses=tuple(map(hypothesis, problem.hypotheses)),
+        cases=tuple(map(rewritten, problem.cases)),
+    )
+
+
+def with_simple_lengths(problem: Problem) -> Problem:
+    """The same problem with every length said of as simple a vector as is known."""
+    lengths = Lengths(problem.hypotheses, dict(problem.rules))
+    found = _rewritten(problem, lengths, lengths.hypothesis)
+    return with_fields(found, presupposed=tuple(dict.fromkeys((*problem.presupposed, *lengths.used))))
