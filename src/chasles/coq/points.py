@@ -22,6 +22,8 @@ from chasles.verdict import Counterexample
 
 LOW = 100
 """An angle of which the cosine and sine are given is as large as one likes."""
+COMPARED = ("positive", "nonzero", "evident")
+"""What is said of a scalar, compared with zero."""
 SQUARES = "rewrite ?norm_square, ?norm_fourth; "
 KNOWN = "pose proof now' as known'; unfold T in known'; decompose [and] known'; "
 """What is not zero at an instant becomes known."""
@@ -77,7 +79,7 @@ class _CoqPoint:
             self._condition(h): (h.kind, self.values.number(self.values.at_once(node)[0][0]))
             for h in self.said.problem.hypotheses
             for node in h.nonvanishing
-            if h.kind in ("positive", "nonzero") and not self.values.is_constant(node)
+            if h.kind in COMPARED and not self.values.is_constant(node)
         }
 
     def _condition(self, hypothesis: Hypothesis) -> str:
@@ -153,7 +155,7 @@ class _CoqPoint:
             return self._rated(premise.about)
         steps = f"intros t now'; {KNOWN}" * premise.moves
         kind = premise.about.kind if isinstance(premise.about, Hypothesis) else ""
-        if kind in ("positive", "nonzero"):
+        if kind in COMPARED:
             assert isinstance(premise.about, Hypothesis)
             value, known = self.values.in_time(premise.about.nonvanishing[0]), "compared"
             if (condition := self._condition(premise.about)) in self._open:

@@ -190,7 +190,7 @@ class CoqStatement:
             return f"{KINDS[hypothesis.kind]} {' '.join(self.spelling.matrix(each, ATOM) for each in subjects)}"
         if hypothesis.kind == "positive":
             return f"0 < {self.spelling.number(subjects[0])}"
-        if hypothesis.kind == "nonzero":
+        if hypothesis.kind in ("nonzero", "evident"):
             return f"{self.spelling.number(hypothesis.nonvanishing[0])} <> 0"
         if hypothesis.kind in BY_EQUATIONS and not hypothesis.nonvanishing:
             return " /\\ ".join(self.spelling.equation(left, right) for left, right in hypothesis.equations)
