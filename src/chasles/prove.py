@@ -108,7 +108,10 @@ def _followed(verdict: Verdict, asked: tuple[Any, ...]) -> Verdict:
 
 
 def _asked(exact: bool, *said: Any) -> tuple[Any, ...]:
-    """What was asked, iterators written out, since they are read more than once, and complex symbols by parts."""
+    """What was asked: iterators written out, which are read more than once, complex symbols by parts, all as equations.
+
+    Raises `Untreatable` for what cannot be said so.
+    """
     said = tuple(tuple(each) if isinstance(each, Iterator) else each for each in said)
     return without_inequalities(by_parts(tuple(map(as_decimals, said)) if exact else said))
 

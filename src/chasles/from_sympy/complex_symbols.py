@@ -10,7 +10,7 @@ import sympy
 from sympy.matrices import MatrixBase
 
 from chasles.from_sympy.complexes import OF_COMPLEX
-from chasles.from_sympy.decimals import each_replaced
+from chasles.from_sympy.decimals import with_values
 from chasles.from_sympy.opening import atoms_of
 from chasles.problems.variables import Untreatable
 
@@ -30,7 +30,7 @@ def by_parts(said: tuple[Any, ...]) -> tuple[Any, ...]:
         raise Untreatable(f"two different symbols are both called {same}: rename one")
     taken = {str(z) for e in spoken for z in e.free_symbols}
     values = {z: _parts(z, taken) for z in found}
-    return tuple(each_replaced(each, lambda _: values) for each in said)
+    return with_values(said, values)
 
 
 def taken_as_real(said: tuple[Any, ...]) -> tuple[str, ...]:

@@ -14,6 +14,11 @@ def as_decimals(value: Any) -> Any:
     return each_replaced(value, lambda e: {number: sympy.Rational(str(number)) for number in e.atoms(sympy.Float)})
 
 
+def with_values(said: tuple[Any, ...], values: Mapping[Any, Any]) -> tuple[Any, ...]:
+    """What is said, with these values everywhere."""
+    return tuple(each_replaced(each, lambda _: values) for each in said)
+
+
 def each_replaced(value: Any, values: Callable[[Any], Mapping[Any, Any]]) -> Any:
     """The expression, matrix, equation or list with parts of every expression replaced by the values that it has."""
     if isinstance(value, list | tuple):

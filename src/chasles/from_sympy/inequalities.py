@@ -13,13 +13,14 @@ from chasles.from_sympy.angles_between import between
 from chasles.from_sympy.atoms import ASSUMPTIONS
 from chasles.from_sympy.cases import eliminable
 from chasles.from_sympy.complex_symbols import expressions_in
-from chasles.from_sympy.decimals import each_replaced
+from chasles.from_sympy.decimals import with_values
 from chasles.from_sympy.opening import excerpt
 from chasles.from_sympy.side_conditions import listed
 from chasles.problems.variables import Untreatable
 
 SIGNS = {sympy.Gt: "positive", sympy.Ge: "nonnegative", sympy.Lt: "negative", sympy.Le: "nonpositive"}
 COMPARED = tuple(SIGNS)
+STRICT = sympy.Gt | sympy.Lt
 Said = tuple[Any, ...]
 """Both sides, the list of what is given, and the list of what does not vanish."""
 
@@ -42,7 +43,7 @@ def without_inequalities(said: Said) -> Said:
     for symbol in sorted({s for item in stated if isinstance(item, COMPARED) for s in item.free_symbols}, key=str):
         said = _with_angle(said, symbol)
     while signed := next((values for item in said[2] if (values := _signed(item))), None):
-        said = _put(said, signed)
+        said = with_values(said, signed)
     number = 0
     while compared := [item for item in said[2] if isinstance(item, COMPARED)]:
         number += 1
@@ -52,13 +53,15 @@ def without_inequalities(said: Said) -> Said:
 
 def _plain(item: Any) -> Iterator[Any]:
     """What is said of a size, as two inequalities; of integers, one is less than the other one by one or more."""
-    if isinstance(item, COMPARED) and item.has(sympy.oo, -sympy.oo, sympy.zoo, sympy.nan):
+    if not isinstance(item, COMPARED):
+        yield item
+    elif item.has(sympy.oo, -sympy.oo, sympy.zoo, sympy.nan):
         raise Untreatable(f"{excerpt(item)} is not treated: it compares with what is infinite")
-    if isinstance(item, COMPARED) and isinstance(item.lts, sympy.Abs) and not item.lts.has(sympy.I):
-        less = sympy.Lt if isinstance(item, sympy.Gt | sympy.Lt) else sympy.Le
+    elif isinstance(item.lts, sympy.Abs) and not item.lts.has(sympy.I):
+        less = sympy.Lt if isinstance(item, STRICT) else sympy.Le
         yield from _plain(less(item.lts.args[0], item.gts))
         yield from _plain(less(-item.gts, item.lts.args[0]))
-    elif isinstance(item, sympy.Gt | sympy.Lt) and item.lts.is_integer and item.gts.is_integer:
+    elif isinstance(item, STRICT) and item.lts.is_integer and item.gts.is_integer:
         yield item.lts <= item.gts - 1 if item.gts.is_number else item.gts >= item.lts + 1
     else:
         yield item
@@ -81,37 +84,38 @@ def _signed(item: Any) -> dict[Any, Any]:
 def _with_angle(said: Said, symbol: Any) -> Said:
     """What is said, with an angle of any tangent, sine or direction for a symbol between two multiples of pi."""
     compared = [item for item in said[2] if isinstance(item, COMPARED)]
-    above = [(item.lts, isinstance(item, sympy.Gt | sympy.Lt), item) for item in compared if item.gts == symbol]
-    below = [(item.gts, isinstance(item, sympy.Gt | sympy.Lt), item) for item in compared if item.lts == symbol]
+    above = [(item.lts, isinstance(item, STRICT), item) for item in compared if item.gts == symbol]
+    below = [(item.gts, isinstance(item, STRICT), item) for item in compared if item.lts == symbol]
     if not above and symbol.is_nonnegative:
         above = [(sympy.S.Zero, bool(symbol.is_positive), None)]
     ends = [end for end in (*above, *below) if (end[0] / sympy.pi).is_Rational]
     if len(above) != 1 or len(below) != 1 or len(ends) != 2:
         return said
     (low, after, _), (high, before, _) = ends
-    sign = () if not symbol.is_nonnegative else ("positive",) if after and low == 0 else ("nonnegative",)
-    plain = sympy.Dummy(**dict.fromkeys(sign, True))
-    if high <= low or not _is_free(symbol, plain, said):
+    other = sympy.Dummy()
+    if symbol.is_nonnegative:
+        other = sympy.Dummy(positive=True) if after and low == 0 else sympy.Dummy(nonnegative=True)
+    if high <= low or not _is_free(symbol, other, said):
         return said
     value = between(low, high, after, before, partial(_fresh, said))
     if value is None:
         return said
     stated = [item for item in said[2] if item not in (ends[0][2], ends[1][2])]
-    lhs, rhs, given, nonzero = _put((*said[:2], stated, said[3]), {symbol: value})
+    lhs, rhs, given, nonzero = with_values((*said[:2], stated, said[3]), {symbol: value})
     return lhs, rhs, [sympy.Eq(symbol, value, evaluate=False), *given], nonzero
 
 
 def _with_excess(said: Said, item: Any, number: int) -> Said:
     """What is said, with an equation for one of the inequalities; the `number` names the excess."""
     lhs, rhs, given, nonzero = said
-    others = lhs, rhs, [e for e in given if e is not item], nonzero
+    others: Said = (lhs, rhs, [e for e in given if e is not item], nonzero)
     more, less = item.gts, item.lts
     excess = _excess(item, f"d_{number}", said)
     equation = sympy.Eq(more, less + excess, evaluate=False)
     defined = eliminable(more - less, expressions_in(said))
     if defined is not None and _is_free(defined, sympy.Dummy(), said):
         value = sympy.expand(defined + (excess - more + less) / sympy.diff(more - less, defined))
-        others = _put(others, {defined: value})
+        others = with_values(others, {defined: value})
         equation = sympy.Eq(defined, value, evaluate=False)
     lhs, rhs, given, nonzero = others
     return lhs, rhs, [equation, *given], nonzero
@@ -128,15 +132,9 @@ def _excess(item: Any, name: str, said: Said) -> Any:
     calls = {call.args for call in item.atoms(AppliedUndef)}
     if len(calls) > 1:
         raise Untreatable(f"{excerpt(item)} is not treated: it compares functions of different variables")
-    kind = {"positive" if isinstance(item, sympy.Gt | sympy.Lt) else "nonnegative": True}
+    kind = {"positive" if isinstance(item, STRICT) else "nonnegative": True}
     symbol = _fresh(said, name, **kind)
     return sympy.Function(symbol.name, **kind)(*calls.pop()) if calls else symbol
-
-
-def _put(said: Said, values: dict[Any, Any]) -> Said:
-    """What is said, with these values everywhere."""
-    lhs, rhs, given, nonzero = (each_replaced(part, lambda _: values) for part in said)
-    return lhs, rhs, given, nonzero
 
 
 def _fresh(said: Said, name: str, **assumed: bool) -> Any:

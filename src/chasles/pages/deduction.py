@@ -156,7 +156,14 @@ class Deduction:
         if finding is None and self._foretell(claim, ahead):
             finding = self._proof(claim)
         if finding is None:
-            finding = refuted(claim, self.premises, self.session, self.consequences, role == "claim", meant is not None)
+            finding = refuted(
+                claim,
+                self.premises,
+                self.session,
+                self.consequences,
+                told=role == "claim",
+                may_define=meant is not None,
+            )
         if not finding.open:
             return finding
         return self._defined(claim, *meant) if meant else self._posed(claim, True, finding.verdict)

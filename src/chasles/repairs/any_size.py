@@ -14,7 +14,7 @@ from chasles.points.at_sizes import points_at_sizes
 from chasles.repairs.modular_testing import ModularTest
 from chasles.repairs.one_term import Change
 from chasles.repairs.ranking import Nearest
-from chasles.repairs.without_form import MOST, edits_of
+from chasles.repairs.without_form import edited, edits_of
 from chasles.rewriting.term_basis import fit
 from chasles.statements import Claim, problem_of
 from chasles.statements.goals import AcceptedSides
@@ -88,11 +88,7 @@ class NearestAtNumbers(Nearest):
 
     def _without_form(self, left: Node, right: Node) -> Iterator[Change]:
         if not self.is_tested(left, right):
-            tried = [Change(left, new, (words,), effort) for new, words, effort in edits_of(right, self.letters)][:MOST]
-            tried += [Change(new, right, (words,), effort) for new, words, effort in edits_of(left, self.letters)][
-                :MOST
-            ]
-            yield from filter(self._agrees, tried)
+            yield from filter(self._agrees, edited(left, right, lambda side: edits_of(side, self.letters)))
 
 
 def _awkward(side: Node) -> int:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from fractions import Fraction
 from itertools import chain, islice, product
@@ -35,12 +35,16 @@ OTHER_NUMBERS = (2, Fraction(1, 2), -1, 4, Fraction(1, 4), 3, Fraction(1, 3))
 def changes_without_form(test: RealTest, left: Node, right: Node, letters: list[w.Symbol]) -> Iterator[Change]:
     """The sides with one edit on either that agree at points where the hypotheses hold; none where none is found."""
     scalars = dict.fromkeys(part for side in (left, right) for part in w.walk(side) if part.is_scalar)
-    for new, words, effort in islice(chain(edits_of(right, letters), _with_scalars(right, scalars)), MOST):
-        if test.agree(left, new):
-            yield Change(left, new, (words,), effort)
-    for new, words, effort in islice(chain(edits_of(left, letters), _with_scalars(left, scalars)), MOST):
-        if test.agree(new, right):
-            yield Change(new, right, (words,), effort)
+    tried = edited(left, right, lambda side: chain(edits_of(side, letters), _with_scalars(side, scalars)))
+    yield from (change for change in tried if test.agree(change.left, change.right))
+
+
+def edited(left: Node, right: Node, edits: Callable[[Node], Iterator[SingleEdit]]) -> Iterator[Change]:
+    """The sides with one of the edits of the right one, then of the left one."""
+    for new, words, effort in islice(edits(right), MOST):
+        yield Change(left, new, (words,), effort)
+    for new, words, effort in islice(edits(left), MOST):
+        yield Change(new, right, (words,), effort)
 
 
 def real_test(statement: Statement, left: Node, right: Node, accepted: AcceptedSides) -> RealTest | None:
