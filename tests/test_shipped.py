@@ -86,9 +86,11 @@ def kept_of(book: Chapter, *sentences: Statement) -> dict[str, Any]:
     return json.loads(json.dumps(judge.memory.everything))
 
 
-def test_nothing_of_the_chapter_is_searched_for(searched: list[str]) -> None:
-    judge = Session(book=CHAPTER, memory=Memory(shipped=SHIPPED))
-    for entry in CHAPTER:
+@pytest.mark.parametrize("package", [BOOK, "chasles.rotations"])
+def test_nothing_of_a_chapter_is_searched_for(package: str, searched: list[str]) -> None:
+    book = load(package)
+    judge = Session(book=book, memory=Memory(shipped=shipped(package)))
+    for entry in book:
         judge.decide(entry.statement)
     assert searched == []
     assert judge.memory.as_data(10**6) == {}
@@ -134,8 +136,10 @@ def test_what_is_shipped_is_what_is_found() -> None:
 
 @pytest.mark.slow
 @pytest.mark.skipif(not WHOLE, reason="proves everything anew: set CHASLES_TEST_WHOLE=1")
-def test_the_whole_file_is_what_is_found() -> None:
-    assert answers(CHAPTER, Session(book=CHAPTER))[ANSWERS] == (ROOT / "generated" / ANSWERS).read_text("utf-8")
+@pytest.mark.parametrize(("package", "folder"), [(BOOK, "generated"), ("chasles.rotations", "rotations/generated")])
+def test_the_whole_file_is_what_is_found(package: str, folder: str) -> None:
+    book = load(package)
+    assert answers(book, Session(book=book))[ANSWERS] == (ROOT / folder / ANSWERS).read_text("utf-8")
 
 
 FORGED: dict[str, Callable[[Any], Any]] = {

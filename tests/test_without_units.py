@@ -114,7 +114,7 @@ def test_units_are_there_or_not(tmp_path: Path, units: str) -> None:
 
 def test_units_do_not_come_with_all_names_of_another_module(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "bare_letters.py").write_text(f"UNITS = False\n{SYMBOLS}")
-    (tmp_path / "resting.py").write_text(f"from bare_letters import *\n{SYMBOLS}")
+    (tmp_path / "resting.py").write_text(f"# UNITS are said nowhere\nfrom bare_letters import *\n{SYMBOLS}")
     (tmp_path / "choosing.py").write_text(f"from bare_letters import *\nUNITS = False\n{SYMBOLS}")
     monkeypatch.syspath_prepend(tmp_path)
     resting, choosing = import_module("resting"), import_module("choosing")

@@ -62,7 +62,12 @@ def said_of(
 def _symbols(kind: str, *subjects: Node) -> None:
     for subject in subjects:
         if not isinstance(subject, w.Symbol) or subject.stands_for is not None:
-            raise TypeError(f"{kind} is said of a symbol, and {subject} is an expression")
+            instead = (
+                f"write inequality({subject} > 0), of chasles.statements.inequalities"
+                if kind == "positive"
+                else "define a symbol as what it is, and say it of that"
+            )
+            raise TypeError(f"{kind} is said of a symbol, and {subject} is an expression: {instead}")
 
 
 def _scalar(subject: Node, kind: str) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import sys
 from dataclasses import dataclass
 from functools import cache
@@ -35,19 +36,21 @@ def has_units(module: str) -> bool:
     """Whether what a module declares has dimensions: not where a package around it says `UNITS = False`."""
     while module:
         found = getattr(sys.modules.get(module), "UNITS", None)
-        if isinstance(found, bool) and _names_units(getattr(sys.modules[module], "__file__", None) or ""):
+        if isinstance(found, bool) and _says_units(getattr(sys.modules[module], "__file__", None) or ""):
             return found
         module = module.rpartition(".")[0]
     return True
 
 
 @cache
-def _names_units(file: str) -> bool:
-    """Whether a module's text names its UNITS: what comes with all names of another module, nobody said here."""
+def _says_units(file: str) -> bool:
+    """Whether a module assigns UNITS or imports it by name: what comes with all names of another, nobody said here."""
     try:
-        return "UNITS" in Path(file).read_text(encoding="utf-8")
-    except (OSError, ValueError):
+        parts = list(ast.walk(ast.parse(Path(file).read_bytes())))
+    except (OSError, ValueError, SyntaxError):
         return True
+    stored = {each.id for each in parts if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store)}
+    return "UNITS" in stored | {each.asname or each.name for each in parts if isinstance(each, ast.alias)}
 
 
 NO_DIMENSION = Dimension()

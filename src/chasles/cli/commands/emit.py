@@ -30,27 +30,36 @@ if TYPE_CHECKING:
     multiple=True,
     help="A language, as rust: its files alone, below the current folder. Can be given several times.",
 )
+@click.option("--answers", "answers_alone", is_flag=True, help="What `decide` checks instead of searching, alone.")
 @as_data
-def command(check: bool, anew: bool, out: Path | None, targets: tuple[str, ...], json: bool) -> int:
+def command(
+    check: bool, anew: bool, out: Path | None, targets: tuple[str, ...], answers_alone: bool, json: bool
+) -> int:
     """Write the kernels of all proved statements, in every language, and the verdicts on all statements.
 
     A kernel is refused unless its program is proved equal to its statement. Either all files are written or none; an
     unchanged file keeps its time. Status 1: something was refused or, with --check, is out of date.
     """
+    from chasles.cli.answers import answers
     from chasles.cli.emission import everything, in_languages
+    from chasles.decisions.recalled import session_of
     from chasles.report.words import number_of, seconds
     from chasles.targets import EmissionError
 
     started = perf_counter()
     book = chapter()
     folder = out or (Path.cwd() if targets else generated_folder(book, Path.cwd()))
-    kernels, texts = in_languages(book, targets, anew) if targets else everything(book, folder, anew)
-    head = f"{number_of(len(kernels), 'kernel')}, each proved equal to its statement"
+    if answers_alone:
+        kernels, texts, head = (), answers(book, session_of(book, anew)), "the answers"
+    else:
+        kernels, texts = in_languages(book, targets, anew) if targets else everything(book, folder, anew)
+        head = f"{number_of(len(kernels), 'kernel')}, each proved equal to its statement"
+    in_part = bool(targets) or answers_alone
     try:
         if check:
-            return _check(folder, texts, head, bool(targets), json)
-        report = _write(folder, texts, bool(targets))
-        if not targets:
+            return _check(folder, texts, head, in_part, json)
+        report = _write(folder, texts, in_part)
+        if not in_part:
             remember(book, folder)
     except EmissionError as error:
         raise Failure(str(error)) from error
