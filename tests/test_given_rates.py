@@ -8,7 +8,7 @@ import pytest
 
 from chasles.checker.certificate import check
 from chasles.decisions.session import Session
-from chasles.statements import Claim, Definition, symmetric
+from chasles.statements import Claim, Condition, Definition, symmetric
 from chasles.verdict import Fails, Holds, HoldsUnder
 from chasles.vocabulary import CPM, Identity, cos, dot, rate, scalar, sin, square, vector
 from chasles.vocabulary.functions import exp, log, sqrt
@@ -20,6 +20,7 @@ A = square("A", "A", "", constant=True)
 grows = Definition("1", rate(x), y)
 swings = Definition("2", rate(rate(x)), -x)
 turns = Definition("3", rate(s), ((1 - dot(s, s)) * Identity(3) + 2 * CPM(s) + 2 * s @ s.T) @ w / 4)
+spins = Condition("5", rate(s), CPM(w) @ s, on=(s,))
 energy = Definition("4", V, 2 * log(1 + dot(s, s)))
 
 TRUE: list[tuple[Any, Any, Any]] = [
@@ -29,12 +30,14 @@ TRUE: list[tuple[Any, Any, Any]] = [
     (rate(rate(rate(exp(x)))), exp(x) * (rate(x) ** 3 - 3 * x * rate(x) - rate(x)), (swings,)),
     (rate(sqrt(1 + sin(x) ** 2)), y * sin(x) * cos(x) / sqrt(1 + sin(x) ** 2), (grows,)),
     (rate(V), dot(s, w), (energy, turns)),
+    (rate(rate(s)), CPM(rate(w)) @ s + CPM(w) @ CPM(w) @ s, (spins,)),
 ]
 SYMMETRIC: list[tuple[Any, Any]] = [
     (exp(x) * dot(s, A @ w), exp(x) * dot(w, A @ s)),
     (rate(dot(s, A @ s) / 2 + log(1 + x**2)), dot(s, A @ rate(s)) + 2 * x * rate(x) / (1 + x**2)),
 ]
 FALSE: list[tuple[Any, Any, Any]] = [
+    (rate(rate(s)), CPM(w) @ CPM(w) @ s, (spins,)),
     (rate(log(1 + x**2)), x * y / (1 + x**2), (grows,)),
     (rate(rate(exp(x))), exp(x) * y**2, (grows,)),
     (rate(V), dot(s, w) / 2, (energy, turns)),

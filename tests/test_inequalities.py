@@ -63,6 +63,7 @@ TRUE = [
     (claim(arcsin(sin(t)), t, I(t >= -PI / 2), I(t <= PI / 2)), ("t >= -pi / 2", "t <= pi / 2")),
     (claim(atan2(sin(t), cos(t)), t, I(t > -PI), I(t <= PI)), ("t > -pi", "t <= pi")),
     (claim(atan2(x * sin(t), x * cos(t)), t, positive(x), I(t > -PI), I(t < PI)), ("x > 0", "t > -pi", "t < pi")),
+    (claim(arcsin(x / sqrt(x**2 + y**2)), atan2(x, abs(y)), I(x**2 + y**2 > 0)), ("x^2 + y^2 != 0",)),
     (claim(arccos((tr(R) - 1) / 2), t, I(t >= 0), I(t <= PI), given=(turn,)), ("|e| = 1", "t >= 0", "t <= pi")),
     (claim(sqrt(1 + tr(R)) / 2, abs(cos(t / 2)), given=(turn,)), ("|e| = 1",)),
     (claim(p[1], sqrt(1 + tr(R)) / 2, I(p[1] > 0), given=(of_p,)), ("p_1 > 0", "|p| = 1")),

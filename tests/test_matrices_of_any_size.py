@@ -325,6 +325,9 @@ def test_conditions_and_theorems() -> None:
     again = Session().decide(Claim("2", A @ A @ x, x, given=(fixed,))).verdict
     assert isinstance(again, Holds)
     check(Claim("2", A @ A @ x, x, given=(fixed,)), "printed", again.certificate)
+    step = Condition("3", x, y + A @ x, on=(x,))
+    solved = Claim("4", x, inverse(I - A) @ y, given=(step,), assuming=(invertible(I - A),))
+    assert isinstance(Session().decide(solved).verdict, HoldsUnder)
     semidefinite = Theorem("3", "it is never negative", (Definite(x.T @ U @ U.T @ x, (dot(U.T @ x, U.T @ x),)),))
     assert Session().decide(semidefinite).verdict.true
 

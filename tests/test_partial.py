@@ -28,6 +28,7 @@ from chasles.vocabulary import (
     dot,
     inverse,
     latex,
+    matrix,
     norm,
     plain,
     rate,
@@ -49,7 +50,8 @@ m, g = scalar("m", "m", "", MASS, constant=True), scalar("g", "g", "", ACCELERAT
 length, L = scalar("l", "l", "", LENGTH, constant=True), scalar("L", "L", "the Lagrangian", MOMENT)
 pendulum = Definition("0.1", L, m * length**2 * rate(t) ** 2 / 2 + m * g * length * cos(t))
 circle = Definition("0.2", v, column(x * cos(y), x * sin(y), x))
-
+z, u = scalar("z", "z", "a number"), vector("u", "u", "")
+entries, moved = Definition("0.3", v, column(x, y, z)), Definition("0.4", u, A @ w)
 
 TRUE = [
     claim(partial(sin(t) * x, t), x * cos(t)),
@@ -73,6 +75,14 @@ TRUE = [
     claim(partial(sqrt(x**2 + y**2), x), x / sqrt(x**2 + y**2)),
     claim(partial(exp(x * y), x), y * exp(x * y)),
     claim(partial(x, y), 0),
+    claim(partial(x * y, column(x, y)), matrix((y, x))),
+    claim(gradient(x * dot(v, w), column(x, v)), column(dot(v, w), x * w)),
+    claim(partial(x * y, v), matrix((y, x, 0)), given=(entries,)),
+    claim(partial(A @ v * x, v), A * x + A @ v @ matrix((1, 0, 0)), given=(entries,)),
+    claim(partial(x * y, v[2]), x, given=(entries,)),
+    claim(partial(rate(x) ** 2, rate(v)), matrix((2 * rate(x), 0, 0)), given=(entries,)),
+    claim(partial(dot(u, u), u), 2 * u.T, given=(moved,)),
+    claim(partial(det(A), A[1, 2]), A[2, 3] * A[3, 1] - A[2, 1] * A[3, 3]),
     claim(partial(partial(x**2 * y**3, x), y), 6 * x * y**2),
     claim(partial(gradient(dot(v, A @ v), v), v), A + A.T),
     claim(partial(R @ v, v), R, rotation(R)),
@@ -84,6 +94,10 @@ FALSE = [
     claim(partial(x**2 * y, x), x * y),
     claim(partial(L, t), m * g * length * sin(t), given=(pendulum,)),
     claim(partial(v, x), column(0, 0, 0), given=(circle,)),
+    claim(partial(x * y, v), matrix((0, 0, 0)), given=(entries,)),
+    claim(partial(A @ v * x, v), A * x, given=(entries,)),
+    claim(partial(dot(v, rate(v)), rate(v)), -v.T, given=(entries,)),
+    claim(partial(det(A), A[1, 1]), 0),
     claim(partial(rate(t) * t, rate(t)), 2 * t),
 ]
 
@@ -110,10 +124,12 @@ def test_what_is_no_derivative_is_refused(write: Any) -> None:
         write()
 
 
-def test_a_derivative_without_a_rule_is_told() -> None:
-    verdict = Session().decide(claim(partial(det(A), A[1, 1]), 0)).verdict
-    assert isinstance(verdict, IllFormed)
-    assert "follows no rule" in verdict.reason
+@pytest.mark.parametrize("right", [0, 1, 2 * x])
+def test_what_depends_only_on_what_a_symbol_is_is_not_differentiated_by_it(right: Any) -> None:
+    """Of z = x^2 and a function of x it is not said what a derivative by z keeps: once it was zero."""
+    verdict = Session().decide(claim(partial(x**2, z), right, given=(Definition("0", z, x**2),))).verdict
+    assert isinstance(verdict, Undecided)
+    assert "does not depend on it" in verdict.reason
 
 
 def test_dimensions_are_those_of_the_quotient() -> None:

@@ -79,7 +79,7 @@ class Sampling:
             random = Random(attempt)
             atoms = sorted(self._dummies.items(), key=lambda known: str(known[0]))
             values = {dummy: _drawn(atom, random, attempt) for atom, dummy in atoms}
-            enclosures = Enclosures({**values, **solved.values})
+            enclosures = Enclosures({**values, **solved.roots(values, random), **solved.values})
             try:
                 for expression in expressions:
                     enclosures(expression)
@@ -130,6 +130,7 @@ class _Solved:
         self.values: dict[Any, Any] = {}
         self.slopes: list[Any] = []
         self.left: list[Any] = []
+        self.squares: dict[Any, Any] = {}
         for one, other in given:
             difference = sympy.expand((one - other).xreplace(self.values))
             for atom in sorted(difference.free_symbols, key=str):
@@ -142,6 +143,22 @@ class _Solved:
                     break
             else:
                 self.left.append(difference)
+                for atom in sorted(difference.free_symbols, key=str):
+                    slope = sympy.diff(difference, atom)
+                    if atom not in self.squares and slope == sympy.diff(slope, atom) * atom:
+                        self.squares[atom] = -2 * difference.xreplace({atom: sympy.S.Zero}) / sympy.diff(slope, atom)
+                        break
+
+    def roots(self, values: dict[Any, Any], random: Random) -> dict[Any, Any]:
+        """Atoms whose squares equations say, where these have rational roots: others are often zero for that."""
+        if self.squares:
+            values |= {atom: sympy.S.Zero for atom in values if atom not in self.squares and random.random() < 0.5}
+        found = {}
+        for atom, square in self.squares.items():
+            root = sympy.sqrt(square.xreplace(values))
+            if root.is_Rational:
+                found[atom] = root if values[atom] >= 0 else -root
+        return found
 
     def satisfied(self, enclosures: Enclosures) -> bool:
         """Whether all of them hold, exactly."""

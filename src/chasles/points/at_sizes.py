@@ -8,6 +8,7 @@ from fractions import Fraction
 from itertools import product
 from random import Random
 
+from chasles.algebra.elimination import eliminated
 from chasles.checker.any_size.at_sizes import PointAtSizes, sizes_in
 from chasles.checker.sparse import Rejected
 from chasles.points.rational import Numbers, free
@@ -35,10 +36,40 @@ def points_at_sizes(problem: Problem) -> Iterator[dict[str, Fraction]]:
         for count in range(EACH):
             at = _drawn(problem, symbols, dict(zip(names, choice, strict=True)), draws[count % 2], rich=count > 1)
             try:
+                at = _determined(problem, at) if problem.conditions else at
                 PointAtSizes(problem, at).require()
             except Rejected:
                 continue
             yield at
+
+
+def _determined(problem: Problem, at: dict[str, Fraction]) -> dict[str, Fraction]:
+    """The point with the unknowns of the conditions that satisfies them, if they are linear in these."""
+    numbers = {name: int(at[name]) for name in sizes_in(problem)}
+    names = [
+        entry_name(sized, 0, i, j)
+        for sized in (at_sizes(symbol, numbers) for symbol in problem.unknowns)
+        if isinstance(sized, Symbol)
+        for i, j in product(*map(range, sized.shape))
+    ]
+    known = {name: value for name, value in at.items() if name not in names}
+
+    def missed(name: str = "") -> list[Fraction]:
+        point = PointAtSizes(problem, known | ({name: Fraction(1)} if name else {}))
+        sides = [(point(goal.left), point(goal.right)) for goal in problem.conditions]
+        return [
+            a - b
+            for left, right in sides
+            for row, other in zip(left, right, strict=True)
+            for a, b in zip(row, other, strict=True)
+        ]
+
+    rest = missed()
+    slopes = [[value - less for value, less in zip(missed(name), rest, strict=True)] for name in names]
+    solution = eliminated([[*row, -less] for *row, less in zip(*slopes, rest, strict=True)])
+    return (
+        at if solution is None else known | {name: value for name, value in zip(names, solution, strict=True) if value}
+    )
 
 
 def _symbols(problem: Problem) -> list[Symbol]:

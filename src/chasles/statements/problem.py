@@ -41,7 +41,7 @@ from chasles.statements.statement import (
     with_their_definitions,
 )
 from chasles.statements.varied import opened_parts
-from chasles.vocabulary import Negative, Node, Sum, Symbol, members_of, plain, walk
+from chasles.vocabulary import Negative, Node, Rate, Sum, Symbol, members_of, plain, undotted, walk
 from chasles.vocabulary.families import indices_of
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.measure import added
@@ -136,13 +136,17 @@ def _given(statement: Decidable, accepted: AcceptedSides) -> tuple[list[Equation
     rules: list[Equation] = []
     conditions: list[Goal] = []
     unknowns: dict[Symbol, None] = {}
-    for given in with_their_definitions(statement.given):
+    known = with_their_definitions(statement.given)
+    posed = [each.on for each in known if isinstance(each, Condition)]
+    for given in known:
         left, right = accepted(given)
         if isinstance(given, Condition) and given.solution is not None:
             raise TypeError(
                 f"({statement.number}) is given ({given.number}), which leaves {given.on[0]} free: let it restate that"
             )
-        if isinstance(given, Condition) and given.on:
+        if isinstance(given, Condition) and posed.count(given.on) == 1 and _is_motion(given.on, bare(left), right):
+            rules.append((bare(left), right))
+        elif isinstance(given, Condition) and given.on:
             conditions += equations_of(f"({given.number})", left, right)
             unknowns |= dict.fromkeys(given.on)
         elif isinstance(given, Condition) and given.assuming:
@@ -161,6 +165,11 @@ def _given(statement: Decidable, accepted: AcceptedSides) -> tuple[list[Equation
                 "state it as a Condition on what it determines"
             )
     return rules, conditions, unknowns
+
+
+def _is_motion(on: tuple[Symbol, ...], left: Node, right: Node) -> bool:
+    """Whether it says what the rate of the one symbol is that it is posed on, by the symbol and lower rates."""
+    return isinstance(left, Rate) and (undotted(left)[0],) == on and not {left, Rate(left)} & {*opened_parts(right)}
 
 
 def _angle_rules(

@@ -12,11 +12,11 @@ from chasles.vocabulary.layout import Block, Rate
 from chasles.vocabulary.letters import Symbol, Zero
 from chasles.vocabulary.matrix_derivatives import ONE, derivative_by_whole
 from chasles.vocabulary.measure import Measure, Misfit, entrywise
-from chasles.vocabulary.nodes import Contract, Negative, Node
+from chasles.vocabulary.nodes import Contract, Negative, Node, Transpose
 from chasles.vocabulary.parts import Submatrix
 from chasles.vocabulary.shorthand import opened
 from chasles.vocabulary.sizes import extents_of, partition_of, sizes_of
-from chasles.vocabulary.spatial import Inverse
+from chasles.vocabulary.spatial import Cofactor, Determinant, Inverse, Trace
 from chasles.vocabulary.tree import children, rebuilt, replace, undotted, walk
 
 if TYPE_CHECKING:
@@ -27,8 +27,8 @@ if TYPE_CHECKING:
 class PartialDerivative(Node):
     """The derivative by a scalar, entry by entry, of a scalar by a matrix, or the Jacobian of a column by a column.
 
-    What it is taken `by` is a symbol, an entry of one, or the rate of one, which is independent of the symbol. By a
-    matrix it has the shape of the matrix.
+    What it is taken `by` is a symbol, an entry of one, the rate of one, which is independent of the symbol, or a column
+    of such. By a matrix it has the shape of the matrix.
     """
 
     of: Node
@@ -36,7 +36,8 @@ class PartialDerivative(Node):
     has_no_polynomial_form: ClassVar[bool] = True
 
     def _measured(self) -> Measure:
-        _place_of(self.by)
+        for part in _parts_of(self.by):
+            _place_of(part)
         of, by = measured(self.of), measured(self.by)
         if by.shape == (1, 1):
             below = by.grid[0][0]
@@ -65,13 +66,32 @@ class PartialDerivative(Node):
         )
 
 
+def _parts_of(by: Node) -> tuple[Node, ...]:
+    """What stands below each other in a column; else what is given."""
+    return sum(by.rows, ()) if isinstance(by, Block) and by.shape[1] == 1 else (by,)
+
+
 def _place_of(by: Node) -> tuple[Node, Node | None]:
     """What varies, and the entry of it that does; raises `Misfit` for anything but a symbol or the rate of one."""
     whole = by.of if isinstance(by, Submatrix) and by.is_scalar else by
     base, _ = undotted(whole)
     if not isinstance(base, Symbol) or base.stands_for is not None:
-        raise Misfit(f"a derivative is by a symbol, an entry of one, or the rate of one, and {by} is none")
+        raise Misfit(
+            f"a derivative is by a symbol, an entry of one, the rate of one, or a column of such: {by} is none"
+        )
     return whole, by if whole is not by else None
+
+
+def _coordinates(base: Node, dots: int, rules: Mapping[Node, Node]) -> Block | None:
+    """The column of different scalars that a rule says the quantity is, or of their rates."""
+    parts = _parts_of(opened(rules.get(base, base)))
+    if len({*parts}) < 2 or not all(
+        isinstance(part, Symbol) and part.is_scalar and part not in rules for part in parts
+    ):
+        return None
+    for _ in range(dots):
+        parts = tuple(map(Rate, parts))
+    return Block(tuple((part,) for part in parts))
 
 
 def _of_rule(key: Node, rules: Mapping[Node, Node]) -> Node:
@@ -85,7 +105,7 @@ def _of_rule(key: Node, rules: Mapping[Node, Node]) -> Node:
 def with_derivatives(node: Node, rules: Mapping[Node, Node]) -> Node:
     """The expression with every derivative carried out; `rules` say what symbols stand for.
 
-    Raises `Misfit` for what has no rule of differentiation.
+    Raises `Misfit` for what has no rule of differentiation, and TypeError where it is not said what varies.
     """
     parts = children(node)
     changed = tuple(with_derivatives(part, rules) for part in parts)
@@ -95,11 +115,20 @@ def with_derivatives(node: Node, rules: Mapping[Node, Node]) -> Node:
         return node if inner == node.stands_for else inner
     if not isinstance(node, PartialDerivative):
         return node
+    if isinstance(node.by, Block):
+        return Block((tuple(with_derivatives(PartialDerivative(node.of, part), rules) for part in _parts_of(node.by)),))
     whole, entry = _place_of(node.by)
+    base, dots = undotted(whole)
+    if (coordinates := _coordinates(base, dots, rules)) is not None:
+        by = coordinates.rows[node.by.rows[0] - 1][0] if isinstance(node.by, Submatrix) else coordinates
+        return with_derivatives(PartialDerivative(node.of, by), rules)
     of = opened(node.of)
-    values = {key: _of_rule(key, rules) for key in rules}
+    values = {key: _of_rule(key, rules) for key in rules if key not in (whole, base)}
     while (told := opened(replace(of, values))) != of:
         of = told
+    said = {part for key in (whole, base) if key in rules for part in walk(opened(rules[key]))}
+    if whole not in (seen := {*walk(of)}) and any(isinstance(part, Symbol) for part in said & seen):
+        raise TypeError(f"a derivative by {whole} is taken, and {node.of} does not depend on it but on what it is")
     rates: dict[Node, Node] = {}
     of, moved = _at_rest(of, rates), _at_rest(whole, rates)
     back = {quantity: rate for rate, quantity in rates.items()}
@@ -136,6 +165,8 @@ def _along(node: Node, by: Node, direction: Node) -> Node:
             return direction if node == by else Zero(*node.shape)
         case Inverse(of):
             return Negative(Contract((node, _along(of, by, direction), node)))
+        case Determinant(of):
+            return Trace(Contract((Transpose(Cofactor(of)), _along(of, by, direction))))
         case _:
             return _resolved(_ruled(node), by, direction)
 

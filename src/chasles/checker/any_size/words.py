@@ -113,6 +113,10 @@ class SymbolicReading(BlockAlgebra):
                 return self.scaled(self.scalar(factor), self(term))
             case w.Quotient(numerator, w.Power(divisor, exponent)) if exponent > 0:
                 return self(reduce(lambda left, _: w.Quotient(left, divisor), range(exponent), numerator))
+            case w.Quotient(numerator, w.Determinant(w.Contract(factors))) if {f.shape for f in factors} == {
+                factors[0].shape
+            }:
+                return self(reduce(lambda left, factor: w.Quotient(left, w.Determinant(factor)), factors, numerator))
             case w.Quotient(numerator, divisor):
                 return self.scaled(self._inverse(divisor).rows[0][0], self(numerator))
             case _:

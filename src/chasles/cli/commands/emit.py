@@ -15,6 +15,8 @@ from chasles.cli.failures import FAILED, Failure, complain
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from chasles.targets import TargetKernel
+
 
 @click.command("emit", short_help="Write the kernels in every language.", epilog="Example: chasles emit --check")
 @click.option("--check", is_flag=True, help="Change nothing; name the files that are not as they would be emitted.")
@@ -49,8 +51,9 @@ def command(
     started = perf_counter()
     book = chapter()
     folder = out or (Path.cwd() if targets else generated_folder(book, Path.cwd()))
+    kernels: tuple[TargetKernel, ...] = ()
     if answers_alone:
-        kernels, texts, head = (), answers(book, session_of(book, anew)), "the answers"
+        texts, head = answers(book, session_of(book, anew)), "the answers"
     else:
         kernels, texts = in_languages(book, targets, anew) if targets else everything(book, folder, anew)
         head = f"{number_of(len(kernels), 'kernel')}, each proved equal to its statement"
