@@ -19,8 +19,7 @@ import sympy as sp
 
 import chasles
 from chasles import kernels
-from chasles.compiling import LoweringError, compiler, store
-from chasles.targets.c import blocks
+from chasles.compiling import LoweringError, compiler, depth, operands, store
 
 from .sampling import WHOLE
 
@@ -371,10 +370,40 @@ def test_what_is_refused_is_named(number):
     assert "Traceback" not in str(caught.value)
 
 
-def test_more_numbers_than_a_batch_takes_are_refused(monkeypatch):
-    monkeypatch.setattr(blocks, "MOST_ENTRIES", 100)
-    with pytest.raises(LoweringError, match="a batch takes at most 32 with 100: split"):
-        chasles.compile(x, (x, sp.MatrixSymbol("Y", 10, 11)))
+def test_more_numbers_than_a_batch_takes_are_refused_before_they_are_looked_at(monkeypatch):
+    monkeypatch.setattr(operands, "MOST_ENTRIES", 100)
+    monkeypatch.setattr(sp.MatrixSymbol, "as_explicit", None)
+    w = sp.Matrix(sp.symbols("w1:11"))
+    for wrong in (
+        lambda: chasles.compile(x, (x, sp.MatrixSymbol("Y", 10, 11))),
+        lambda: chasles.compile(x, (x, sp.IndexedBase("Y", shape=(10, 11)))),
+        lambda: chasles.compile(sp.Matrix(10, 10, [x] * 100), [x]),
+        lambda: chasles.compile(w * w[0], {"w": w}, jacobian=True),
+        lambda: chasles.compile(x, sp.symbols("x:101")),
+    ):
+        with pytest.raises(LoweringError, match="numbers go in and come out, and a kernel has at most 100: split it"):
+            wrong()
+
+
+def nested(depth):
+    """A sine of a sine of a sine..."""
+    with sp.evaluate(False):
+        expression = x
+        for _ in range(depth):
+            expression = sp.sin(expression) + x
+    return expression
+
+
+def test_expressions_deeper_than_pythons_stack_compile(monkeypatch):
+    value = 0.3
+    for _ in range(1500):
+        value = math.sin(value) + 0.3
+    limit = sys.getrecursionlimit()
+    assert chasles.compile(nested(1500), [x])(0.3) == pytest.approx(value, rel=1e-13)
+    assert sys.getrecursionlimit() == limit
+    monkeypatch.setattr(depth, "CALLS", limit)
+    with pytest.raises(LoweringError, match="nested too deeply"):
+        chasles.compile(nested(2000), [x])
 
 
 @pytest.fixture

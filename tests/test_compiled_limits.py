@@ -135,6 +135,12 @@ def test_forms_of_any_sign_and_with_constants_are_in_range(forms, number, scale)
     assert forms(*point)[number] == pytest.approx(float(wanted), rel=4e-15)
 
 
+@pytest.mark.parametrize("large", [1e100, 1e150])
+def test_products_of_small_and_large_numbers_are_divided_by(large):
+    kernel = chasles.compile([x / (y * z), x / (y**2 * z), sp.sqrt(y * z)], [x, y, z])
+    assert kernel(3.0, 2 / large, large) == pytest.approx((1.5, 0.75 * large, math.sqrt(2)), rel=1e-14)
+
+
 def test_a_form_that_is_zero_is_not_divided_by():
     """Neither where its scale is one of the inputs, nor where all are small."""
     kernel = chasles.compile(x / (x**2 - 9 * y**2), [x, y])

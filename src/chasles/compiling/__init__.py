@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from chasles.compiling.depth import at_any_depth
 from chasles.compiling.derived import derived_from
 from chasles.compiling.kernel import CompiledKernel, kernel_for
 from chasles.compiling.operands import inputs_of, outputs_of, require_kernel_name
@@ -19,6 +20,7 @@ from chasles.lowering.refusal import LoweringError
 __all__ = ["CompiledKernel", "LoweringError", "compile"]
 
 
+@at_any_depth
 def compile(
     expr: Any,
     inputs: Any = None,

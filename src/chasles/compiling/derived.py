@@ -12,7 +12,7 @@ from dataclasses import replace as with_fields
 from typing import Any
 
 from chasles.compiling.derivatives import Sums, derivatives, pulled_back, pushed_forward
-from chasles.compiling.operands import Input, ResultEntries, variables_in
+from chasles.compiling.operands import Input, ResultEntries, require_room, variables_in
 from chasles.lowering.builder import Builder
 from chasles.lowering.names import Names
 from chasles.lowering.program import Argument, Pattern, Program, Result
@@ -132,6 +132,9 @@ def derived_from(
     if len(set(by)) < len(by):
         twice = next(entry for entry, place in places.items() if by.count(place) > 1)
         raise LoweringError(f"wrt names {twice} twice")
+    rows = sum(len(result.entries) for result in results)
+    dense = 0 if coo else len(by) * (rows * ("jacobian" in kinds) + len(by) * ("hessian" in kinds))
+    require_room(len(places) + rows + dense)
     said = "all numbers that go in" if wrt is None else "the inputs that wrt names"
     names, more = Names(item.argument.name for item in given), []
     if "jvp" in kinds:

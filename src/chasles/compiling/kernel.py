@@ -224,7 +224,7 @@ def _compiled(program: Program, sources: Sources, files: dict[str, str], doc: st
     try:
         library = loaded(_key(sources, compiler), made)
     except (CompilerFailed, OSError) as error:
-        warn(f"{program.name} runs as NumPy kernel: it could not be compiled: {error}", RuntimeWarning, stacklevel=4)
+        warn(f"{program.name} runs as NumPy kernel: it could not be compiled: {error}", RuntimeWarning, stacklevel=5)
         return None, None
     packing = packing_of(program)
     inner = program if packing is None else packing.program

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product
 from keyword import iskeyword
+from math import prod
 from typing import Any
 
 import numpy
@@ -18,7 +19,7 @@ from chasles.compiling.scalars import shown
 from chasles.compiling.variables import Substitution, carried_out, correspondence, is_variable
 from chasles.kernels.signatures import OPTIONS
 from chasles.lowering.names import Names
-from chasles.lowering.program import Argument
+from chasles.lowering.program import MOST_ENTRIES, Argument
 from chasles.lowering.refusal import LoweringError
 
 PLAIN = re.compile(r"[\w\[\](), .+-]+", re.ASCII)
@@ -70,6 +71,7 @@ def inputs_of(given: Any) -> tuple[Input, ...]:
         )
     for number, item in enumerate(given.items() if isinstance(given, Mapping) else given, 1):
         wanted, entries, shape, whole = _read(item)
+        require_room(len(met) + len(entries))
         for entry in entries:
             if entry in met:
                 raise LoweringError(f"{entry} comes twice among the inputs: every entry needs a symbol of its own")
@@ -103,6 +105,12 @@ def outputs_of(expression: Any, given: Sequence[Input], names: Any) -> tuple[Res
         ResultEntries(name, shape, tuple(map(standing.of, entries)))
         for name, (shape, entries) in zip(called, parts, strict=True)
     )
+
+
+def require_room(numbers: int) -> None:
+    """Raises `LoweringError` for more numbers than a kernel can have."""
+    if numbers > MOST_ENTRIES:
+        raise LoweringError(f"{numbers} numbers go in and come out, and a kernel has at most {MOST_ENTRIES}: split it")
 
 
 def variables_in(item: Any) -> tuple[Any, ...]:
@@ -159,6 +167,7 @@ def _entries_of(array: sympy.IndexedBase) -> sympy.Matrix:
             f"{array} has no shape of one or two numbers: write IndexedBase({str(array)!r}, shape=(3,)), or name the "
             "entries that go in"
         )
+    require_room(prod(map(int, shape)))
     places = product(*(range(int(extent)) for extent in shape))
     return sympy.Matrix(*(1, *map(int, shape))[-2:], [array[place] for place in places])
 
@@ -223,6 +232,7 @@ def _explicit(value: Any) -> Any:
     """The matrix in its entries."""
     if not all(getattr(extent, "is_Integer", False) or isinstance(extent, int) for extent in value.shape):
         raise LoweringError(f"{shown(value)} has the shape {value.shape}: extents must be numbers")
+    require_room(prod(map(int, value.shape)))
     return value.as_explicit()
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import cache, partial
 from itertools import product
 
 from chasles.lowering.program import Op, Program, Step
@@ -32,8 +33,9 @@ def divisors(program: Program, *, roots: bool) -> Iterator[Divisor]:
     With `roots` also those of which the root is taken, divided by or not, and then sums of squares with constants, too.
     """
     steps, degrees = program.steps, _degrees(program.steps)
+    is_known_scale = cache(partial(is_scale, steps))
     for place, step in enumerate(steps):
-        if step.op is Op.DIVIDE and is_scale(steps, step.operands[1]):
+        if step.op is Op.DIVIDE and is_known_scale(step.operands[1]):
             continue
         if step.op is Op.DIVIDE:
             number = step.operands[1]
@@ -80,8 +82,11 @@ def _degrees(steps: Sequence[Step]) -> list[int]:
 
 
 def _leaves(steps: Sequence[Step], degrees: Sequence[int], form: int) -> tuple[int, ...]:
-    """The steps in which a form is one, each once, in the order of the program."""
-    found, seen, waiting = set(), set(), [form]
+    """The steps in which a form is one, each once, in the order of the program; none of a product of several.
+
+    Of these one may be as small as another is large: what the largest divides vanishes where the product does not.
+    """
+    found, seen, waiting, is_sum = set(), set(), [form], False
     while waiting:
         number = waiting.pop()
         if number in seen:
@@ -92,9 +97,10 @@ def _leaves(steps: Sequence[Step], degrees: Sequence[int], form: int) -> tuple[i
         root = step.op is Op.SQUARE_ROOT and degrees[step.operands[0]] == 2 * degrees[number]
         if step.op is Op.NEGATE or (degrees[number] > 1 and (step.op is Op.MULTIPLY or alike)) or root:
             waiting += step.operands
+            is_sum |= alike
         elif step.op is not Op.CONSTANT:
             found.add(number)
-    return tuple(sorted(found))
+    return tuple(sorted(found)) if is_sum or len(found) == 1 else ()
 
 
 def _vanish(steps: Sequence[Step], leaves: Sequence[int]) -> bool:

@@ -55,6 +55,8 @@ ARITY = {
 
 MOST_OPERANDS = 32
 """How many operands a function over batches may have: NumPy's own limit is that of its iterators."""
+MOST_ENTRIES = 32768
+"""How many numbers these may have in all: so that a group of items fits on the stack."""
 FREE_OF_CHARGE = frozenset({Op.INPUT, Op.CONSTANT, Op.NOT_A_NUMBER, Op.NEGATE, Op.SELECT, Op.LESS, Op.EQUAL})
 
 

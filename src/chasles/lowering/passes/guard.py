@@ -7,6 +7,7 @@ and not the divisor, so that the machine itself says `invalid`, and only there.
 from __future__ import annotations
 
 from dataclasses import replace as with_fields
+from functools import cache, partial
 
 from chasles.lowering.program import Op, Program, Step
 from chasles.lowering.scales import is_scale
@@ -16,6 +17,7 @@ def guarded(program: Program) -> Program:
     """The same program, and NaN instead of an infinity wherever a divisor that is not a constant is zero."""
     steps: list[Step] = []
     numbers: dict[Step, int] = {}
+    is_known_scale = cache(partial(is_scale, steps))
 
     def add(step: Step) -> int:
         if step not in numbers:
@@ -26,7 +28,7 @@ def guarded(program: Program) -> Program:
     place: list[int] = []
     for step in program.steps:
         operands = tuple(place[k] for k in step.operands)
-        if step.op is Op.DIVIDE and steps[operands[1]].op is not Op.CONSTANT and not is_scale(steps, operands[1]):
+        if step.op is Op.DIVIDE and steps[operands[1]].op is not Op.CONSTANT and not is_known_scale(operands[1]):
             zero = add(Step(Op.CONSTANT))
             divisor = steps[operands[1]]
             # A root is zero where its radicand is, which is known earlier.

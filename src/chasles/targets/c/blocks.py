@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from dataclasses import replace as with_fields
 
 from chasles.lowering.passes.prune import pruned
-from chasles.lowering.program import MOST_OPERANDS, Op, Program
+from chasles.lowering.program import MOST_ENTRIES, MOST_OPERANDS, Op, Program
 from chasles.targets.c.functions import public_name
 from chasles.targets.c.parts import KEPT, CutFunction, CutProgram, parts_of
 from chasles.targets.c.sincos import parted
@@ -19,8 +19,6 @@ from chasles.targets.kernel import EmissionError, TargetKernel
 from chasles.targets.layout import listed
 from chasles.targets.spelling import Spelled, spelled
 
-MOST_ENTRIES = 32768
-"""So that a group of items fits on the stack."""
 _WORD = re.compile(r"\w+")
 _WIDTHS = (4, 3, 2, 1)
 """How many numbers that lie side by side in an item are loaded or stored at a time."""
