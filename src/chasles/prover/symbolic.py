@@ -11,9 +11,10 @@ from fractions import Fraction
 from itertools import islice
 from typing import Any
 
-from chasles.checker.any_size.at_sizes import PointAtSizes
+from chasles.checker.any_size.at_sizes import PointAtSizes, sizes_in
 from chasles.checker.any_size.free_algebra import Letters, added
 from chasles.checker.any_size.free_squares import PROJECTION, nonnegative, square
+from chasles.checker.any_size.induction import first_and_next
 from chasles.checker.any_size.proof import check_words
 from chasles.checker.any_size.words import Known, SymbolicReading
 from chasles.checker.sparse import Rejected
@@ -43,17 +44,21 @@ def decide_words(problem: Problem, own: tuple[Hypothesis, ...] = ()) -> Verdict:
         found = _refuted(problem)
         if found:
             return Fails(found)
-        if not proofs.at_length():
+        by_induction = None if signs else _by_induction(problem)
+        if by_induction is None and not proofs.at_length():
             return Undecided(OPEN)
+    else:
+        by_induction = None
     witness = next(points_at_sizes(problem), None)
     if witness is None:
         return Undecided(NO_POINT)
-    certificate = {**proofs.spelled(), "witness": {name: str(value) for name, value in witness.items()}}
+    steps, needed = by_induction or ({}, ())
+    certificate = {**(steps or proofs.spelled()), "witness": {name: str(value) for name, value in witness.items()}}
     try:
         check_words(problem, certificate)
     except Rejected as reason:
         return Undecided(f"an answer was found that the checker does not follow: {reason}")
-    used = {*proofs.needs(), *(h.text for h in problem.presupposed)}
+    used = {*(needed or proofs.needs()), *(h.text for h in problem.presupposed)}
     needs = tuple(dict.fromkeys(h.text for h in problem.hypotheses if h.text in used and h.kind != "evident"))
     unused = tuple(h.text for h in own if h.text not in needs)
     if needs:
@@ -65,6 +70,20 @@ def pose_at_sizes(problem: Problem) -> Verdict:
     """A condition, with a point that satisfies it together with the hypotheses."""
     witness = next(points_at_sizes(problem), None)
     return Undecided("no point was found that satisfies the condition") if witness is None else Posed(witness)
+
+
+def _by_induction(problem: Problem) -> tuple[dict[str, Any], set[str]] | None:
+    """A proof by induction over one of the exponents, and the texts of the hypotheses that it uses."""
+    for name in sizes_in(problem):
+        try:
+            first, following = first_and_next(problem, name)
+            proofs = _Proofs(SymbolicReading(first), ()), _Proofs(SymbolicReading(following, problem.goals), ())
+        except Rejected:
+            continue
+        if all(each.soon() or each.at_length() for each in proofs):
+            steps = {"over": name, "first": proofs[0].spelled(), "next": proofs[1].spelled()}
+            return {"words": {}, "induction": steps}, {text for each in proofs for text in each.needs()}
+    return None
 
 
 class _Proofs:

@@ -15,20 +15,20 @@ from chasles import vocabulary as w
 from chasles.statements.hypotheses import Hypothesis, nonzero
 from chasles.statements.varied import opened_parts
 from chasles.vocabulary import Node
-from chasles.vocabulary.fitting import measured
 
 
 class Inverses:
     """Puts other words in the place of inverses; `used` are the hypotheses by which they say the same.
 
-    Those among them that nobody has assumed yet are `needed` too. Nothing is concluded from a hypothesis on what a
-    rule replaces.
+    Those among them that nobody has assumed yet are `needed` too. Beside letters for sizes, inverses of matrices stay.
+    Nothing is concluded from a hypothesis on what a rule replaces.
     """
 
-    def __init__(self, hypotheses: Collection[Hypothesis], rules: Mapping[Node, Node]) -> None:
+    def __init__(self, hypotheses: Collection[Hypothesis], rules: Mapping[Node, Node], *, any_size: bool) -> None:
         self.used: dict[Hypothesis, None] = {}
         self.needed: dict[Hypothesis, None] = {}
         self._rules = rules
+        self._any_size = any_size
         self._known = {(h.kind, h.subjects): h for h in hypotheses if not rules.keys() & {*h.subjects}}
         self._nonzero = {node: hypothesis for hypothesis in hypotheses for node in hypothesis.nonvanishing}
 
@@ -53,7 +53,7 @@ class Inverses:
             return w.Quotient(w.Number(Fraction(1)), self(of))
         said = self(of)
         self._need(w.Determinant(said))
-        if measured(of).partition is not None:
+        if self._any_size:
             return w.Inverse(said)
         return w.Quotient(w.Transpose(w.Cofactor(said)), w.Determinant(said))
 

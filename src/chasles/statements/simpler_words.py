@@ -25,7 +25,8 @@ def in_simpler_words(problem: Problem) -> Problem:
     if problem.has_functions:
         problem = _differentiated(problem)
     problem = _rewritten(problem, opened, lambda said: said.rewritten(opened))
-    inverses = Inverses(problem.hypotheses, dict(problem.rules))
+    sides = [*sides_of(problem), *(side for rule in problem.rules for side in rule)]
+    inverses = Inverses(problem.hypotheses, dict(problem.rules), any_size=bool(sizes_of(sides)))
     at_work = reached(sides_of(problem), dict(problem.rules))
     found = _rewritten(problem, inverses, inverses.hypothesis, at_work)
     presupposed = tuple(dict.fromkeys((*problem.presupposed, *inverses.used)))

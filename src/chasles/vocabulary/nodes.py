@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, ClassVar
 from chasles.display import Displayed
 from chasles.vocabulary.dimension import NO_DIMENSION
 from chasles.vocabulary.fitting import SCALAR, Fitted, measured, square_measure, word
-from chasles.vocabulary.measure import Measure, Misfit, added, contracted, scaled, uniform
+from chasles.vocabulary.measure import Extent, Measure, Misfit, added, contracted, scaled, uniform
 
 if TYPE_CHECKING:
     from chasles.vocabulary.functions import Relation
@@ -110,9 +110,13 @@ class Node(Displayed, Fitted):
             return Negative(self.term @ other)
         return Contract((*(self.factors if isinstance(self, Contract) else (self,)), lifted(other)))
 
-    def __pow__(self, exponent: int) -> Power:
-        if not isinstance(exponent, int) or isinstance(exponent, bool):
-            raise TypeError(f"the exponent of {self} is {exponent}; it must be a whole number")
+    def __pow__(self, exponent: Extent) -> Power:
+        from chasles.vocabulary.sizes import Size
+
+        if not isinstance(exponent, int | Size) or isinstance(exponent, bool):
+            raise TypeError(
+                f"the exponent of {self} is {exponent}; it must be a whole number, or a letter for one: n = Size('n')"
+            )
         return Power(self, exponent)
 
     def __getitem__(self, places: int | slice | tuple[int | slice, int | slice]) -> Node:
@@ -267,12 +271,17 @@ class Contract(Node):
 
 @word
 class Power(Node):
-    """A scalar or a square matrix raised to a positive integer."""
+    """A scalar or a square matrix raised to a positive integer, or to a letter for one."""
 
     base: Node
-    exponent: int
+    exponent: Extent
 
     def _measured(self) -> Measure:
+        if not isinstance(self.exponent, int):
+            once = square_measure(self.base, "a power")
+            if contracted(once, once, (self.base, self.base)) != once:
+                raise Misfit(f"{self.base} has a dimension: of its powers only those of known exponents can have one")
+            return once
         if self.exponent < 1:
             raise Misfit(f"the exponent of {self.base} is {self.exponent}; write a quotient or `inverse` instead")
         total = measure = square_measure(self.base, "a power")

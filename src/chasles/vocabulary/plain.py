@@ -49,7 +49,7 @@ class _Plain:
         return Piece(self.brackets(piece.text, piece.depth), Precedence.ATOM, piece.depth + 1)
 
     def power(self, base: str, exponent: str) -> str:
-        return f"{base}^{exponent}"
+        return f"{base}^({exponent})" if " " in exponent else f"{base}^{exponent}"
 
     def infix(self, sign: str, left: str, right: str) -> str:
         return f"{left} {INFIX[sign]} {right}"

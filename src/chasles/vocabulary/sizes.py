@@ -1,4 +1,4 @@
-"""Sizes that letters stand for: n rows, n + m columns. A matrix of such a size is measured block by block."""
+"""What letters stand for: n rows, n + m columns, the n-th power. A matrix of such a size is measured in blocks."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from chasles.vocabulary.arguments import Declared, WrongArgument, declaring, dec
 from chasles.vocabulary.dimension import NO_DIMENSION, Dimension, has_units
 from chasles.vocabulary.letters import Identity, Symbol, Zero
 from chasles.vocabulary.measure import Extent, Measure, Misfit, uniform
-from chasles.vocabulary.nodes import Node
+from chasles.vocabulary.nodes import Node, Power
 from chasles.vocabulary.tree import rebuilt
 
 
@@ -116,7 +116,7 @@ def uniform_blocks(height: Extent, width: Extent, dimension: Dimension | None, d
 
 
 def sizes_of(nodes: Iterable[Node]) -> tuple[Size, ...]:
-    """The letters for sizes that occur, in reading order, abbreviations opened."""
+    """The letters for sizes and exponents that occur, in reading order, abbreviations opened."""
     found: dict[Size, None] = {}
     seen: set[Node] = set()
     waiting = [*nodes]
@@ -127,8 +127,9 @@ def sizes_of(nodes: Iterable[Node]) -> tuple[Size, ...]:
         seen.add(node)
         waiting += [node.stands_for] if isinstance(node, Symbol) and node.stands_for is not None else node.below
         partition = node.measure.partition if node.measure else None
-        if partition is not None:
-            found |= {part: None for part in (*partition.rows, *partition.columns) if isinstance(part, Size)}
+        extents = (*partition.rows, *partition.columns) if partition is not None else ()
+        extents += parts_of(node.exponent) if isinstance(node, Power) else ()
+        found |= {part: None for part in extents if isinstance(part, Size)}
     return tuple(found)
 
 
@@ -142,8 +143,23 @@ def at_sizes(node: Node, numbers: Mapping[str, int]) -> Node:
             return with_fields(node, size=_count(size, numbers))
         case Zero(rows, columns):
             return with_fields(node, rows=_count(rows, numbers), columns=_count(columns, numbers))
+        case Power(base, exponent):
+            return Power(at_sizes(base, numbers), _count(exponent, numbers))
         case _:
             return rebuilt(node, tuple(at_sizes(part, numbers) for part in node.below))
+
+
+def at_exponent(node: Node, letter: Size, exponent: Extent) -> Node:
+    """The expression with another exponent wherever the letter is one."""
+    if isinstance(node, Symbol):
+        inner = node.stands_for and at_exponent(node.stands_for, letter, exponent)
+        return node if inner is None or inner == node.stands_for else inner
+    made = rebuilt(node, tuple(at_exponent(part, letter, exponent) for part in node.below)) if node.below else node
+    if not isinstance(made, Power) or letter not in (parts := parts_of(made.exponent)):
+        return made
+    return Power(
+        made.base, _sum(each for part in parts for each in (parts_of(exponent) if part == letter else (part,)))
+    )
 
 
 def _count(extent: Extent, numbers: Mapping[str, int]) -> int:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from chasles.checker.any_size.free_algebra import FreeAlgebra, Words, added
+from chasles.checker.any_size.free_algebra import FreeAlgebra, Monomial, Words, added
 from chasles.checker.sparse import Rejected
 from chasles.vocabulary.measure import Extent
 
@@ -18,6 +18,11 @@ class Blocks:
     heights: tuple[Extent, ...]
     widths: tuple[Extent, ...]
     rows: list[list[Words]]
+
+
+def key_of(matrix: Blocks) -> tuple[tuple[tuple[tuple[Monomial, Fraction], ...], ...], ...]:
+    """The same for equal blocks."""
+    return tuple(tuple(tuple(sorted(words.items())) for words in row) for row in matrix.rows)
 
 
 class BlockAlgebra(FreeAlgebra):

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
 from chasles.checker.any_size.at_sizes import PointAtSizes
 from chasles.checker.any_size.free_algebra import Words, added
 from chasles.checker.any_size.free_squares import square
+from chasles.checker.any_size.induction import first_and_next
 from chasles.checker.any_size.words import SymbolicReading
 from chasles.checker.sparse import Rejected
-from chasles.statements import Problem
+from chasles.statements import Goal, Problem
 from chasles.statements.inequalities import as_differences
 from chasles.vocabulary.measure import Extent
 
@@ -20,11 +21,23 @@ def check_words(problem: Problem, certificate: Mapping[str, Any]) -> None:
     """Each difference of two sides is the sum of known equations that the certificate says; `Rejected` if it is not.
 
     What is claimed not to be negative is such a sum and squares. Nor is it said of nothing: the witness satisfies all
-    that is assumed.
+    that is assumed. By induction it follows for 1, and for n + 1 from what is claimed of n.
     """
     PointAtSizes(problem, certificate["witness"]).require()
+    if "induction" not in certificate:
+        return _check_differences(problem, certificate, ())
+    steps = certificate["induction"]
+    first, following = first_and_next(problem, steps["over"])
+    _check_differences(first, steps["first"], ())
+    _check_differences(following, steps["next"], problem.goals)
+    return None
+
+
+def _check_differences(problem: Problem, certificate: Mapping[str, Any], assumed: Sequence[Goal]) -> None:
     plain, signs = as_differences(problem) or (problem, ("",) * len(problem.goals))
-    reading = SymbolicReading(plain)
+    if assumed and any(signs):
+        raise Rejected("what is said by induction is an equation")
+    reading = SymbolicReading(plain, assumed)
     for number, (goal, sign) in enumerate(zip(plain.goals, signs, strict=True)):
         for i, j, words, height, width in reading.differences(goal.left, goal.right):
             left = dict(words)

@@ -10,17 +10,18 @@ from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
+from itertools import product
 from typing import Any
 
 from chasles import vocabulary as w
 from chasles.checker.any_size.free_algebra import Words, added
-from chasles.checker.any_size.free_blocks import BlockAlgebra, Blocks, multiplied, plus, stacked
+from chasles.checker.any_size.free_blocks import BlockAlgebra, Blocks, key_of, multiplied, plus, stacked
 from chasles.checker.any_size.free_determinants import Determinants
 from chasles.checker.sparse import Rejected
-from chasles.statements import Problem
+from chasles.statements import Goal, Problem
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.measure import Extent
-from chasles.vocabulary.sizes import blocks_of
+from chasles.vocabulary.sizes import blocks_of, parts_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +41,7 @@ class SymbolicReading(BlockAlgebra):
     `inverses` are the letters of inverses, each with what it is the inverse of, `lengths` those of norms.
     """
 
-    def __init__(self, problem: Problem) -> None:
+    def __init__(self, problem: Problem, assumed: Sequence[Goal] = ()) -> None:
         super().__init__()
         self.problem = problem
         self.rules = dict(problem.rules)
@@ -50,7 +51,9 @@ class SymbolicReading(BlockAlgebra):
         self._read: dict[w.Node, Blocks] = {}
         self.determinants = Determinants(self, self._inverting, self._determinant)
         self.divisors = {node: h.text for h in problem.hypotheses for node in h.nonvanishing}
+        self._powers: dict[tuple[Any, Extent], tuple[Blocks, Blocks]] = {}
         said = [("condition", "", g.left, g.right) for g in problem.conditions]
+        said += [("what is claimed of less", "", g.left, g.right) for g in assumed]
         said += [(h.text, h.text, *equation) for h in problem.hypotheses for equation in h.equations]
         for goal in problem.goals:
             _ = self(goal.left), self(goal.right)
@@ -59,6 +62,7 @@ class SymbolicReading(BlockAlgebra):
             with suppress(Rejected):
                 for i, j, words, height, width in self.differences(left, right):
                     self._note(f"{text} [{number}: {i}, {j}]", words, height, width, needs)
+        self._note_powers()
 
     def __call__(self, node: w.Node) -> Blocks:
         """The blocks of an expression; raises `Rejected` for a word that the free algebra has not."""
@@ -102,7 +106,7 @@ class SymbolicReading(BlockAlgebra):
             case w.Contract(factors):
                 return reduce(self.times, map(self, factors))
             case w.Power(base, exponent):
-                return reduce(self.times, [self(base)] * exponent)
+                return reduce(self.times, [part for each in parts_of(exponent) for part in self._power(base, each)])
             case w.Transpose(of):
                 return self.flipped_blocks(self(of))
             case w.Block(blocks):
@@ -121,6 +125,44 @@ class SymbolicReading(BlockAlgebra):
                 return self.scaled(self._inverse(divisor).rows[0][0], self(numerator))
             case _:
                 return Blocks((1,), (1,), [[self._of_matrices(node)]])
+
+    def _power(self, base: w.Node, exponent: Extent) -> list[Blocks]:
+        """The factors of a power: so many times the base, or letters for the blocks of a power to a letter."""
+        matrix = self(base)
+        if isinstance(exponent, int):
+            return [matrix] * exponent
+        if matrix.heights != matrix.widths:
+            raise Rejected("two matrices are cut into blocks in different ways")
+        key = key_of(matrix), exponent
+        found = self._lettered(("power", *key), f"({base})^{exponent}", matrix.heights, matrix.widths)
+        self._powers[key] = matrix, found
+        return [found]
+
+    def _note_powers(self) -> None:
+        """Powers of a matrix commute with it and with each other, and so do those of matrices that commute."""
+        together = [(matrix, matrix, "") for matrix, _ in self._powers.values()]
+        for known in tuple(self.known.values()) if together else ():
+            match [*known.words.items()]:
+                case [(((), (a, b)), c), (((), (d, e)), f)] if (a, b, c) == (e, d, -f):
+                    together.append((self._letter_alone(a), self._letter_alone(b), known.needs))
+        for one, other, needs in together:
+            for left, right in product(self._with_powers(one), self._with_powers(other)):
+                difference = plus(self.times(left, right), multiplied(self.times(right, left), Fraction(-1)))
+                for i, row in enumerate(difference.rows):
+                    for j, words in enumerate(row):
+                        label = f"powers [{len(self.known) + 1}]"
+                        self._note(label, words, difference.heights[i], difference.widths[j], needs)
+
+    def _letter_alone(self, letter: int) -> Blocks:
+        return Blocks((self.height(letter),), (self.width(letter),), [[self.alone((letter,))]])
+
+    def _with_powers(self, matrix: Blocks) -> list[Blocks]:
+        """The matrix and its powers that occur, as they are or as those of the transpose."""
+        found = [matrix]
+        for base, power in self._powers.values():
+            found += [power] if key_of(base) == key_of(matrix) else []
+            found += [self.flipped_blocks(power)] if key_of(self.flipped_blocks(base)) == key_of(matrix) else []
+        return found
 
     def _of_matrices(self, node: w.Node) -> Words:
         """A scalar that is made of matrices."""
@@ -194,7 +236,7 @@ class SymbolicReading(BlockAlgebra):
         if [*matrix.rows[0][0]] == [((), ())] and of.is_scalar:
             return multiplied(Blocks((1,), (1,), [[{((), ()): Fraction(1)}]]), 1 / matrix.rows[0][0][(), ()])
         text = self._nonvanishing(of)
-        key = tuple(tuple(tuple(sorted(words.items())) for words in row) for row in matrix.rows)
+        key = key_of(matrix)
         found = self._lettered(("inverse", key), f"inverse({of})", matrix.widths, matrix.heights)
         identity = self(w.Identity(of.shape[0])) if not of.is_scalar else self(w.Number(Fraction(1)))
         if len(matrix.heights) == 1:

@@ -1,0 +1,35 @@
+"""Induction over an exponent: what is said of a letter n holds for 1, and for n + 1 if it holds for n."""
+
+from __future__ import annotations
+
+from dataclasses import replace as with_fields
+
+from chasles.checker.any_size.at_sizes import sizes_in
+from chasles.checker.sparse import Rejected
+from chasles.statements import Goal, Problem
+from chasles.vocabulary import Node, walk
+from chasles.vocabulary.measure import Extent
+from chasles.vocabulary.sizes import Size, at_exponent, sizes_of
+
+
+def first_and_next(problem: Problem, name: str) -> tuple[Problem, Problem]:
+    """The problem for 1 and for n + 1; `Rejected` if n is no exponent, or something is assumed of it."""
+    letter = Size(name)
+    said = [node for goal in problem.conditions for node in (goal.left, goal.right)]
+    said += [node for h in problem.hypotheses for node in (*h.subjects, *h.nonvanishing, *sum(h.equations, ()))]
+    moving = {left for left, right in problem.rules if letter in sizes_of((right,))}
+    parts = {part for node in said for part in walk(node)}
+    if letter in sizes_of(said) or (moving and parts & {left for left, _ in problem.rules}):
+        raise Rejected(f"something is assumed of {name}: what is said of another number does not follow from it")
+
+    def at(exponent: Extent) -> Problem:
+        def put(node: Node) -> Node:
+            return at_exponent(node, letter, exponent)
+
+        goals = tuple(Goal(goal.label, put(goal.left), put(goal.right)) for goal in problem.goals)
+        return with_fields(problem, goals=goals, rules=tuple((left, put(right)) for left, right in problem.rules))
+
+    first = at(1)
+    if name not in sizes_in(problem) or name in sizes_in(first):
+        raise Rejected(f"{name} is no exponent, or a number of rows or columns too")
+    return first, at(letter + 1)
