@@ -440,7 +440,7 @@ static int streamed_output(const chasles_loop *loop, ptrdiff_t count, const ptrd
         read += steps[k] == 0 ? 0 : size_of(loop, k);
     }
     const int many = size >= CHASLES_WIDE * loop->number && count * size >= CHASLES_STREAMED;
-    const int fits = size * CHASLES_LANES <= CHASLES_STORE / 2 - 2 * CHASLES_LINE && !loop->gaps;
+    const int fits = size * CHASLES_LANES <= CHASLES_STORE / 2 - 2 * CHASLES_LINE && loop->gaps < 2;
     return many && fits && size > read && steps[widest] == size ? widest : -1;
 }
 

@@ -31,15 +31,12 @@
 #if CHASLES_LEVEL == 0
 #define CHASLES_LEVELED(name) name##_baseline
 #define CHASLES_REGISTER 16
-#define CHASLES_STEP(k, size) steps[k]
 #elif CHASLES_LEVEL == 1
 #define CHASLES_LEVELED(name) name##_v3
 #define CHASLES_REGISTER 32
-#define CHASLES_STEP(k, size) steps[k]
 #else
 #define CHASLES_LEVELED(name) name##_v4
 #define CHASLES_REGISTER 64
-#define CHASLES_STEP(k, size) ((void)steps, (ptrdiff_t)(size))
 #endif
 
 /* The lowest level for which blocks are compiled: lower ones are for machines that this build does not run on. */
@@ -53,6 +50,10 @@
 #else
 #define CHASLES_LESSER(name) NULL, NULL
 #endif
+
+/* Whether blocks of x86-64-v4 take items with gaps between them, as there are no others; else they know the steps. */
+#define CHASLES_GAPS (CHASLES_LEAST == 2)
+#define CHASLES_STEP(k, size) (CHASLES_LEVEL < 2 || CHASLES_GAPS ? steps[k] : (ptrdiff_t)(size))
 
 #if CHASLES_LEVELS == 1
 #define CHASLES_DECLARED(name) name##_baseline
@@ -97,8 +98,8 @@ typedef struct {
 } chasles_shape;
 
 /* A kernel in one precision. `number` is the size of a number in bytes; `silent` says whether a result can be NaN
- * without an operation that is invalid, `gaps` whether blocks of every level take items with gaps between them and do not
- * copy what a stream says; operands are inputs, then outputs. */
+ * without an operation that is invalid, `gaps` whether blocks of every level take items with gaps between them, and if 2
+ * do not copy what a stream says; operands are inputs, then outputs. */
 typedef struct {
     ptrdiff_t number;
     int silent;

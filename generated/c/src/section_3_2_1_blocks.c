@@ -34,7 +34,7 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -43,7 +43,7 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, e);
         const doubles sin_half_phi = sines[0][g];
         const doubles t1 = choose(equal(sin_half_phi, spread(0.0)), spread(0.0), spread(0.5));
@@ -59,7 +59,7 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_block)(
         const doubles result4 = t3 + e[1] * t6;
         const doubles result8 = t3 + e[2] * (e[2] * t4);
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 9);
         store_4(item2, step2, result0, result1, result2, result1);
         store_4(item2 + 4 * sizeof(double), step2, result4, result5, result2, result5);
         store_1(item2 + 8 * sizeof(double), step2, result8);
@@ -86,7 +86,7 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -95,7 +95,7 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, e);
         const floats sin_half_phi = sines[0][g];
         const truthsf t1 = equalf(sin_half_phi, spreadf(0.0f));
@@ -111,7 +111,7 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_blockf)(
         const floats result4 = t3 + e[1] * t6;
         const floats result8 = t3 + e[2] * (e[2] * t4);
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 9);
         store_4f(item2, step2, result0, result1, result2, result1);
         store_4f(item2 + 4 * sizeof(float), step2, result4, result5, result2, result5);
         store_1f(item2 + 8 * sizeof(float), step2, result8);
@@ -142,7 +142,7 @@ void CHASLES_LEVELED(chasles_screw_axis_point_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -151,15 +151,15 @@ void CHASLES_LEVELED(chasles_screw_axis_point_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, e);
         doubles a[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, LANES * step2);
+        prefetch(item2, 3);
         load_3(item2, step2, a);
         doubles a_prime[3];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, LANES * step3);
+        prefetch(item3, 3);
         load_3(item3, step3, a_prime);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
@@ -176,7 +176,7 @@ void CHASLES_LEVELED(chasles_screw_axis_point_block)(
         const doubles p_0_1 = 0.5 * ((e[2] * t5 - e[0] * t7) * t9 - (e[1] * t4 - t2));
         const doubles p_0_2 = 0.5 * ((e[0] * t6 - e[1] * t5) * t9 - (e[2] * t4 - t3));
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, LANES * step4);
+        prefetch_to_write(item4, 3);
         store_3(item4, step4, p_0_0, p_0_1, p_0_2);
         stream_lines(&copied);
     }
@@ -205,7 +205,7 @@ void CHASLES_LEVELED(chasles_screw_axis_point_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -214,15 +214,15 @@ void CHASLES_LEVELED(chasles_screw_axis_point_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, e);
         floats a[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, LANESF * step2);
+        prefetch(item2, 3);
         load_3f(item2, step2, a);
         floats a_prime[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, LANESF * step3);
+        prefetch(item3, 3);
         load_3f(item3, step3, a_prime);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
@@ -239,7 +239,7 @@ void CHASLES_LEVELED(chasles_screw_axis_point_blockf)(
         const floats p_0_1 = 0.5f * ((e[2] * t5 - e[0] * t7) * t9 - (e[1] * t4 - t2));
         const floats p_0_2 = 0.5f * ((e[0] * t6 - e[1] * t5) * t9 - (e[2] * t4 - t3));
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, LANESF * step4);
+        prefetch_to_write(item4, 3);
         store_3f(item4, step4, p_0_0, p_0_1, p_0_2);
         stream_lines(&copied);
     }

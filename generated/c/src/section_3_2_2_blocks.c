@@ -31,11 +31,11 @@ void CHASLES_LEVELED(chasles_plucker_line_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles p_1[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, p_1);
         doubles p_2[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 3);
         load_3(item1, step1, p_2);
         const doubles t1 = p_2[0] - p_1[0];
         const doubles t2 = p_2[1] - p_1[1];
@@ -59,7 +59,7 @@ void CHASLES_LEVELED(chasles_plucker_line_block)(
         const doubles kappa4 = p_1[2] * kappa0 - p_1[0] * kappa2;
         const doubles kappa5 = p_1[0] * kappa1 - p_1[1] * kappa0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 6);
         store_4(item2, step2, kappa0, kappa1, kappa2, kappa3);
         store_2(item2 + 4 * sizeof(double), step2, kappa4, kappa5);
         stream_lines(&copied);
@@ -82,11 +82,11 @@ void CHASLES_LEVELED(chasles_plucker_line_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats p_1[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, p_1);
         floats p_2[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 3);
         load_3f(item1, step1, p_2);
         const floats t1 = p_2[0] - p_1[0];
         const floats t2 = p_2[1] - p_1[1];
@@ -110,7 +110,7 @@ void CHASLES_LEVELED(chasles_plucker_line_blockf)(
         const floats kappa4 = p_1[2] * kappa0 - p_1[0] * kappa2;
         const floats kappa5 = p_1[0] * kappa1 - p_1[1] * kappa0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 6);
         store_4f(item2, step2, kappa0, kappa1, kappa2, kappa3);
         store_2f(item2 + 4 * sizeof(float), step2, kappa4, kappa5);
         stream_lines(&copied);
@@ -135,16 +135,16 @@ void CHASLES_LEVELED(chasles_plucker_transfer_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles kappa_A[6];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 6);
         load_4(item0, step0, kappa_A);
         load_2(item0 + 4 * sizeof(double), step0, &kappa_A[4]);
         doubles a[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 3);
         load_3(item1, step1, a);
         doubles b[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, LANES * step2);
+        prefetch(item2, 3);
         load_3(item2, step2, b);
         const doubles kappa_B0 = kappa_A[0];
         const doubles kappa_B1 = kappa_A[1];
@@ -156,7 +156,7 @@ void CHASLES_LEVELED(chasles_plucker_transfer_block)(
         const doubles kappa_B4 = kappa_A[4] + (kappa_B0 * t3 - kappa_B2 * t1);
         const doubles kappa_B5 = kappa_A[5] + (kappa_B1 * t1 - kappa_B0 * t2);
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, LANES * step3);
+        prefetch_to_write(item3, 6);
         store_4(item3, step3, kappa_B0, kappa_B1, kappa_B2, kappa_B3);
         store_2(item3 + 4 * sizeof(double), step3, kappa_B4, kappa_B5);
         stream_lines(&copied);
@@ -181,16 +181,16 @@ void CHASLES_LEVELED(chasles_plucker_transfer_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats kappa_A[6];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 6);
         load_4f(item0, step0, kappa_A);
         load_2f(item0 + 4 * sizeof(float), step0, &kappa_A[4]);
         floats a[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 3);
         load_3f(item1, step1, a);
         floats b[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, LANESF * step2);
+        prefetch(item2, 3);
         load_3f(item2, step2, b);
         const floats kappa_B0 = kappa_A[0];
         const floats kappa_B1 = kappa_A[1];
@@ -202,7 +202,7 @@ void CHASLES_LEVELED(chasles_plucker_transfer_blockf)(
         const floats kappa_B4 = kappa_A[4] + (kappa_B0 * t3 - kappa_B2 * t1);
         const floats kappa_B5 = kappa_A[5] + (kappa_B1 * t1 - kappa_B0 * t2);
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, LANESF * step3);
+        prefetch_to_write(item3, 6);
         store_4f(item3, step3, kappa_B0, kappa_B1, kappa_B2, kappa_B3);
         store_2f(item3 + 4 * sizeof(float), step3, kappa_B4, kappa_B5);
         stream_lines(&copied);

@@ -31,13 +31,13 @@ void CHASLES_LEVELED(chasles_rotation_in_triad_axes_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles triad[9];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 9);
         load_4(item0, step0, triad);
         load_4(item0 + 4 * sizeof(double), step0, &triad[4]);
         load_1(item0 + 8 * sizeof(double), step0, &triad[8]);
         doubles triad_prime[9];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 9);
         load_4(item1, step1, triad_prime);
         load_4(item1 + 4 * sizeof(double), step1, &triad_prime[4]);
         load_1(item1 + 8 * sizeof(double), step1, &triad_prime[8]);
@@ -60,7 +60,7 @@ void CHASLES_LEVELED(chasles_rotation_in_triad_axes_block)(
         const doubles t9 = triad[2] * triad_prime[2] + triad[5] * triad_prime[5];
         const doubles Q8 = t9 + triad[8] * triad_prime[8];
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 9);
         store_4(item2, step2, Q0, Q1, Q2, Q3);
         store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
         store_1(item2 + 8 * sizeof(double), step2, Q8);
@@ -84,13 +84,13 @@ void CHASLES_LEVELED(chasles_rotation_in_triad_axes_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats triad[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 9);
         load_4f(item0, step0, triad);
         load_4f(item0 + 4 * sizeof(float), step0, &triad[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &triad[8]);
         floats triad_prime[9];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 9);
         load_4f(item1, step1, triad_prime);
         load_4f(item1 + 4 * sizeof(float), step1, &triad_prime[4]);
         load_1f(item1 + 8 * sizeof(float), step1, &triad_prime[8]);
@@ -113,7 +113,7 @@ void CHASLES_LEVELED(chasles_rotation_in_triad_axes_blockf)(
         const floats t9 = triad[2] * triad_prime[2] + triad[5] * triad_prime[5];
         const floats Q8 = t9 + triad[8] * triad_prime[8];
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 9);
         store_4f(item2, step2, Q0, Q1, Q2, Q3);
         store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
         store_1f(item2 + 8 * sizeof(float), step2, Q8);
@@ -137,13 +137,13 @@ void CHASLES_LEVELED(chasles_rotation_from_triads_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles triad[9];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 9);
         load_4(item0, step0, triad);
         load_4(item0 + 4 * sizeof(double), step0, &triad[4]);
         load_1(item0 + 8 * sizeof(double), step0, &triad[8]);
         doubles triad_prime[9];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 9);
         load_4(item1, step1, triad_prime);
         load_4(item1 + 4 * sizeof(double), step1, &triad_prime[4]);
         load_1(item1 + 8 * sizeof(double), step1, &triad_prime[8]);
@@ -166,7 +166,7 @@ void CHASLES_LEVELED(chasles_rotation_from_triads_block)(
         const doubles t9 = triad[6] * triad_prime[6] + triad[7] * triad_prime[7];
         const doubles Q8 = t9 + triad[8] * triad_prime[8];
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 9);
         store_4(item2, step2, Q0, Q1, Q2, Q3);
         store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
         store_1(item2 + 8 * sizeof(double), step2, Q8);
@@ -190,13 +190,13 @@ void CHASLES_LEVELED(chasles_rotation_from_triads_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats triad[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 9);
         load_4f(item0, step0, triad);
         load_4f(item0 + 4 * sizeof(float), step0, &triad[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &triad[8]);
         floats triad_prime[9];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 9);
         load_4f(item1, step1, triad_prime);
         load_4f(item1 + 4 * sizeof(float), step1, &triad_prime[4]);
         load_1f(item1 + 8 * sizeof(float), step1, &triad_prime[8]);
@@ -219,7 +219,7 @@ void CHASLES_LEVELED(chasles_rotation_from_triads_blockf)(
         const floats t9 = triad[6] * triad_prime[6] + triad[7] * triad_prime[7];
         const floats Q8 = t9 + triad[8] * triad_prime[8];
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 9);
         store_4f(item2, step2, Q0, Q1, Q2, Q3);
         store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
         store_1f(item2 + 8 * sizeof(float), step2, Q8);

@@ -29,7 +29,7 @@ void CHASLES_LEVELED(chasles_cross_product_matrix_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles v[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, v);
         const doubles V7 = v[0];
         const doubles V2 = v[1];
@@ -38,7 +38,7 @@ void CHASLES_LEVELED(chasles_cross_product_matrix_block)(
         const doubles V5 = -V7;
         const doubles V6 = -V2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, spread(0.0), V1, V2, V3);
         store_4(item1 + 4 * sizeof(double), step1, spread(0.0), V5, V6, V7);
         store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
@@ -60,7 +60,7 @@ void CHASLES_LEVELED(chasles_cross_product_matrix_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats v[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, v);
         const floats V7 = v[0];
         const floats V2 = v[1];
@@ -69,7 +69,7 @@ void CHASLES_LEVELED(chasles_cross_product_matrix_blockf)(
         const floats V5 = -V7;
         const floats V6 = -V2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, spreadf(0.0f), V1, V2, V3);
         store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), V5, V6, V7);
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
@@ -96,7 +96,7 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -105,7 +105,7 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, e);
         const doubles sin_phi = sines[0][g];
         const doubles cos_phi = cosines[0][g];
@@ -128,7 +128,7 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_block)(
         const doubles Q6 = t5 - t8;
         const doubles Q7 = t6 + t7;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 9);
         store_4(item2, step2, Q0, Q1, Q2, Q3);
         store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
         store_1(item2 + 8 * sizeof(double), step2, Q8);
@@ -155,7 +155,7 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -164,7 +164,7 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, e);
         const floats sin_phi = sines[0][g];
         const floats cos_phi = cosines[0][g];
@@ -187,7 +187,7 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_blockf)(
         const floats Q6 = t5 - t8;
         const floats Q7 = t6 + t7;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 9);
         store_4f(item2, step2, Q0, Q1, Q2, Q3);
         store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
         store_1f(item2 + 8 * sizeof(float), step2, Q8);
@@ -215,21 +215,21 @@ void CHASLES_LEVELED(chasles_point_after_displacement_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles Q[9];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 9);
         load_4(item0, step0, Q);
         load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
         load_1(item0 + 8 * sizeof(double), step0, &Q[8]);
         doubles a[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 3);
         load_3(item1, step1, a);
         doubles a_prime[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, LANES * step2);
+        prefetch(item2, 3);
         load_3(item2, step2, a_prime);
         doubles p[3];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, LANES * step3);
+        prefetch(item3, 3);
         load_3(item3, step3, p);
         const doubles t1 = p[0] - a[0];
         const doubles t2 = p[1] - a[1];
@@ -238,7 +238,7 @@ void CHASLES_LEVELED(chasles_point_after_displacement_block)(
         const doubles p_prime1 = a_prime[1] + (Q[3] * t1 + Q[4] * t2 + Q[5] * t3);
         const doubles p_prime2 = a_prime[2] + (Q[6] * t1 + Q[7] * t2 + Q[8] * t3);
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, LANES * step4);
+        prefetch_to_write(item4, 3);
         store_3(item4, step4, p_prime0, p_prime1, p_prime2);
         stream_lines(&copied);
     }
@@ -264,21 +264,21 @@ void CHASLES_LEVELED(chasles_point_after_displacement_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats Q[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 9);
         load_4f(item0, step0, Q);
         load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &Q[8]);
         floats a[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 3);
         load_3f(item1, step1, a);
         floats a_prime[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, LANESF * step2);
+        prefetch(item2, 3);
         load_3f(item2, step2, a_prime);
         floats p[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, LANESF * step3);
+        prefetch(item3, 3);
         load_3f(item3, step3, p);
         const floats t1 = p[0] - a[0];
         const floats t2 = p[1] - a[1];
@@ -287,7 +287,7 @@ void CHASLES_LEVELED(chasles_point_after_displacement_blockf)(
         const floats p_prime1 = a_prime[1] + (Q[3] * t1 + Q[4] * t2 + Q[5] * t3);
         const floats p_prime2 = a_prime[2] + (Q[6] * t1 + Q[7] * t2 + Q[8] * t3);
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, LANESF * step4);
+        prefetch_to_write(item4, 3);
         store_3f(item4, step4, p_prime0, p_prime1, p_prime2);
         stream_lines(&copied);
     }
@@ -311,20 +311,20 @@ void CHASLES_LEVELED(chasles_pitch_of_motion_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, e);
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &phi);
         doubles d_P[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, LANES * step2);
+        prefetch(item2, 3);
         load_3(item2, step2, d_P);
         const doubles t1 = e[0] * d_P[0] + e[1] * d_P[1] + e[2] * d_P[2];
         const doubles result_value = choose(equal(phi, spread(0.0)), spread(0.0), t1) / phi;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, LANES * step3);
+        prefetch_to_write(item3, 1);
         store_1(item3, step3, result_value);
         stream_lines(&copied);
     }
@@ -348,20 +348,20 @@ void CHASLES_LEVELED(chasles_pitch_of_motion_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, e);
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &phi);
         floats d_P[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, LANESF * step2);
+        prefetch(item2, 3);
         load_3f(item2, step2, d_P);
         const floats t1 = e[0] * d_P[0] + e[1] * d_P[1] + e[2] * d_P[2];
         const floats result_value = choosef(equalf(phi, spreadf(0.0f)), spreadf(0.0f), t1) / phi;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, LANESF * step3);
+        prefetch_to_write(item3, 1);
         store_1f(item3, step3, result_value);
         stream_lines(&copied);
     }

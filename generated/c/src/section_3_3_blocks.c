@@ -29,14 +29,14 @@ void CHASLES_LEVELED(chasles_axial_vector_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles Omega[9];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 9);
         load_3(item0 + 1 * sizeof(double), step0, &Omega[1]);
         load_3(item0 + 5 * sizeof(double), step0, &Omega[5]);
         const doubles omega0 = 0.5 * (Omega[7] - Omega[5]);
         const doubles omega1 = 0.5 * (Omega[2] - Omega[6]);
         const doubles omega2 = 0.5 * (Omega[3] - Omega[1]);
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 3);
         store_3(item1, step1, omega0, omega1, omega2);
         stream_lines(&copied);
     }
@@ -56,14 +56,14 @@ void CHASLES_LEVELED(chasles_axial_vector_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats Omega[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 9);
         load_3f(item0 + 1 * sizeof(float), step0, &Omega[1]);
         load_3f(item0 + 5 * sizeof(float), step0, &Omega[5]);
         const floats omega0 = 0.5f * (Omega[7] - Omega[5]);
         const floats omega1 = 0.5f * (Omega[2] - Omega[6]);
         const floats omega2 = 0.5f * (Omega[3] - Omega[1]);
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 3);
         store_3f(item1, step1, omega0, omega1, omega2);
         stream_lines(&copied);
     }

@@ -33,15 +33,15 @@ void CHASLES_LEVELED(chasles_instant_screw_point_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, omega);
         doubles a_dot[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 3);
         load_3(item1, step1, a_dot);
         doubles a[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, LANES * step2);
+        prefetch(item2, 3);
         load_3(item2, step2, a);
         const doubles t1 = choose(less(omega[0], spread(0.0)), -omega[0], omega[0]);
         const doubles t2 = choose(less(omega[1], spread(0.0)), -omega[1], omega[1]);
@@ -61,7 +61,7 @@ void CHASLES_LEVELED(chasles_instant_screw_point_block)(
         const doubles p_0_prime1 = choose(t14, spread(0.0), t9 * t11 - t7 * t13) / t10 / t6;
         const doubles p_0_prime2 = choose(t14, spread(0.0), t7 * t12 - t8 * t11) / t10 / t6;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, LANES * step3);
+        prefetch_to_write(item3, 3);
         store_3(item3, step3, p_0_prime0, p_0_prime1, p_0_prime2);
         stream_lines(&copied);
     }
@@ -85,15 +85,15 @@ void CHASLES_LEVELED(chasles_instant_screw_point_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, omega);
         floats a_dot[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 3);
         load_3f(item1, step1, a_dot);
         floats a[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, LANESF * step2);
+        prefetch(item2, 3);
         load_3f(item2, step2, a);
         const floats t1 = choosef(lessf(omega[0], spreadf(0.0f)), -omega[0], omega[0]);
         const floats t2 = choosef(lessf(omega[1], spreadf(0.0f)), -omega[1], omega[1]);
@@ -113,7 +113,7 @@ void CHASLES_LEVELED(chasles_instant_screw_point_blockf)(
         const floats p_0_prime1 = choosef(t14, spreadf(0.0f), t9 * t11 - t7 * t13) / t10 / t6;
         const floats p_0_prime2 = choosef(t14, spreadf(0.0f), t7 * t12 - t8 * t11) / t10 / t6;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, LANESF * step3);
+        prefetch_to_write(item3, 3);
         store_3f(item3, step3, p_0_prime0, p_0_prime1, p_0_prime2);
         stream_lines(&copied);
     }

@@ -14,7 +14,7 @@ static const chasles_shape chasles_natural_rate_matrix_loop_shapes[] = {
     {2, 4, 3},
 };
 const chasles_loop chasles_natural_rate_matrix_loop = {
-    sizeof(double), 0, 0, 2, 3,
+    sizeof(double), 0, CHASLES_GAPS, 2, 3,
     chasles_natural_rate_matrix_loop_shapes,
     CHASLES_BLOCKS(chasles_natural_rate_matrix_block),
 };
@@ -25,7 +25,7 @@ static const chasles_shape chasles_natural_rate_matrix_loopf_shapes[] = {
     {2, 4, 3},
 };
 const chasles_loop chasles_natural_rate_matrix_loopf = {
-    sizeof(float), 0, 0, 2, 3,
+    sizeof(float), 0, CHASLES_GAPS, 2, 3,
     chasles_natural_rate_matrix_loopf_shapes,
     CHASLES_BLOCKS(chasles_natural_rate_matrix_blockf),
 };
@@ -36,7 +36,7 @@ static const chasles_shape chasles_linear_rate_matrix_loop_shapes[] = {
     {2, 4, 3},
 };
 const chasles_loop chasles_linear_rate_matrix_loop = {
-    sizeof(double), 0, 0, 2, 3,
+    sizeof(double), 0, CHASLES_GAPS, 2, 3,
     chasles_linear_rate_matrix_loop_shapes,
     CHASLES_BLOCKS(chasles_linear_rate_matrix_block),
 };
@@ -47,7 +47,7 @@ static const chasles_shape chasles_linear_rate_matrix_loopf_shapes[] = {
     {2, 4, 3},
 };
 const chasles_loop chasles_linear_rate_matrix_loopf = {
-    sizeof(float), 0, 0, 2, 3,
+    sizeof(float), 0, CHASLES_GAPS, 2, 3,
     chasles_linear_rate_matrix_loopf_shapes,
     CHASLES_BLOCKS(chasles_linear_rate_matrix_blockf),
 };
@@ -58,7 +58,7 @@ static const chasles_shape chasles_euler_rodrigues_rate_matrix_loop_shapes[] = {
     {2, 4, 3},
 };
 const chasles_loop chasles_euler_rodrigues_rate_matrix_loop = {
-    sizeof(double), 0, 0, 2, 3,
+    sizeof(double), 0, CHASLES_GAPS, 2, 3,
     chasles_euler_rodrigues_rate_matrix_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rodrigues_rate_matrix_block),
 };
@@ -69,7 +69,7 @@ static const chasles_shape chasles_euler_rodrigues_rate_matrix_loopf_shapes[] = 
     {2, 4, 3},
 };
 const chasles_loop chasles_euler_rodrigues_rate_matrix_loopf = {
-    sizeof(float), 0, 0, 2, 3,
+    sizeof(float), 0, CHASLES_GAPS, 2, 3,
     chasles_euler_rodrigues_rate_matrix_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rodrigues_rate_matrix_blockf),
 };
@@ -80,7 +80,7 @@ static const chasles_shape chasles_rotation_from_linear_invariants_loop_shapes[]
     {2, 3, 3},
 };
 const chasles_loop chasles_rotation_from_linear_invariants_loop = {
-    sizeof(double), 0, 0, 2, 3,
+    sizeof(double), 0, CHASLES_GAPS, 2, 3,
     chasles_rotation_from_linear_invariants_loop_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_linear_invariants_block),
 };
@@ -91,7 +91,7 @@ static const chasles_shape chasles_rotation_from_linear_invariants_loopf_shapes[
     {2, 3, 3},
 };
 const chasles_loop chasles_rotation_from_linear_invariants_loopf = {
-    sizeof(float), 0, 0, 2, 3,
+    sizeof(float), 0, CHASLES_GAPS, 2, 3,
     chasles_rotation_from_linear_invariants_loopf_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_linear_invariants_blockf),
 };
@@ -102,7 +102,7 @@ static const chasles_shape chasles_rotation_from_euler_rodrigues_loop_shapes[] =
     {2, 3, 3},
 };
 const chasles_loop chasles_rotation_from_euler_rodrigues_loop = {
-    sizeof(double), 0, 0, 2, 3,
+    sizeof(double), 0, CHASLES_GAPS, 2, 3,
     chasles_rotation_from_euler_rodrigues_loop_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_euler_rodrigues_block),
 };
@@ -113,7 +113,7 @@ static const chasles_shape chasles_rotation_from_euler_rodrigues_loopf_shapes[] 
     {2, 3, 3},
 };
 const chasles_loop chasles_rotation_from_euler_rodrigues_loopf = {
-    sizeof(float), 0, 0, 2, 3,
+    sizeof(float), 0, CHASLES_GAPS, 2, 3,
     chasles_rotation_from_euler_rodrigues_loopf_shapes,
     CHASLES_BLOCKS(chasles_rotation_from_euler_rodrigues_blockf),
 };
@@ -124,7 +124,7 @@ static const chasles_shape chasles_linear_invariants_loop_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_linear_invariants_loop = {
-    sizeof(double), 0, 0, 1, 3,
+    sizeof(double), 0, CHASLES_GAPS, 1, 3,
     chasles_linear_invariants_loop_shapes,
     CHASLES_BLOCKS(chasles_linear_invariants_block),
 };
@@ -135,7 +135,7 @@ static const chasles_shape chasles_linear_invariants_loopf_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_linear_invariants_loopf = {
-    sizeof(float), 0, 0, 1, 3,
+    sizeof(float), 0, CHASLES_GAPS, 1, 3,
     chasles_linear_invariants_loopf_shapes,
     CHASLES_BLOCKS(chasles_linear_invariants_blockf),
 };
@@ -146,7 +146,7 @@ static const chasles_shape chasles_natural_invariants_loop_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_natural_invariants_loop = {
-    sizeof(double), 1, 0, 1, 3,
+    sizeof(double), 1, CHASLES_GAPS, 1, 3,
     chasles_natural_invariants_loop_shapes,
     CHASLES_BLOCKS(chasles_natural_invariants_block),
 };
@@ -157,7 +157,7 @@ static const chasles_shape chasles_natural_invariants_loopf_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_natural_invariants_loopf = {
-    sizeof(float), 1, 0, 1, 3,
+    sizeof(float), 1, CHASLES_GAPS, 1, 3,
     chasles_natural_invariants_loopf_shapes,
     CHASLES_BLOCKS(chasles_natural_invariants_blockf),
 };
@@ -168,7 +168,7 @@ static const chasles_shape chasles_euler_rodrigues_parameters_loop_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_euler_rodrigues_parameters_loop = {
-    sizeof(double), 1, 0, 1, 3,
+    sizeof(double), 1, CHASLES_GAPS, 1, 3,
     chasles_euler_rodrigues_parameters_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rodrigues_parameters_block),
 };
@@ -179,7 +179,7 @@ static const chasles_shape chasles_euler_rodrigues_parameters_loopf_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_euler_rodrigues_parameters_loopf = {
-    sizeof(float), 1, 0, 1, 3,
+    sizeof(float), 1, CHASLES_GAPS, 1, 3,
     chasles_euler_rodrigues_parameters_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rodrigues_parameters_blockf),
 };
@@ -193,7 +193,7 @@ static const chasles_shape chasles_screw_of_motion_loop_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_screw_of_motion_loop = {
-    sizeof(double), 1, 0, 3, 6,
+    sizeof(double), 1, CHASLES_GAPS, 3, 6,
     chasles_screw_of_motion_loop_shapes,
     CHASLES_BLOCKS(chasles_screw_of_motion_block),
 };
@@ -207,7 +207,7 @@ static const chasles_shape chasles_screw_of_motion_loopf_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_screw_of_motion_loopf = {
-    sizeof(float), 1, 0, 3, 6,
+    sizeof(float), 1, CHASLES_GAPS, 3, 6,
     chasles_screw_of_motion_loopf_shapes,
     CHASLES_BLOCKS(chasles_screw_of_motion_blockf),
 };
@@ -220,7 +220,7 @@ static const chasles_shape chasles_instant_screw_loop_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_instant_screw_loop = {
-    sizeof(double), 0, 0, 3, 5,
+    sizeof(double), 0, CHASLES_GAPS, 3, 5,
     chasles_instant_screw_loop_shapes,
     CHASLES_BLOCKS(chasles_instant_screw_block),
 };
@@ -233,7 +233,7 @@ static const chasles_shape chasles_instant_screw_loopf_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_instant_screw_loopf = {
-    sizeof(float), 0, 0, 3, 5,
+    sizeof(float), 0, CHASLES_GAPS, 3, 5,
     chasles_instant_screw_loopf_shapes,
     CHASLES_BLOCKS(chasles_instant_screw_blockf),
 };
@@ -244,7 +244,7 @@ static const chasles_shape chasles_natural_velocity_matrix_loop_shapes[] = {
     {2, 3, 4},
 };
 const chasles_loop chasles_natural_velocity_matrix_loop = {
-    sizeof(double), 0, 0, 2, 3,
+    sizeof(double), 0, CHASLES_GAPS, 2, 3,
     chasles_natural_velocity_matrix_loop_shapes,
     CHASLES_BLOCKS(chasles_natural_velocity_matrix_block),
 };
@@ -255,7 +255,7 @@ static const chasles_shape chasles_natural_velocity_matrix_loopf_shapes[] = {
     {2, 3, 4},
 };
 const chasles_loop chasles_natural_velocity_matrix_loopf = {
-    sizeof(float), 0, 0, 2, 3,
+    sizeof(float), 0, CHASLES_GAPS, 2, 3,
     chasles_natural_velocity_matrix_loopf_shapes,
     CHASLES_BLOCKS(chasles_natural_velocity_matrix_blockf),
 };
@@ -266,7 +266,7 @@ static const chasles_shape chasles_linear_velocity_matrix_loop_shapes[] = {
     {2, 3, 4},
 };
 const chasles_loop chasles_linear_velocity_matrix_loop = {
-    sizeof(double), 0, 0, 2, 3,
+    sizeof(double), 0, CHASLES_GAPS, 2, 3,
     chasles_linear_velocity_matrix_loop_shapes,
     CHASLES_BLOCKS(chasles_linear_velocity_matrix_block),
 };
@@ -277,7 +277,7 @@ static const chasles_shape chasles_linear_velocity_matrix_loopf_shapes[] = {
     {2, 3, 4},
 };
 const chasles_loop chasles_linear_velocity_matrix_loopf = {
-    sizeof(float), 0, 0, 2, 3,
+    sizeof(float), 0, CHASLES_GAPS, 2, 3,
     chasles_linear_velocity_matrix_loopf_shapes,
     CHASLES_BLOCKS(chasles_linear_velocity_matrix_blockf),
 };
@@ -288,7 +288,7 @@ static const chasles_shape chasles_euler_rodrigues_velocity_matrix_loop_shapes[]
     {2, 3, 4},
 };
 const chasles_loop chasles_euler_rodrigues_velocity_matrix_loop = {
-    sizeof(double), 0, 0, 2, 3,
+    sizeof(double), 0, CHASLES_GAPS, 2, 3,
     chasles_euler_rodrigues_velocity_matrix_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rodrigues_velocity_matrix_block),
 };
@@ -299,7 +299,7 @@ static const chasles_shape chasles_euler_rodrigues_velocity_matrix_loopf_shapes[
     {2, 3, 4},
 };
 const chasles_loop chasles_euler_rodrigues_velocity_matrix_loopf = {
-    sizeof(float), 0, 0, 2, 3,
+    sizeof(float), 0, CHASLES_GAPS, 2, 3,
     chasles_euler_rodrigues_velocity_matrix_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rodrigues_velocity_matrix_blockf),
 };
@@ -311,7 +311,7 @@ static const chasles_shape chasles_pose_rate_natural_loop_shapes[] = {
     {1, 1, 7},
 };
 const chasles_loop chasles_pose_rate_natural_loop = {
-    sizeof(double), 0, 0, 3, 4,
+    sizeof(double), 0, CHASLES_GAPS, 3, 4,
     chasles_pose_rate_natural_loop_shapes,
     CHASLES_BLOCKS(chasles_pose_rate_natural_block),
 };
@@ -323,7 +323,7 @@ static const chasles_shape chasles_pose_rate_natural_loopf_shapes[] = {
     {1, 1, 7},
 };
 const chasles_loop chasles_pose_rate_natural_loopf = {
-    sizeof(float), 0, 0, 3, 4,
+    sizeof(float), 0, CHASLES_GAPS, 3, 4,
     chasles_pose_rate_natural_loopf_shapes,
     CHASLES_BLOCKS(chasles_pose_rate_natural_blockf),
 };
@@ -335,7 +335,7 @@ static const chasles_shape chasles_pose_rate_linear_loop_shapes[] = {
     {1, 1, 7},
 };
 const chasles_loop chasles_pose_rate_linear_loop = {
-    sizeof(double), 0, 0, 3, 4,
+    sizeof(double), 0, CHASLES_GAPS, 3, 4,
     chasles_pose_rate_linear_loop_shapes,
     CHASLES_BLOCKS(chasles_pose_rate_linear_block),
 };
@@ -347,7 +347,7 @@ static const chasles_shape chasles_pose_rate_linear_loopf_shapes[] = {
     {1, 1, 7},
 };
 const chasles_loop chasles_pose_rate_linear_loopf = {
-    sizeof(float), 0, 0, 3, 4,
+    sizeof(float), 0, CHASLES_GAPS, 3, 4,
     chasles_pose_rate_linear_loopf_shapes,
     CHASLES_BLOCKS(chasles_pose_rate_linear_blockf),
 };
@@ -359,7 +359,7 @@ static const chasles_shape chasles_pose_rate_euler_rodrigues_loop_shapes[] = {
     {1, 1, 7},
 };
 const chasles_loop chasles_pose_rate_euler_rodrigues_loop = {
-    sizeof(double), 0, 0, 3, 4,
+    sizeof(double), 0, CHASLES_GAPS, 3, 4,
     chasles_pose_rate_euler_rodrigues_loop_shapes,
     CHASLES_BLOCKS(chasles_pose_rate_euler_rodrigues_block),
 };
@@ -371,7 +371,7 @@ static const chasles_shape chasles_pose_rate_euler_rodrigues_loopf_shapes[] = {
     {1, 1, 7},
 };
 const chasles_loop chasles_pose_rate_euler_rodrigues_loopf = {
-    sizeof(float), 0, 0, 3, 4,
+    sizeof(float), 0, CHASLES_GAPS, 3, 4,
     chasles_pose_rate_euler_rodrigues_loopf_shapes,
     CHASLES_BLOCKS(chasles_pose_rate_euler_rodrigues_blockf),
 };
@@ -383,7 +383,7 @@ static const chasles_shape chasles_twist_from_pose_rate_natural_loop_shapes[] = 
     {1, 1, 6},
 };
 const chasles_loop chasles_twist_from_pose_rate_natural_loop = {
-    sizeof(double), 0, 0, 3, 4,
+    sizeof(double), 0, CHASLES_GAPS, 3, 4,
     chasles_twist_from_pose_rate_natural_loop_shapes,
     CHASLES_BLOCKS(chasles_twist_from_pose_rate_natural_block),
 };
@@ -395,7 +395,7 @@ static const chasles_shape chasles_twist_from_pose_rate_natural_loopf_shapes[] =
     {1, 1, 6},
 };
 const chasles_loop chasles_twist_from_pose_rate_natural_loopf = {
-    sizeof(float), 0, 0, 3, 4,
+    sizeof(float), 0, CHASLES_GAPS, 3, 4,
     chasles_twist_from_pose_rate_natural_loopf_shapes,
     CHASLES_BLOCKS(chasles_twist_from_pose_rate_natural_blockf),
 };
@@ -407,7 +407,7 @@ static const chasles_shape chasles_twist_from_pose_rate_linear_loop_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_twist_from_pose_rate_linear_loop = {
-    sizeof(double), 0, 0, 3, 4,
+    sizeof(double), 0, CHASLES_GAPS, 3, 4,
     chasles_twist_from_pose_rate_linear_loop_shapes,
     CHASLES_BLOCKS(chasles_twist_from_pose_rate_linear_block),
 };
@@ -419,7 +419,7 @@ static const chasles_shape chasles_twist_from_pose_rate_linear_loopf_shapes[] = 
     {1, 1, 6},
 };
 const chasles_loop chasles_twist_from_pose_rate_linear_loopf = {
-    sizeof(float), 0, 0, 3, 4,
+    sizeof(float), 0, CHASLES_GAPS, 3, 4,
     chasles_twist_from_pose_rate_linear_loopf_shapes,
     CHASLES_BLOCKS(chasles_twist_from_pose_rate_linear_blockf),
 };
@@ -431,7 +431,7 @@ static const chasles_shape chasles_twist_from_pose_rate_euler_rodrigues_loop_sha
     {1, 1, 6},
 };
 const chasles_loop chasles_twist_from_pose_rate_euler_rodrigues_loop = {
-    sizeof(double), 0, 0, 3, 4,
+    sizeof(double), 0, CHASLES_GAPS, 3, 4,
     chasles_twist_from_pose_rate_euler_rodrigues_loop_shapes,
     CHASLES_BLOCKS(chasles_twist_from_pose_rate_euler_rodrigues_block),
 };
@@ -443,7 +443,7 @@ static const chasles_shape chasles_twist_from_pose_rate_euler_rodrigues_loopf_sh
     {1, 1, 6},
 };
 const chasles_loop chasles_twist_from_pose_rate_euler_rodrigues_loopf = {
-    sizeof(float), 0, 0, 3, 4,
+    sizeof(float), 0, CHASLES_GAPS, 3, 4,
     chasles_twist_from_pose_rate_euler_rodrigues_loopf_shapes,
     CHASLES_BLOCKS(chasles_twist_from_pose_rate_euler_rodrigues_blockf),
 };
@@ -455,7 +455,7 @@ static const chasles_shape chasles_twist_transfer_loop_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_twist_transfer_loop = {
-    sizeof(double), 0, 0, 3, 4,
+    sizeof(double), 0, CHASLES_GAPS, 3, 4,
     chasles_twist_transfer_loop_shapes,
     CHASLES_BLOCKS(chasles_twist_transfer_block),
 };
@@ -467,7 +467,7 @@ static const chasles_shape chasles_twist_transfer_loopf_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_twist_transfer_loopf = {
-    sizeof(float), 0, 0, 3, 4,
+    sizeof(float), 0, CHASLES_GAPS, 3, 4,
     chasles_twist_transfer_loopf_shapes,
     CHASLES_BLOCKS(chasles_twist_transfer_blockf),
 };

@@ -34,7 +34,7 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -43,7 +43,7 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, e);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
@@ -73,7 +73,7 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_block)(
         const doubles N6 = half_N10 - t7;
         const doubles N7 = -(half_N9 + t9);
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 12);
         store_4(item2, step2, N0, N1, N2, N3);
         store_4(item2 + 4 * sizeof(double), step2, N4, N5, N6, N7);
         store_4(item2 + 8 * sizeof(double), step2, N8, N9, N10, N11);
@@ -100,7 +100,7 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -109,7 +109,7 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, e);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
@@ -139,7 +139,7 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_blockf)(
         const floats N6 = half_N10 - t7;
         const floats N7 = -(half_N9 + t9);
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 12);
         store_4f(item2, step2, N0, N1, N2, N3);
         store_4f(item2 + 4 * sizeof(float), step2, N4, N5, N6, N7);
         store_4f(item2 + 8 * sizeof(float), step2, N8, N9, N10, N11);
@@ -166,7 +166,7 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -175,7 +175,7 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, e);
         const doubles sin_phi = sines[0][g];
         const doubles cos_phi = cosines[0][g];
@@ -204,7 +204,7 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_block)(
         const doubles L10 = -(e[1] * sin_phi);
         const doubles L11 = -(e[2] * sin_phi);
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 12);
         store_4(item2, step2, L0, L1, L2, L3);
         store_4(item2 + 4 * sizeof(double), step2, L4, L5, L6, L7);
         store_4(item2 + 8 * sizeof(double), step2, L8, L9, L10, L11);
@@ -231,7 +231,7 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -240,7 +240,7 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, e);
         const floats sin_phi = sines[0][g];
         const floats cos_phi = cosines[0][g];
@@ -269,7 +269,7 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_blockf)(
         const floats L10 = -(e[1] * sin_phi);
         const floats L11 = -(e[2] * sin_phi);
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 12);
         store_4f(item2, step2, L0, L1, L2, L3);
         store_4f(item2 + 4 * sizeof(float), step2, L4, L5, L6, L7);
         store_4f(item2 + 8 * sizeof(float), step2, L8, L9, L10, L11);
@@ -296,7 +296,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -305,7 +305,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, e);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
@@ -318,7 +318,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_block)(
         const doubles H1 = e[2] * half_sin_half_phi;
         const doubles H3 = -H1;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 12);
         store_4(item2, step2, H0, H1, H2, H3);
         store_4(item2 + 4 * sizeof(double), step2, H0, H5, H6, H7);
         store_4(item2 + 8 * sizeof(double), step2, H0, H7, H2, H3);
@@ -345,7 +345,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -354,7 +354,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, e);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
@@ -367,7 +367,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_blockf)(
         const floats H1 = e[2] * half_sin_half_phi;
         const floats H3 = -H1;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 12);
         store_4f(item2, step2, H0, H1, H2, H3);
         store_4f(item2 + 4 * sizeof(float), step2, H0, H5, H6, H7);
         store_4f(item2 + 8 * sizeof(float), step2, H0, H7, H2, H3);
@@ -391,11 +391,11 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles q[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, q);
         doubles q_0;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &q_0);
         const doubles t1 = 1.0 + q_0;
         const doubles t2 = choose(equal(t1, spread(0.0)), spread(0.0), spread(1.0)) / t1;
@@ -414,7 +414,7 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_block)(
         const doubles Q6 = t6 - q[1];
         const doubles Q7 = q[0] + t7;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 9);
         store_4(item2, step2, Q0, Q1, Q2, Q3);
         store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
         store_1(item2 + 8 * sizeof(double), step2, Q8);
@@ -438,11 +438,11 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats q[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, q);
         floats q_0;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &q_0);
         const floats t1 = 1.0f + q_0;
         const floats t2 = choosef(equalf(t1, spreadf(0.0f)), spreadf(0.0f), spreadf(1.0f)) / t1;
@@ -461,7 +461,7 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_blockf)(
         const floats Q6 = t6 - q[1];
         const floats Q7 = q[0] + t7;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 9);
         store_4f(item2, step2, Q0, Q1, Q2, Q3);
         store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
         store_1f(item2 + 8 * sizeof(float), step2, Q8);
@@ -485,11 +485,11 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles q[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, q);
         doubles q_0;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &q_0);
         const doubles t1 = q_0 * q_0 - (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
         const doubles t2 = 2.0 * q_0;
@@ -511,7 +511,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_block)(
         const doubles Q6 = t6 - t9;
         const doubles Q7 = t7 + t8;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 9);
         store_4(item2, step2, Q0, Q1, Q2, Q3);
         store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
         store_1(item2 + 8 * sizeof(double), step2, Q8);
@@ -535,11 +535,11 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats q[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, q);
         floats q_0;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &q_0);
         const floats t1 = q_0 * q_0 - (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
         const floats t2 = 2.0f * q_0;
@@ -561,7 +561,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_blockf)(
         const floats Q6 = t6 - t9;
         const floats Q7 = t7 + t8;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 9);
         store_4f(item2, step2, Q0, Q1, Q2, Q3);
         store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
         store_1f(item2 + 8 * sizeof(float), step2, Q8);
@@ -585,7 +585,7 @@ void CHASLES_LEVELED(chasles_linear_invariants_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles Q[9];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 9);
         load_4(item0, step0, Q);
         load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
         load_1(item0 + 8 * sizeof(double), step0, &Q[8]);
@@ -594,10 +594,10 @@ void CHASLES_LEVELED(chasles_linear_invariants_block)(
         const doubles q2 = 0.5 * (Q[3] - Q[1]);
         const doubles q_0_value = 0.5 * (Q[8] + (Q[0] + Q[4]) - 1.0);
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 3);
         store_3(item1, step1, q0, q1, q2);
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 1);
         store_1(item2, step2, q_0_value);
         stream_lines(&copied);
     }
@@ -619,7 +619,7 @@ void CHASLES_LEVELED(chasles_linear_invariants_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats Q[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 9);
         load_4f(item0, step0, Q);
         load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &Q[8]);
@@ -628,10 +628,10 @@ void CHASLES_LEVELED(chasles_linear_invariants_blockf)(
         const floats q2 = 0.5f * (Q[3] - Q[1]);
         const floats q_0_value = 0.5f * (Q[8] + (Q[0] + Q[4]) - 1.0f);
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 3);
         store_3f(item1, step1, q0, q1, q2);
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 1);
         store_1f(item2, step2, q_0_value);
         stream_lines(&copied);
     }
@@ -653,7 +653,7 @@ void CHASLES_LEVELED(chasles_natural_invariants_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles Q[9];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 9);
         load_4(item0, step0, Q);
         load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
         load_1(item0 + 8 * sizeof(double), step0, &Q[8]);
@@ -730,10 +730,10 @@ void CHASLES_LEVELED(chasles_natural_invariants_block)(
         const doubles e2 = t51 * t68;
         const doubles phi_value = 2.0 * directions(t42 * (choose(t58, spread(0.0), t47) / t57), t60 * t68);
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 3);
         store_3(item1, step1, e0, e1, e2);
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 1);
         store_1(item2, step2, phi_value);
         stream_lines(&copied);
     }
@@ -755,7 +755,7 @@ void CHASLES_LEVELED(chasles_natural_invariants_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats Q[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 9);
         load_4f(item0, step0, Q);
         load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &Q[8]);
@@ -833,10 +833,10 @@ void CHASLES_LEVELED(chasles_natural_invariants_blockf)(
         const floats t69 = directionsf(t42 * (choosef(t58, spreadf(0.0f), t47) / t57), t60 * t68);
         const floats phi_value = 2.0f * t69;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 3);
         store_3f(item1, step1, e0, e1, e2);
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 1);
         store_1f(item2, step2, phi_value);
         stream_lines(&copied);
     }
@@ -858,7 +858,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles Q[9];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 9);
         load_4(item0, step0, Q);
         load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
         load_1(item0 + 8 * sizeof(double), step0, &Q[8]);
@@ -923,10 +923,10 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_block)(
         const doubles q2 = t44 * t56;
         const doubles q_0_value = t48 * t56;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 3);
         store_3(item1, step1, q0, q1, q2);
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 1);
         store_1(item2, step2, q_0_value);
         stream_lines(&copied);
     }
@@ -948,7 +948,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats Q[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 9);
         load_4f(item0, step0, Q);
         load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &Q[8]);
@@ -1013,10 +1013,10 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_blockf)(
         const floats q2 = t44 * t56;
         const floats q_0_value = t48 * t56;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 3);
         store_3f(item1, step1, q0, q1, q2);
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 1);
         store_1f(item2, step2, q_0_value);
         stream_lines(&copied);
     }
@@ -1044,17 +1044,17 @@ void CHASLES_LEVELED(chasles_screw_of_motion_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles Q[9];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 9);
         load_4(item0, step0, Q);
         load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
         load_1(item0 + 8 * sizeof(double), step0, &Q[8]);
         doubles a[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 3);
         load_3(item1, step1, a);
         doubles a_prime[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, LANES * step2);
+        prefetch(item2, 3);
         load_3(item2, step2, a_prime);
         const doubles t1 = Q[2] + Q[6];
         const doubles t2 = Q[5] + Q[7];
@@ -1148,14 +1148,14 @@ void CHASLES_LEVELED(chasles_screw_of_motion_block)(
         const doubles d_0_value = axis0 * t73 + axis1 * t74 + axis2 * t75;
         const doubles phi_value = 2.0 * directions(t42 * t61, t79);
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, LANES * step3);
+        prefetch_to_write(item3, 6);
         store_4(item3, step3, axis0, axis1, axis2, axis3);
         store_2(item3 + 4 * sizeof(double), step3, axis4, axis5);
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, LANES * step4);
+        prefetch_to_write(item4, 1);
         store_1(item4, step4, d_0_value);
         char *const item5 = at5 + g * LANES * step5;
-        prefetch_to_write(item5, LANES * step5);
+        prefetch_to_write(item5, 1);
         store_1(item5, step5, phi_value);
         stream_lines(&copied);
     }
@@ -1183,17 +1183,17 @@ void CHASLES_LEVELED(chasles_screw_of_motion_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats Q[9];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 9);
         load_4f(item0, step0, Q);
         load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
         load_1f(item0 + 8 * sizeof(float), step0, &Q[8]);
         floats a[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 3);
         load_3f(item1, step1, a);
         floats a_prime[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, LANESF * step2);
+        prefetch(item2, 3);
         load_3f(item2, step2, a_prime);
         const floats t1 = Q[2] + Q[6];
         const floats t2 = Q[5] + Q[7];
@@ -1287,14 +1287,14 @@ void CHASLES_LEVELED(chasles_screw_of_motion_blockf)(
         const floats d_0_value = axis0 * t73 + axis1 * t74 + axis2 * t75;
         const floats phi_value = 2.0f * directionsf(t42 * t61, t79);
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, LANESF * step3);
+        prefetch_to_write(item3, 6);
         store_4f(item3, step3, axis0, axis1, axis2, axis3);
         store_2f(item3 + 4 * sizeof(float), step3, axis4, axis5);
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, LANESF * step4);
+        prefetch_to_write(item4, 1);
         store_1f(item4, step4, d_0_value);
         char *const item5 = at5 + g * LANESF * step5;
-        prefetch_to_write(item5, LANESF * step5);
+        prefetch_to_write(item5, 1);
         store_1f(item5, step5, phi_value);
         stream_lines(&copied);
     }
@@ -1320,15 +1320,15 @@ void CHASLES_LEVELED(chasles_instant_screw_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, omega);
         doubles a_dot[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 3);
         load_3(item1, step1, a_dot);
         doubles a[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, LANES * step2);
+        prefetch(item2, 3);
         load_3(item2, step2, a);
         const doubles t1 = choose(less(omega[0], spread(0.0)), -omega[0], omega[0]);
         const doubles t2 = choose(less(omega[1], spread(0.0)), -omega[1], omega[1]);
@@ -1356,11 +1356,11 @@ void CHASLES_LEVELED(chasles_instant_screw_block)(
         const doubles axis5 = axis1 * t16 - axis0 * t17;
         const doubles pitch_value = (axis0 * t13 + axis1 * t14 + axis2 * t15) / t6;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, LANES * step3);
+        prefetch_to_write(item3, 6);
         store_4(item3, step3, axis0, axis1, axis2, axis3);
         store_2(item3 + 4 * sizeof(double), step3, axis4, axis5);
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, LANES * step4);
+        prefetch_to_write(item4, 1);
         store_1(item4, step4, pitch_value);
         stream_lines(&copied);
     }
@@ -1386,15 +1386,15 @@ void CHASLES_LEVELED(chasles_instant_screw_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, omega);
         floats a_dot[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 3);
         load_3f(item1, step1, a_dot);
         floats a[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, LANESF * step2);
+        prefetch(item2, 3);
         load_3f(item2, step2, a);
         const floats t1 = choosef(lessf(omega[0], spreadf(0.0f)), -omega[0], omega[0]);
         const floats t2 = choosef(lessf(omega[1], spreadf(0.0f)), -omega[1], omega[1]);
@@ -1422,11 +1422,11 @@ void CHASLES_LEVELED(chasles_instant_screw_blockf)(
         const floats axis5 = axis1 * t16 - axis0 * t17;
         const floats pitch_value = (axis0 * t13 + axis1 * t14 + axis2 * t15) / t6;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, LANESF * step3);
+        prefetch_to_write(item3, 6);
         store_4f(item3, step3, axis0, axis1, axis2, axis3);
         store_2f(item3 + 4 * sizeof(float), step3, axis4, axis5);
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, LANESF * step4);
+        prefetch_to_write(item4, 1);
         store_1f(item4, step4, pitch_value);
         stream_lines(&copied);
     }
@@ -1451,7 +1451,7 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -1460,7 +1460,7 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, e);
         const doubles sin_phi = sines[0][g];
         const doubles cos_phi = cosines[0][g];
@@ -1476,7 +1476,7 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_block)(
         const doubles N_tilde6 = -N_tilde9;
         const doubles N_tilde8 = -N_tilde2;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 12);
         store_4(item2, step2, N_tilde0, N_tilde1, N_tilde2, N_tilde3);
         store_4(item2 + 4 * sizeof(double), step2, N_tilde4, N_tilde0, N_tilde6, N_tilde7);
         store_4(item2 + 8 * sizeof(double), step2, N_tilde8, N_tilde9, N_tilde0, N_tilde11);
@@ -1503,7 +1503,7 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -1512,7 +1512,7 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, e);
         const floats sin_phi = sines[0][g];
         const floats cos_phi = cosines[0][g];
@@ -1528,7 +1528,7 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_blockf)(
         const floats N_tilde6 = -N_tilde9;
         const floats N_tilde8 = -N_tilde2;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 12);
         store_4f(item2, step2, N_tilde0, N_tilde1, N_tilde2, N_tilde3);
         store_4f(item2 + 4 * sizeof(float), step2, N_tilde4, N_tilde0, N_tilde6, N_tilde7);
         store_4f(item2 + 8 * sizeof(float), step2, N_tilde8, N_tilde9, N_tilde0, N_tilde11);
@@ -1555,7 +1555,7 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -1564,7 +1564,7 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, e);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
@@ -1577,7 +1577,7 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_block)(
         const doubles L_tilde3 = -L_tilde9;
         const doubles L_tilde7 = -L_tilde2;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 12);
         store_4(item2, step2, spread(1.0), L_tilde1, L_tilde2, L_tilde3);
         store_4(item2 + 4 * sizeof(double), step2, L_tilde4, spread(1.0), L_tilde3, L_tilde7);
         store_4(item2 + 8 * sizeof(double), step2, L_tilde7, L_tilde9, spread(1.0), L_tilde1);
@@ -1604,7 +1604,7 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -1613,7 +1613,7 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, e);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
@@ -1626,7 +1626,7 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_blockf)(
         const floats L_tilde3 = -L_tilde9;
         const floats L_tilde7 = -L_tilde2;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 12);
         store_4f(item2, step2, spreadf(1.0f), L_tilde1, L_tilde2, L_tilde3);
         store_4f(item2 + 4 * sizeof(float), step2, L_tilde4, spreadf(1.0f), L_tilde3, L_tilde7);
         store_4f(item2 + 8 * sizeof(float), step2, L_tilde7, L_tilde9, spreadf(1.0f), L_tilde1);
@@ -1653,7 +1653,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -1662,7 +1662,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, e);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
@@ -1675,7 +1675,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_block)(
         const doubles H_tilde3 = -H_tilde9;
         const doubles H_tilde7 = -H_tilde2;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 12);
         store_4(item2, step2, H_tilde0, H_tilde1, H_tilde2, H_tilde3);
         store_4(item2 + 4 * sizeof(double), step2, H_tilde4, H_tilde0, H_tilde3, H_tilde7);
         store_4(item2 + 8 * sizeof(double), step2, H_tilde7, H_tilde9, H_tilde0, H_tilde1);
@@ -1702,7 +1702,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -1711,7 +1711,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, e);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
@@ -1724,7 +1724,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_blockf)(
         const floats H_tilde3 = -H_tilde9;
         const floats H_tilde7 = -H_tilde2;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 12);
         store_4f(item2, step2, H_tilde0, H_tilde1, H_tilde2, H_tilde3);
         store_4f(item2 + 4 * sizeof(float), step2, H_tilde4, H_tilde0, H_tilde3, H_tilde7);
         store_4f(item2 + 8 * sizeof(float), step2, H_tilde7, H_tilde9, H_tilde0, H_tilde1);
@@ -1753,7 +1753,7 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -1762,11 +1762,11 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, e);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, LANES * step2);
+        prefetch(item2, 6);
         load_4(item2, step2, t);
         load_2(item2 + 4 * sizeof(double), step2, &t[4]);
         const doubles sin_half_phi = sines[0][g];
@@ -1781,7 +1781,7 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_block)(
         const doubles s_dot1 = -(0.5 * (e[2] * t[0] - e[0] * t[2]) + (e[1] * s_dot3 - t[1]) * t2);
         const doubles s_dot2 = -(0.5 * (e[0] * t[1] - e[1] * t[0]) + (e[2] * s_dot3 - t[2]) * t2);
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, LANES * step3);
+        prefetch_to_write(item3, 7);
         store_4(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
         store_3(item3 + 4 * sizeof(double), step3, s_dot4, s_dot5, s_dot6);
         stream_lines(&copied);
@@ -1809,7 +1809,7 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -1818,11 +1818,11 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, e);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, LANESF * step2);
+        prefetch(item2, 6);
         load_4f(item2, step2, t);
         load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
         const floats sin_half_phi = sines[0][g];
@@ -1837,7 +1837,7 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_blockf)(
         const floats s_dot1 = -(0.5f * (e[2] * t[0] - e[0] * t[2]) + (e[1] * s_dot3 - t[1]) * t2);
         const floats s_dot2 = -(0.5f * (e[0] * t[1] - e[1] * t[0]) + (e[2] * s_dot3 - t[2]) * t2);
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, LANESF * step3);
+        prefetch_to_write(item3, 7);
         store_4f(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
         store_3f(item3 + 4 * sizeof(float), step3, s_dot4, s_dot5, s_dot6);
         stream_lines(&copied);
@@ -1865,7 +1865,7 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -1874,11 +1874,11 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, e);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, LANES * step2);
+        prefetch(item2, 6);
         load_4(item2, step2, t);
         load_2(item2 + 4 * sizeof(double), step2, &t[4]);
         const doubles sin_phi = sines[0][g];
@@ -1896,7 +1896,7 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_block)(
         const doubles t3 = t[0] * (e[0] * sin_phi) + t[1] * (e[1] * sin_phi);
         const doubles s_dot3 = -(t3 + t[2] * (e[2] * sin_phi));
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, LANES * step3);
+        prefetch_to_write(item3, 7);
         store_4(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
         store_3(item3 + 4 * sizeof(double), step3, s_dot4, s_dot5, s_dot6);
         stream_lines(&copied);
@@ -1924,7 +1924,7 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -1933,11 +1933,11 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, e);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, LANESF * step2);
+        prefetch(item2, 6);
         load_4f(item2, step2, t);
         load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
         const floats sin_phi = sines[0][g];
@@ -1955,7 +1955,7 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_blockf)(
         const floats t3 = t[0] * (e[0] * sin_phi) + t[1] * (e[1] * sin_phi);
         const floats s_dot3 = -(t3 + t[2] * (e[2] * sin_phi));
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, LANESF * step3);
+        prefetch_to_write(item3, 7);
         store_4f(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
         store_3f(item3 + 4 * sizeof(float), step3, s_dot4, s_dot5, s_dot6);
         stream_lines(&copied);
@@ -1983,7 +1983,7 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -1992,11 +1992,11 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, e);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, LANES * step2);
+        prefetch(item2, 6);
         load_4(item2, step2, t);
         load_2(item2 + 4 * sizeof(double), step2, &t[4]);
         const doubles sin_half_phi = sines[0][g];
@@ -2014,7 +2014,7 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_block)(
         const doubles s_dot2 = t[0] * t2 - t[1] * t1 + t[2] * half_cos_half_phi;
         const doubles s_dot3 = -(t[0] * t1 + t[1] * t2 + t[2] * t3);
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, LANES * step3);
+        prefetch_to_write(item3, 7);
         store_4(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
         store_3(item3 + 4 * sizeof(double), step3, s_dot4, s_dot5, s_dot6);
         stream_lines(&copied);
@@ -2042,7 +2042,7 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -2051,11 +2051,11 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, e);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, LANESF * step2);
+        prefetch(item2, 6);
         load_4f(item2, step2, t);
         load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
         const floats sin_half_phi = sines[0][g];
@@ -2073,7 +2073,7 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_blockf)(
         const floats s_dot2 = t[0] * t2 - t[1] * t1 + t[2] * half_cos_half_phi;
         const floats s_dot3 = -(t[0] * t1 + t[1] * t2 + t[2] * t3);
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, LANESF * step3);
+        prefetch_to_write(item3, 7);
         store_4f(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
         store_3f(item3 + 4 * sizeof(float), step3, s_dot4, s_dot5, s_dot6);
         stream_lines(&copied);
@@ -2101,7 +2101,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -2110,11 +2110,11 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, e);
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, LANES * step2);
+        prefetch(item2, 7);
         load_4(item2, step2, s_dot);
         load_3(item2 + 4 * sizeof(double), step2, &s_dot[4]);
         const doubles sin_phi = sines[0][g];
@@ -2130,7 +2130,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_block)(
         const doubles t9 = s_dot[2] * sin_phi + t6 * (e[0] * s_dot[1] - e[1] * s_dot[0]);
         const doubles t2 = t9 + e[2] * s_dot[3];
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, LANES * step3);
+        prefetch_to_write(item3, 6);
         store_4(item3, step3, t0, t1, t2, t3);
         store_2(item3 + 4 * sizeof(double), step3, t4, t5);
         stream_lines(&copied);
@@ -2158,7 +2158,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -2167,11 +2167,11 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, e);
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, LANESF * step2);
+        prefetch(item2, 7);
         load_4f(item2, step2, s_dot);
         load_3f(item2 + 4 * sizeof(float), step2, &s_dot[4]);
         const floats sin_phi = sines[0][g];
@@ -2187,7 +2187,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_blockf)(
         const floats t9 = s_dot[2] * sin_phi + t6 * (e[0] * s_dot[1] - e[1] * s_dot[0]);
         const floats t2 = t9 + e[2] * s_dot[3];
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, LANESF * step3);
+        prefetch_to_write(item3, 6);
         store_4f(item3, step3, t0, t1, t2, t3);
         store_2f(item3 + 4 * sizeof(float), step3, t4, t5);
         stream_lines(&copied);
@@ -2215,7 +2215,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -2224,11 +2224,11 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, e);
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, LANES * step2);
+        prefetch(item2, 7);
         load_4(item2, step2, s_dot);
         load_3(item2 + 4 * sizeof(double), step2, &s_dot[4]);
         const doubles sin_half_phi = sines[0][g];
@@ -2245,7 +2245,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_block)(
         const doubles t1 = s_dot[1] + s_dot[0] * t10 - s_dot[2] * t8 - s_dot[3] * t9;
         const doubles t2 = s_dot[2] + (s_dot[1] * t8 - s_dot[0] * t9) - s_dot[3] * t10;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, LANES * step3);
+        prefetch_to_write(item3, 6);
         store_4(item3, step3, t0, t1, t2, t3);
         store_2(item3 + 4 * sizeof(double), step3, t4, t5);
         stream_lines(&copied);
@@ -2273,7 +2273,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -2282,11 +2282,11 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, e);
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, LANESF * step2);
+        prefetch(item2, 7);
         load_4f(item2, step2, s_dot);
         load_3f(item2 + 4 * sizeof(float), step2, &s_dot[4]);
         const floats sin_half_phi = sines[0][g];
@@ -2303,7 +2303,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_blockf)(
         const floats t1 = s_dot[1] + s_dot[0] * t10 - s_dot[2] * t8 - s_dot[3] * t9;
         const floats t2 = s_dot[2] + (s_dot[1] * t8 - s_dot[0] * t9) - s_dot[3] * t10;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, LANESF * step3);
+        prefetch_to_write(item3, 6);
         store_4f(item3, step3, t0, t1, t2, t3);
         store_2f(item3 + 4 * sizeof(float), step3, t4, t5);
         stream_lines(&copied);
@@ -2331,7 +2331,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -2340,11 +2340,11 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, e);
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, LANES * step2);
+        prefetch(item2, 7);
         load_4(item2, step2, s_dot);
         load_3(item2 + 4 * sizeof(double), step2, &s_dot[4]);
         const doubles sin_half_phi = sines[0][g];
@@ -2361,7 +2361,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_block)(
         const doubles t1 = s_dot[0] * t10 + s_dot[1] * t6 - s_dot[2] * t8 - s_dot[3] * t9;
         const doubles t2 = s_dot[1] * t8 - s_dot[0] * t9 + s_dot[2] * t6 - s_dot[3] * t10;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, LANES * step3);
+        prefetch_to_write(item3, 6);
         store_4(item3, step3, t0, t1, t2, t3);
         store_2(item3 + 4 * sizeof(double), step3, t4, t5);
         stream_lines(&copied);
@@ -2389,7 +2389,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -2398,11 +2398,11 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, e);
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, LANESF * step2);
+        prefetch(item2, 7);
         load_4f(item2, step2, s_dot);
         load_3f(item2 + 4 * sizeof(float), step2, &s_dot[4]);
         const floats sin_half_phi = sines[0][g];
@@ -2419,7 +2419,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_blockf)(
         const floats t1 = s_dot[0] * t10 + s_dot[1] * t6 - s_dot[2] * t8 - s_dot[3] * t9;
         const floats t2 = s_dot[1] * t8 - s_dot[0] * t9 + s_dot[2] * t6 - s_dot[3] * t10;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, LANESF * step3);
+        prefetch_to_write(item3, 6);
         store_4f(item3, step3, t0, t1, t2, t3);
         store_2f(item3 + 4 * sizeof(float), step3, t4, t5);
         stream_lines(&copied);
@@ -2444,16 +2444,16 @@ void CHASLES_LEVELED(chasles_twist_transfer_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles t_A[6];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 6);
         load_4(item0, step0, t_A);
         load_2(item0 + 4 * sizeof(double), step0, &t_A[4]);
         doubles a[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 3);
         load_3(item1, step1, a);
         doubles p[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, LANES * step2);
+        prefetch(item2, 3);
         load_3(item2, step2, p);
         const doubles t_P0 = t_A[0];
         const doubles t_P1 = t_A[1];
@@ -2465,7 +2465,7 @@ void CHASLES_LEVELED(chasles_twist_transfer_block)(
         const doubles t_P4 = t_A[4] + (t_P0 * t3 - t_P2 * t1);
         const doubles t_P5 = t_A[5] + (t_P1 * t1 - t_P0 * t2);
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, LANES * step3);
+        prefetch_to_write(item3, 6);
         store_4(item3, step3, t_P0, t_P1, t_P2, t_P3);
         store_2(item3 + 4 * sizeof(double), step3, t_P4, t_P5);
         stream_lines(&copied);
@@ -2490,16 +2490,16 @@ void CHASLES_LEVELED(chasles_twist_transfer_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats t_A[6];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 6);
         load_4f(item0, step0, t_A);
         load_2f(item0 + 4 * sizeof(float), step0, &t_A[4]);
         floats a[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 3);
         load_3f(item1, step1, a);
         floats p[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, LANESF * step2);
+        prefetch(item2, 3);
         load_3f(item2, step2, p);
         const floats t_P0 = t_A[0];
         const floats t_P1 = t_A[1];
@@ -2511,7 +2511,7 @@ void CHASLES_LEVELED(chasles_twist_transfer_blockf)(
         const floats t_P4 = t_A[4] + (t_P0 * t3 - t_P2 * t1);
         const floats t_P5 = t_A[5] + (t_P1 * t1 - t_P0 * t2);
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, LANESF * step3);
+        prefetch_to_write(item3, 6);
         store_4f(item3, step3, t_P0, t_P1, t_P2, t_P3);
         store_2f(item3 + 4 * sizeof(float), step3, t_P4, t_P5);
         stream_lines(&copied);

@@ -35,19 +35,19 @@ void CHASLES_LEVELED(chasles_velocity_of_point_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, omega);
         doubles a_dot[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 3);
         load_3(item1, step1, a_dot);
         doubles a[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, LANES * step2);
+        prefetch(item2, 3);
         load_3(item2, step2, a);
         doubles p[3];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, LANES * step3);
+        prefetch(item3, 3);
         load_3(item3, step3, p);
         const doubles t1 = p[0] - a[0];
         const doubles t2 = p[1] - a[1];
@@ -56,7 +56,7 @@ void CHASLES_LEVELED(chasles_velocity_of_point_block)(
         const doubles p_dot1 = a_dot[1] + (omega[2] * t1 - omega[0] * t3);
         const doubles p_dot2 = a_dot[2] + (omega[0] * t2 - omega[1] * t1);
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, LANES * step4);
+        prefetch_to_write(item4, 3);
         store_3(item4, step4, p_dot0, p_dot1, p_dot2);
         stream_lines(&copied);
     }
@@ -82,19 +82,19 @@ void CHASLES_LEVELED(chasles_velocity_of_point_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, omega);
         floats a_dot[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 3);
         load_3f(item1, step1, a_dot);
         floats a[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, LANESF * step2);
+        prefetch(item2, 3);
         load_3f(item2, step2, a);
         floats p[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, LANESF * step3);
+        prefetch(item3, 3);
         load_3f(item3, step3, p);
         const floats t1 = p[0] - a[0];
         const floats t2 = p[1] - a[1];
@@ -103,7 +103,7 @@ void CHASLES_LEVELED(chasles_velocity_of_point_blockf)(
         const floats p_dot1 = a_dot[1] + (omega[2] * t1 - omega[0] * t3);
         const floats p_dot2 = a_dot[2] + (omega[0] * t2 - omega[1] * t1);
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, LANESF * step4);
+        prefetch_to_write(item4, 3);
         store_3f(item4, step4, p_dot0, p_dot1, p_dot2);
         stream_lines(&copied);
     }

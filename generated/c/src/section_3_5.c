@@ -14,7 +14,7 @@ static const chasles_shape chasles_angular_acceleration_matrix_loop_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_angular_acceleration_matrix_loop = {
-    sizeof(double), 0, 0, 2, 3,
+    sizeof(double), 0, CHASLES_GAPS, 2, 3,
     chasles_angular_acceleration_matrix_loop_shapes,
     CHASLES_BLOCKS(chasles_angular_acceleration_matrix_block),
 };
@@ -25,7 +25,7 @@ static const chasles_shape chasles_angular_acceleration_matrix_loopf_shapes[] = 
     {2, 3, 3},
 };
 const chasles_loop chasles_angular_acceleration_matrix_loopf = {
-    sizeof(float), 0, 0, 2, 3,
+    sizeof(float), 0, CHASLES_GAPS, 2, 3,
     chasles_angular_acceleration_matrix_loopf_shapes,
     CHASLES_BLOCKS(chasles_angular_acceleration_matrix_blockf),
 };
@@ -39,7 +39,7 @@ static const chasles_shape chasles_acceleration_of_point_loop_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_acceleration_of_point_loop = {
-    sizeof(double), 0, 0, 5, 6,
+    sizeof(double), 0, CHASLES_GAPS, 5, 6,
     chasles_acceleration_of_point_loop_shapes,
     CHASLES_BLOCKS(chasles_acceleration_of_point_block),
 };
@@ -53,7 +53,7 @@ static const chasles_shape chasles_acceleration_of_point_loopf_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_acceleration_of_point_loopf = {
-    sizeof(float), 0, 0, 5, 6,
+    sizeof(float), 0, CHASLES_GAPS, 5, 6,
     chasles_acceleration_of_point_loopf_shapes,
     CHASLES_BLOCKS(chasles_acceleration_of_point_blockf),
 };
@@ -65,7 +65,7 @@ static const chasles_shape chasles_natural_rate_matrix_dot_loop_shapes[] = {
     {2, 4, 3},
 };
 const chasles_loop chasles_natural_rate_matrix_dot_loop = {
-    sizeof(double), 0, 0, 3, 4,
+    sizeof(double), 0, CHASLES_GAPS, 3, 4,
     chasles_natural_rate_matrix_dot_loop_shapes,
     CHASLES_BLOCKS(chasles_natural_rate_matrix_dot_block),
 };
@@ -77,7 +77,7 @@ static const chasles_shape chasles_natural_rate_matrix_dot_loopf_shapes[] = {
     {2, 4, 3},
 };
 const chasles_loop chasles_natural_rate_matrix_dot_loopf = {
-    sizeof(float), 0, 0, 3, 4,
+    sizeof(float), 0, CHASLES_GAPS, 3, 4,
     chasles_natural_rate_matrix_dot_loopf_shapes,
     CHASLES_BLOCKS(chasles_natural_rate_matrix_dot_blockf),
 };
@@ -89,7 +89,7 @@ static const chasles_shape chasles_linear_rate_matrix_dot_loop_shapes[] = {
     {2, 4, 3},
 };
 const chasles_loop chasles_linear_rate_matrix_dot_loop = {
-    sizeof(double), 0, 0, 3, 4,
+    sizeof(double), 0, CHASLES_GAPS, 3, 4,
     chasles_linear_rate_matrix_dot_loop_shapes,
     CHASLES_BLOCKS(chasles_linear_rate_matrix_dot_block),
 };
@@ -101,7 +101,7 @@ static const chasles_shape chasles_linear_rate_matrix_dot_loopf_shapes[] = {
     {2, 4, 3},
 };
 const chasles_loop chasles_linear_rate_matrix_dot_loopf = {
-    sizeof(float), 0, 0, 3, 4,
+    sizeof(float), 0, CHASLES_GAPS, 3, 4,
     chasles_linear_rate_matrix_dot_loopf_shapes,
     CHASLES_BLOCKS(chasles_linear_rate_matrix_dot_blockf),
 };
@@ -113,7 +113,7 @@ static const chasles_shape chasles_euler_rodrigues_rate_matrix_dot_loop_shapes[]
     {2, 4, 3},
 };
 const chasles_loop chasles_euler_rodrigues_rate_matrix_dot_loop = {
-    sizeof(double), 0, 0, 3, 4,
+    sizeof(double), 0, CHASLES_GAPS, 3, 4,
     chasles_euler_rodrigues_rate_matrix_dot_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rodrigues_rate_matrix_dot_block),
 };
@@ -125,7 +125,7 @@ static const chasles_shape chasles_euler_rodrigues_rate_matrix_dot_loopf_shapes[
     {2, 4, 3},
 };
 const chasles_loop chasles_euler_rodrigues_rate_matrix_dot_loopf = {
-    sizeof(float), 0, 0, 3, 4,
+    sizeof(float), 0, CHASLES_GAPS, 3, 4,
     chasles_euler_rodrigues_rate_matrix_dot_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rodrigues_rate_matrix_dot_blockf),
 };
@@ -137,7 +137,7 @@ static const chasles_shape chasles_natural_velocity_matrix_dot_loop_shapes[] = {
     {2, 3, 4},
 };
 const chasles_loop chasles_natural_velocity_matrix_dot_loop = {
-    sizeof(double), 0, 0, 3, 4,
+    sizeof(double), 0, CHASLES_GAPS, 3, 4,
     chasles_natural_velocity_matrix_dot_loop_shapes,
     CHASLES_BLOCKS(chasles_natural_velocity_matrix_dot_block),
 };
@@ -149,7 +149,7 @@ static const chasles_shape chasles_natural_velocity_matrix_dot_loopf_shapes[] = 
     {2, 3, 4},
 };
 const chasles_loop chasles_natural_velocity_matrix_dot_loopf = {
-    sizeof(float), 0, 0, 3, 4,
+    sizeof(float), 0, CHASLES_GAPS, 3, 4,
     chasles_natural_velocity_matrix_dot_loopf_shapes,
     CHASLES_BLOCKS(chasles_natural_velocity_matrix_dot_blockf),
 };
@@ -161,7 +161,7 @@ static const chasles_shape chasles_linear_velocity_matrix_dot_loop_shapes[] = {
     {2, 3, 4},
 };
 const chasles_loop chasles_linear_velocity_matrix_dot_loop = {
-    sizeof(double), 0, 0, 3, 4,
+    sizeof(double), 0, CHASLES_GAPS, 3, 4,
     chasles_linear_velocity_matrix_dot_loop_shapes,
     CHASLES_BLOCKS(chasles_linear_velocity_matrix_dot_block),
 };
@@ -173,7 +173,7 @@ static const chasles_shape chasles_linear_velocity_matrix_dot_loopf_shapes[] = {
     {2, 3, 4},
 };
 const chasles_loop chasles_linear_velocity_matrix_dot_loopf = {
-    sizeof(float), 0, 0, 3, 4,
+    sizeof(float), 0, CHASLES_GAPS, 3, 4,
     chasles_linear_velocity_matrix_dot_loopf_shapes,
     CHASLES_BLOCKS(chasles_linear_velocity_matrix_dot_blockf),
 };
@@ -185,7 +185,7 @@ static const chasles_shape chasles_euler_rodrigues_velocity_matrix_dot_loop_shap
     {2, 3, 4},
 };
 const chasles_loop chasles_euler_rodrigues_velocity_matrix_dot_loop = {
-    sizeof(double), 0, 0, 3, 4,
+    sizeof(double), 0, CHASLES_GAPS, 3, 4,
     chasles_euler_rodrigues_velocity_matrix_dot_loop_shapes,
     CHASLES_BLOCKS(chasles_euler_rodrigues_velocity_matrix_dot_block),
 };
@@ -197,7 +197,7 @@ static const chasles_shape chasles_euler_rodrigues_velocity_matrix_dot_loopf_sha
     {2, 3, 4},
 };
 const chasles_loop chasles_euler_rodrigues_velocity_matrix_dot_loopf = {
-    sizeof(float), 0, 0, 3, 4,
+    sizeof(float), 0, CHASLES_GAPS, 3, 4,
     chasles_euler_rodrigues_velocity_matrix_dot_loopf_shapes,
     CHASLES_BLOCKS(chasles_euler_rodrigues_velocity_matrix_dot_blockf),
 };
@@ -210,7 +210,7 @@ static const chasles_shape chasles_pose_acceleration_natural_loop_shapes[] = {
     {1, 1, 7},
 };
 const chasles_loop chasles_pose_acceleration_natural_loop = {
-    sizeof(double), 0, 0, 4, 5,
+    sizeof(double), 0, CHASLES_GAPS, 4, 5,
     chasles_pose_acceleration_natural_loop_shapes,
     CHASLES_BLOCKS(chasles_pose_acceleration_natural_block),
 };
@@ -223,7 +223,7 @@ static const chasles_shape chasles_pose_acceleration_natural_loopf_shapes[] = {
     {1, 1, 7},
 };
 const chasles_loop chasles_pose_acceleration_natural_loopf = {
-    sizeof(float), 0, 0, 4, 5,
+    sizeof(float), 0, CHASLES_GAPS, 4, 5,
     chasles_pose_acceleration_natural_loopf_shapes,
     CHASLES_BLOCKS(chasles_pose_acceleration_natural_blockf),
 };
@@ -236,7 +236,7 @@ static const chasles_shape chasles_pose_acceleration_linear_loop_shapes[] = {
     {1, 1, 7},
 };
 const chasles_loop chasles_pose_acceleration_linear_loop = {
-    sizeof(double), 0, 0, 4, 5,
+    sizeof(double), 0, CHASLES_GAPS, 4, 5,
     chasles_pose_acceleration_linear_loop_shapes,
     CHASLES_BLOCKS(chasles_pose_acceleration_linear_block),
 };
@@ -249,7 +249,7 @@ static const chasles_shape chasles_pose_acceleration_linear_loopf_shapes[] = {
     {1, 1, 7},
 };
 const chasles_loop chasles_pose_acceleration_linear_loopf = {
-    sizeof(float), 0, 0, 4, 5,
+    sizeof(float), 0, CHASLES_GAPS, 4, 5,
     chasles_pose_acceleration_linear_loopf_shapes,
     CHASLES_BLOCKS(chasles_pose_acceleration_linear_blockf),
 };
@@ -262,7 +262,7 @@ static const chasles_shape chasles_pose_acceleration_euler_rodrigues_loop_shapes
     {1, 1, 7},
 };
 const chasles_loop chasles_pose_acceleration_euler_rodrigues_loop = {
-    sizeof(double), 0, 0, 4, 5,
+    sizeof(double), 0, CHASLES_GAPS, 4, 5,
     chasles_pose_acceleration_euler_rodrigues_loop_shapes,
     CHASLES_BLOCKS(chasles_pose_acceleration_euler_rodrigues_block),
 };
@@ -275,7 +275,7 @@ static const chasles_shape chasles_pose_acceleration_euler_rodrigues_loopf_shape
     {1, 1, 7},
 };
 const chasles_loop chasles_pose_acceleration_euler_rodrigues_loopf = {
-    sizeof(float), 0, 0, 4, 5,
+    sizeof(float), 0, CHASLES_GAPS, 4, 5,
     chasles_pose_acceleration_euler_rodrigues_loopf_shapes,
     CHASLES_BLOCKS(chasles_pose_acceleration_euler_rodrigues_blockf),
 };
@@ -288,7 +288,7 @@ static const chasles_shape chasles_twist_rate_from_pose_natural_loop_shapes[] = 
     {1, 1, 6},
 };
 const chasles_loop chasles_twist_rate_from_pose_natural_loop = {
-    sizeof(double), 0, 0, 4, 5,
+    sizeof(double), 0, CHASLES_GAPS, 4, 5,
     chasles_twist_rate_from_pose_natural_loop_shapes,
     CHASLES_BLOCKS(chasles_twist_rate_from_pose_natural_block),
 };
@@ -301,7 +301,7 @@ static const chasles_shape chasles_twist_rate_from_pose_natural_loopf_shapes[] =
     {1, 1, 6},
 };
 const chasles_loop chasles_twist_rate_from_pose_natural_loopf = {
-    sizeof(float), 0, 0, 4, 5,
+    sizeof(float), 0, CHASLES_GAPS, 4, 5,
     chasles_twist_rate_from_pose_natural_loopf_shapes,
     CHASLES_BLOCKS(chasles_twist_rate_from_pose_natural_blockf),
 };
@@ -314,7 +314,7 @@ static const chasles_shape chasles_twist_rate_from_pose_linear_loop_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_twist_rate_from_pose_linear_loop = {
-    sizeof(double), 0, 0, 4, 5,
+    sizeof(double), 0, CHASLES_GAPS, 4, 5,
     chasles_twist_rate_from_pose_linear_loop_shapes,
     CHASLES_BLOCKS(chasles_twist_rate_from_pose_linear_block),
 };
@@ -327,7 +327,7 @@ static const chasles_shape chasles_twist_rate_from_pose_linear_loopf_shapes[] = 
     {1, 1, 6},
 };
 const chasles_loop chasles_twist_rate_from_pose_linear_loopf = {
-    sizeof(float), 0, 0, 4, 5,
+    sizeof(float), 0, CHASLES_GAPS, 4, 5,
     chasles_twist_rate_from_pose_linear_loopf_shapes,
     CHASLES_BLOCKS(chasles_twist_rate_from_pose_linear_blockf),
 };
@@ -340,7 +340,7 @@ static const chasles_shape chasles_twist_rate_from_pose_euler_rodrigues_loop_sha
     {1, 1, 6},
 };
 const chasles_loop chasles_twist_rate_from_pose_euler_rodrigues_loop = {
-    sizeof(double), 0, 0, 4, 5,
+    sizeof(double), 0, CHASLES_GAPS, 4, 5,
     chasles_twist_rate_from_pose_euler_rodrigues_loop_shapes,
     CHASLES_BLOCKS(chasles_twist_rate_from_pose_euler_rodrigues_block),
 };
@@ -353,7 +353,7 @@ static const chasles_shape chasles_twist_rate_from_pose_euler_rodrigues_loopf_sh
     {1, 1, 6},
 };
 const chasles_loop chasles_twist_rate_from_pose_euler_rodrigues_loopf = {
-    sizeof(float), 0, 0, 4, 5,
+    sizeof(float), 0, CHASLES_GAPS, 4, 5,
     chasles_twist_rate_from_pose_euler_rodrigues_loopf_shapes,
     CHASLES_BLOCKS(chasles_twist_rate_from_pose_euler_rodrigues_blockf),
 };

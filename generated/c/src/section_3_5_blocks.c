@@ -31,11 +31,11 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, omega);
         doubles omega_dot[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 3);
         load_3(item1, step1, omega_dot);
         const doubles t1 = omega[0] * omega[0];
         const doubles t2 = omega[0] * omega[1];
@@ -53,7 +53,7 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_block)(
         const doubles W6 = t3 - omega_dot[1];
         const doubles W7 = omega_dot[0] + t5;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 9);
         store_4(item2, step2, W0, W1, W2, W3);
         store_4(item2 + 4 * sizeof(double), step2, W4, W5, W6, W7);
         store_1(item2 + 8 * sizeof(double), step2, W8);
@@ -77,11 +77,11 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, omega);
         floats omega_dot[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 3);
         load_3f(item1, step1, omega_dot);
         const floats t1 = omega[0] * omega[0];
         const floats t2 = omega[0] * omega[1];
@@ -99,7 +99,7 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_blockf)(
         const floats W6 = t3 - omega_dot[1];
         const floats W7 = omega_dot[0] + t5;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 9);
         store_4f(item2, step2, W0, W1, W2, W3);
         store_4f(item2 + 4 * sizeof(float), step2, W4, W5, W6, W7);
         store_1f(item2 + 8 * sizeof(float), step2, W8);
@@ -129,23 +129,23 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, omega);
         doubles omega_dot[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 3);
         load_3(item1, step1, omega_dot);
         doubles a_ddot[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, LANES * step2);
+        prefetch(item2, 3);
         load_3(item2, step2, a_ddot);
         doubles a[3];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, LANES * step3);
+        prefetch(item3, 3);
         load_3(item3, step3, a);
         doubles p[3];
         const char *const item4 = at4 + g * LANES * step4;
-        prefetch(item4, LANES * step4);
+        prefetch(item4, 3);
         load_3(item4, step4, p);
         const doubles t1 = p[0] - a[0];
         const doubles t2 = p[1] - a[1];
@@ -160,7 +160,7 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_block)(
         const doubles t9 = a_ddot[2] + (omega_dot[0] * t2 - omega_dot[1] * t1);
         const doubles p_ddot2 = t9 + (omega[0] * t5 - omega[1] * t4);
         char *const item5 = at5 + g * LANES * step5;
-        prefetch_to_write(item5, LANES * step5);
+        prefetch_to_write(item5, 3);
         store_3(item5, step5, p_ddot0, p_ddot1, p_ddot2);
         stream_lines(&copied);
     }
@@ -188,23 +188,23 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, omega);
         floats omega_dot[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 3);
         load_3f(item1, step1, omega_dot);
         floats a_ddot[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, LANESF * step2);
+        prefetch(item2, 3);
         load_3f(item2, step2, a_ddot);
         floats a[3];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, LANESF * step3);
+        prefetch(item3, 3);
         load_3f(item3, step3, a);
         floats p[3];
         const char *const item4 = at4 + g * LANESF * step4;
-        prefetch(item4, LANESF * step4);
+        prefetch(item4, 3);
         load_3f(item4, step4, p);
         const floats t1 = p[0] - a[0];
         const floats t2 = p[1] - a[1];
@@ -219,7 +219,7 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_blockf)(
         const floats t9 = a_ddot[2] + (omega_dot[0] * t2 - omega_dot[1] * t1);
         const floats p_ddot2 = t9 + (omega[0] * t5 - omega[1] * t4);
         char *const item5 = at5 + g * LANESF * step5;
-        prefetch_to_write(item5, LANESF * step5);
+        prefetch_to_write(item5, 3);
         store_3f(item5, step5, p_ddot0, p_ddot1, p_ddot2);
         stream_lines(&copied);
     }
@@ -246,7 +246,7 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -255,11 +255,11 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, e);
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, LANES * step2);
+        prefetch(item2, 3);
         load_3(item2, step2, omega);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
@@ -296,7 +296,7 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_block)(
         const doubles N_dot7 = half_t8 + t16;
         const doubles N_dot8 = e[2] * t13 - t4;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, LANES * step3);
+        prefetch_to_write(item3, 12);
         store_4(item3, step3, N_dot0, N_dot1, N_dot2, N_dot3);
         store_4(item3 + 4 * sizeof(double), step3, N_dot4, N_dot5, N_dot6, N_dot7);
         store_4(item3 + 8 * sizeof(double), step3, N_dot8, N_dot9, N_dot10, N_dot11);
@@ -325,7 +325,7 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -334,11 +334,11 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, e);
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, LANESF * step2);
+        prefetch(item2, 3);
         load_3f(item2, step2, omega);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
@@ -375,7 +375,7 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_blockf)(
         const floats N_dot7 = half_t8 + t16;
         const floats N_dot8 = e[2] * t13 - t4;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, LANESF * step3);
+        prefetch_to_write(item3, 12);
         store_4f(item3, step3, N_dot0, N_dot1, N_dot2, N_dot3);
         store_4f(item3 + 4 * sizeof(float), step3, N_dot4, N_dot5, N_dot6, N_dot7);
         store_4f(item3 + 8 * sizeof(float), step3, N_dot8, N_dot9, N_dot10, N_dot11);
@@ -404,7 +404,7 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -413,11 +413,11 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, e);
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, LANES * step2);
+        prefetch(item2, 3);
         load_3(item2, step2, omega);
         const doubles sin_phi = sines[0][g];
         const doubles cos_phi = cosines[0][g];
@@ -459,7 +459,7 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_block)(
         const doubles L_dot10 = -t13;
         const doubles L_dot11 = -t14;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, LANES * step3);
+        prefetch_to_write(item3, 12);
         store_4(item3, step3, L_dot0, L_dot1, L_dot2, L_dot3);
         store_4(item3 + 4 * sizeof(double), step3, L_dot4, L_dot5, L_dot6, L_dot7);
         store_4(item3 + 8 * sizeof(double), step3, L_dot8, L_dot9, L_dot10, L_dot11);
@@ -488,7 +488,7 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -497,11 +497,11 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, e);
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, LANESF * step2);
+        prefetch(item2, 3);
         load_3f(item2, step2, omega);
         const floats sin_phi = sines[0][g];
         const floats cos_phi = cosines[0][g];
@@ -543,7 +543,7 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_blockf)(
         const floats L_dot10 = -t13;
         const floats L_dot11 = -t14;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, LANESF * step3);
+        prefetch_to_write(item3, 12);
         store_4f(item3, step3, L_dot0, L_dot1, L_dot2, L_dot3);
         store_4f(item3 + 4 * sizeof(float), step3, L_dot4, L_dot5, L_dot6, L_dot7);
         store_4f(item3 + 8 * sizeof(float), step3, L_dot8, L_dot9, L_dot10, L_dot11);
@@ -572,7 +572,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -581,11 +581,11 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, e);
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, LANES * step2);
+        prefetch(item2, 3);
         load_3(item2, step2, omega);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
@@ -602,7 +602,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_block)(
         const doubles H_dot2 = -H_dot6;
         const doubles H_dot3 = -H_dot1;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, LANES * step3);
+        prefetch_to_write(item3, 12);
         store_4(item3, step3, H_dot0, H_dot1, H_dot2, H_dot3);
         store_4(item3 + 4 * sizeof(double), step3, H_dot0, H_dot5, H_dot6, H_dot7);
         store_4(item3 + 8 * sizeof(double), step3, H_dot0, H_dot7, H_dot2, H_dot3);
@@ -631,7 +631,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -640,11 +640,11 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, e);
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, LANESF * step2);
+        prefetch(item2, 3);
         load_3f(item2, step2, omega);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
@@ -661,7 +661,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_blockf)(
         const floats H_dot2 = -H_dot6;
         const floats H_dot3 = -H_dot1;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, LANESF * step3);
+        prefetch_to_write(item3, 12);
         store_4f(item3, step3, H_dot0, H_dot1, H_dot2, H_dot3);
         store_4f(item3 + 4 * sizeof(float), step3, H_dot0, H_dot5, H_dot6, H_dot7);
         store_4f(item3 + 8 * sizeof(float), step3, H_dot0, H_dot7, H_dot2, H_dot3);
@@ -690,7 +690,7 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -699,11 +699,11 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, e);
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, LANES * step2);
+        prefetch(item2, 3);
         load_3(item2, step2, omega);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
@@ -727,7 +727,7 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_block)(
         const doubles N_tilde_dot7 = -((e[1] * t1 - omega[1]) * t9 + 0.5 * t6);
         const doubles N_tilde_dot11 = -((e[2] * t1 - omega[2]) * t9 + 0.5 * t7);
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, LANES * step3);
+        prefetch_to_write(item3, 12);
         store_4(item3, step3, N_tilde_dot0, N_tilde_dot1, N_tilde_dot2, N_tilde_dot3);
         store_4(item3 + 4 * sizeof(double), step3, N_tilde_dot4, N_tilde_dot0, N_tilde_dot6, N_tilde_dot7);
         store_4(item3 + 8 * sizeof(double), step3, N_tilde_dot8, N_tilde_dot9, N_tilde_dot0, N_tilde_dot11);
@@ -756,7 +756,7 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -765,11 +765,11 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, e);
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, LANESF * step2);
+        prefetch(item2, 3);
         load_3f(item2, step2, omega);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
@@ -793,7 +793,7 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_blockf)(
         const floats N_tilde_dot7 = -((e[1] * t1 - omega[1]) * t9 + 0.5f * t6);
         const floats N_tilde_dot11 = -((e[2] * t1 - omega[2]) * t9 + 0.5f * t7);
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, LANESF * step3);
+        prefetch_to_write(item3, 12);
         store_4f(item3, step3, N_tilde_dot0, N_tilde_dot1, N_tilde_dot2, N_tilde_dot3);
         store_4f(item3 + 4 * sizeof(float), step3, N_tilde_dot4, N_tilde_dot0, N_tilde_dot6, N_tilde_dot7);
         store_4f(item3 + 8 * sizeof(float), step3, N_tilde_dot8, N_tilde_dot9, N_tilde_dot0, N_tilde_dot11);
@@ -822,7 +822,7 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -831,11 +831,11 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, e);
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, LANES * step2);
+        prefetch(item2, 3);
         load_3(item2, step2, omega);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
@@ -852,7 +852,7 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_block)(
         const doubles L_tilde_dot3 = -L_tilde_dot9;
         const doubles L_tilde_dot7 = -L_tilde_dot2;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, LANES * step3);
+        prefetch_to_write(item3, 12);
         store_4(item3, step3, spread(0.0), L_tilde_dot1, L_tilde_dot2, L_tilde_dot3);
         store_4(item3 + 4 * sizeof(double), step3, L_tilde_dot4, spread(0.0), L_tilde_dot3, L_tilde_dot7);
         store_4(item3 + 8 * sizeof(double), step3, L_tilde_dot7, L_tilde_dot9, spread(0.0), L_tilde_dot1);
@@ -881,7 +881,7 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -890,11 +890,11 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, e);
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, LANESF * step2);
+        prefetch(item2, 3);
         load_3f(item2, step2, omega);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
@@ -911,7 +911,7 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_blockf)(
         const floats L_tilde_dot3 = -L_tilde_dot9;
         const floats L_tilde_dot7 = -L_tilde_dot2;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, LANESF * step3);
+        prefetch_to_write(item3, 12);
         store_4f(item3, step3, spreadf(0.0f), L_tilde_dot1, L_tilde_dot2, L_tilde_dot3);
         store_4f(item3 + 4 * sizeof(float), step3, L_tilde_dot4, spreadf(0.0f), L_tilde_dot3, L_tilde_dot7);
         store_4f(item3 + 8 * sizeof(float), step3, L_tilde_dot7, L_tilde_dot9, spreadf(0.0f), L_tilde_dot1);
@@ -940,7 +940,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -949,11 +949,11 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, e);
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, LANES * step2);
+        prefetch(item2, 3);
         load_3(item2, step2, omega);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
@@ -968,7 +968,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_block)(
         const doubles H_tilde_dot3 = -H_tilde_dot9;
         const doubles H_tilde_dot7 = -H_tilde_dot2;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, LANES * step3);
+        prefetch_to_write(item3, 12);
         store_4(item3, step3, H_tilde_dot0, H_tilde_dot1, H_tilde_dot2, H_tilde_dot3);
         store_4(item3 + 4 * sizeof(double), step3, H_tilde_dot4, H_tilde_dot0, H_tilde_dot3, H_tilde_dot7);
         store_4(item3 + 8 * sizeof(double), step3, H_tilde_dot7, H_tilde_dot9, H_tilde_dot0, H_tilde_dot1);
@@ -997,7 +997,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -1006,11 +1006,11 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, e);
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, LANESF * step2);
+        prefetch(item2, 3);
         load_3f(item2, step2, omega);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
@@ -1025,7 +1025,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_blockf)(
         const floats H_tilde_dot3 = -H_tilde_dot9;
         const floats H_tilde_dot7 = -H_tilde_dot2;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, LANESF * step3);
+        prefetch_to_write(item3, 12);
         store_4f(item3, step3, H_tilde_dot0, H_tilde_dot1, H_tilde_dot2, H_tilde_dot3);
         store_4f(item3 + 4 * sizeof(float), step3, H_tilde_dot4, H_tilde_dot0, H_tilde_dot3, H_tilde_dot7);
         store_4f(item3 + 8 * sizeof(float), step3, H_tilde_dot7, H_tilde_dot9, H_tilde_dot0, H_tilde_dot1);
@@ -1056,7 +1056,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -1065,15 +1065,15 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, e);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, LANES * step2);
+        prefetch(item2, 6);
         load_3(item2, step2, t);
         doubles t_dot[6];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, LANES * step3);
+        prefetch(item3, 6);
         load_4(item3, step3, t_dot);
         load_2(item3 + 4 * sizeof(double), step3, &t_dot[4]);
         const doubles sin_half_phi = sines[0][g];
@@ -1100,7 +1100,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_block)(
         const doubles t14 = 0.5 * (e[0] * t_dot[1] - e[1] * t_dot[0] + (t[0] * t8 - t[1] * t7));
         const doubles s_ddot2 = t6 * (t_dot[2] - e[2] * s_ddot3 + t1 * t9) + t4 * t11 - t14;
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, LANES * step4);
+        prefetch_to_write(item4, 7);
         store_4(item4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
         store_3(item4 + 4 * sizeof(double), step4, s_ddot4, s_ddot5, s_ddot6);
         stream_lines(&copied);
@@ -1130,7 +1130,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -1139,15 +1139,15 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, e);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, LANESF * step2);
+        prefetch(item2, 6);
         load_3f(item2, step2, t);
         floats t_dot[6];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, LANESF * step3);
+        prefetch(item3, 6);
         load_4f(item3, step3, t_dot);
         load_2f(item3 + 4 * sizeof(float), step3, &t_dot[4]);
         const floats sin_half_phi = sines[0][g];
@@ -1174,7 +1174,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_blockf)(
         const floats t14 = 0.5f * (e[0] * t_dot[1] - e[1] * t_dot[0] + (t[0] * t8 - t[1] * t7));
         const floats s_ddot2 = t6 * (t_dot[2] - e[2] * s_ddot3 + t1 * t9) + t4 * t11 - t14;
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, LANESF * step4);
+        prefetch_to_write(item4, 7);
         store_4f(item4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
         store_3f(item4 + 4 * sizeof(float), step4, s_ddot4, s_ddot5, s_ddot6);
         stream_lines(&copied);
@@ -1204,7 +1204,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -1213,15 +1213,15 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, e);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, LANES * step2);
+        prefetch(item2, 6);
         load_3(item2, step2, t);
         doubles t_dot[6];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, LANES * step3);
+        prefetch(item3, 6);
         load_4(item3, step3, t_dot);
         load_2(item3 + 4 * sizeof(double), step3, &t_dot[4]);
         const doubles sin_phi = sines[0][g];
@@ -1247,7 +1247,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_block)(
         const doubles s_ddot2 = t6 - t[2] * t3 + (e[0] * t[1] - e[1] * t[0]) * t8 - e[2] * t11;
         const doubles s_ddot3 = t2 * t8 - sin_phi * t9 - t1 * t10;
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, LANES * step4);
+        prefetch_to_write(item4, 7);
         store_4(item4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
         store_3(item4 + 4 * sizeof(double), step4, s_ddot4, s_ddot5, s_ddot6);
         stream_lines(&copied);
@@ -1277,7 +1277,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -1286,15 +1286,15 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, e);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, LANESF * step2);
+        prefetch(item2, 6);
         load_3f(item2, step2, t);
         floats t_dot[6];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, LANESF * step3);
+        prefetch(item3, 6);
         load_4f(item3, step3, t_dot);
         load_2f(item3 + 4 * sizeof(float), step3, &t_dot[4]);
         const floats sin_phi = sines[0][g];
@@ -1320,7 +1320,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_blockf)(
         const floats s_ddot2 = t6 - t[2] * t3 + (e[0] * t[1] - e[1] * t[0]) * t8 - e[2] * t11;
         const floats s_ddot3 = t2 * t8 - sin_phi * t9 - t1 * t10;
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, LANESF * step4);
+        prefetch_to_write(item4, 7);
         store_4f(item4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
         store_3f(item4 + 4 * sizeof(float), step4, s_ddot4, s_ddot5, s_ddot6);
         stream_lines(&copied);
@@ -1350,7 +1350,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -1359,15 +1359,15 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, e);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, LANES * step2);
+        prefetch(item2, 6);
         load_3(item2, step2, t);
         doubles t_dot[6];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, LANES * step3);
+        prefetch(item3, 6);
         load_4(item3, step3, t_dot);
         load_2(item3 + 4 * sizeof(double), step3, &t_dot[4]);
         const doubles sin_half_phi = sines[0][g];
@@ -1389,7 +1389,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_block)(
         const doubles t9 = 0.5 * (t_dot[0] * t1 + t_dot[1] * t2 + t_dot[2] * t3);
         const doubles s_ddot3 = -(t9 + cos_half_phi * t4);
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, LANES * step4);
+        prefetch_to_write(item4, 7);
         store_4(item4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
         store_3(item4 + 4 * sizeof(double), step4, s_ddot4, s_ddot5, s_ddot6);
         stream_lines(&copied);
@@ -1419,7 +1419,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -1428,15 +1428,15 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, e);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, LANESF * step2);
+        prefetch(item2, 6);
         load_3f(item2, step2, t);
         floats t_dot[6];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, LANESF * step3);
+        prefetch(item3, 6);
         load_4f(item3, step3, t_dot);
         load_2f(item3 + 4 * sizeof(float), step3, &t_dot[4]);
         const floats sin_half_phi = sines[0][g];
@@ -1458,7 +1458,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_blockf)(
         const floats t9 = 0.5f * (t_dot[0] * t1 + t_dot[1] * t2 + t_dot[2] * t3);
         const floats s_ddot3 = -(t9 + cos_half_phi * t4);
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, LANESF * step4);
+        prefetch_to_write(item4, 7);
         store_4f(item4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
         store_3f(item4 + 4 * sizeof(float), step4, s_ddot4, s_ddot5, s_ddot6);
         stream_lines(&copied);
@@ -1488,7 +1488,7 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -1497,15 +1497,15 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, e);
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, LANES * step2);
+        prefetch(item2, 7);
         load_4(item2, step2, s_dot);
         doubles s_ddot[7];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, LANES * step3);
+        prefetch(item3, 7);
         load_4(item3, step3, s_ddot);
         load_3(item3 + 4 * sizeof(double), step3, &s_ddot[4]);
         const doubles sin_phi = sines[0][g];
@@ -1526,7 +1526,7 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_block)(
         const doubles t9 = s_dot[2] * t5 + (e[0] * s_dot[1] - e[1] * s_dot[0]) * t6;
         const doubles t_dot2 = t4 + e[2] * s_ddot[3] + t9;
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, LANES * step4);
+        prefetch_to_write(item4, 6);
         store_4(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
         store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
         stream_lines(&copied);
@@ -1556,7 +1556,7 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &phi);
         angles[0][g] = phi;
     }
@@ -1565,15 +1565,15 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, e);
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, LANESF * step2);
+        prefetch(item2, 7);
         load_4f(item2, step2, s_dot);
         floats s_ddot[7];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, LANESF * step3);
+        prefetch(item3, 7);
         load_4f(item3, step3, s_ddot);
         load_3f(item3 + 4 * sizeof(float), step3, &s_ddot[4]);
         const floats sin_phi = sines[0][g];
@@ -1594,7 +1594,7 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_blockf)(
         const floats t9 = s_dot[2] * t5 + (e[0] * s_dot[1] - e[1] * s_dot[0]) * t6;
         const floats t_dot2 = t4 + e[2] * s_ddot[3] + t9;
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, LANESF * step4);
+        prefetch_to_write(item4, 6);
         store_4f(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
         store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
         stream_lines(&copied);
@@ -1624,7 +1624,7 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -1633,15 +1633,15 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, e);
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, LANES * step2);
+        prefetch(item2, 7);
         load_4(item2, step2, s_dot);
         doubles s_ddot[7];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, LANES * step3);
+        prefetch(item3, 7);
         load_4(item3, step3, s_ddot);
         load_3(item3 + 4 * sizeof(double), step3, &s_ddot[4]);
         const doubles sin_half_phi = sines[0][g];
@@ -1663,7 +1663,7 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_block)(
         const doubles t10 = (s_dot[2] + (s_dot[1] * t3 - s_dot[0] * t4) - s_dot[3] * t5) * t7;
         const doubles t_dot2 = s_ddot[2] + (s_ddot[1] * t3 - s_ddot[0] * t4) - s_ddot[3] * t5 - t10;
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, LANES * step4);
+        prefetch_to_write(item4, 6);
         store_4(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
         store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
         stream_lines(&copied);
@@ -1693,7 +1693,7 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -1702,15 +1702,15 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, e);
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, LANESF * step2);
+        prefetch(item2, 7);
         load_4f(item2, step2, s_dot);
         floats s_ddot[7];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, LANESF * step3);
+        prefetch(item3, 7);
         load_4f(item3, step3, s_ddot);
         load_3f(item3 + 4 * sizeof(float), step3, &s_ddot[4]);
         const floats sin_half_phi = sines[0][g];
@@ -1732,7 +1732,7 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_blockf)(
         const floats t10 = (s_dot[2] + (s_dot[1] * t3 - s_dot[0] * t4) - s_dot[3] * t5) * t7;
         const floats t_dot2 = s_ddot[2] + (s_ddot[1] * t3 - s_ddot[0] * t4) - s_ddot[3] * t5 - t10;
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, LANESF * step4);
+        prefetch_to_write(item4, 6);
         store_4f(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
         store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
         stream_lines(&copied);
@@ -1760,7 +1760,7 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 1);
         load_1(item1, step1, &phi);
         angles[0][g] = 0.5 * phi;
     }
@@ -1769,11 +1769,11 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, e);
         doubles s_ddot[7];
         const char *const item3 = at3 + g * LANES * step3;
-        prefetch(item3, LANES * step3);
+        prefetch(item3, 7);
         load_4(item3, step3, s_ddot);
         load_3(item3 + 4 * sizeof(double), step3, &s_ddot[4]);
         const doubles sin_half_phi = sines[0][g];
@@ -1790,7 +1790,7 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_block)(
         const doubles t_dot1 = s_ddot[0] * t5 + s_ddot[1] * t1 - s_ddot[2] * t3 - s_ddot[3] * t4;
         const doubles t_dot2 = s_ddot[1] * t3 - s_ddot[0] * t4 + s_ddot[2] * t1 - s_ddot[3] * t5;
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, LANES * step4);
+        prefetch_to_write(item4, 6);
         store_4(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
         store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
         stream_lines(&copied);
@@ -1818,7 +1818,7 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 1);
         load_1f(item1, step1, &phi);
         angles[0][g] = 0.5f * phi;
     }
@@ -1827,11 +1827,11 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, e);
         floats s_ddot[7];
         const char *const item3 = at3 + g * LANESF * step3;
-        prefetch(item3, LANESF * step3);
+        prefetch(item3, 7);
         load_4f(item3, step3, s_ddot);
         load_3f(item3 + 4 * sizeof(float), step3, &s_ddot[4]);
         const floats sin_half_phi = sines[0][g];
@@ -1848,7 +1848,7 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_blockf)(
         const floats t_dot1 = s_ddot[0] * t5 + s_ddot[1] * t1 - s_ddot[2] * t3 - s_ddot[3] * t4;
         const floats t_dot2 = s_ddot[1] * t3 - s_ddot[0] * t4 + s_ddot[2] * t1 - s_ddot[3] * t5;
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, LANESF * step4);
+        prefetch_to_write(item4, 6);
         store_4f(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
         store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
         stream_lines(&copied);

@@ -17,7 +17,7 @@ static const chasles_shape chasles_moving_frame_velocity_loop_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_moving_frame_velocity_loop = {
-    sizeof(double), 0, 0, 5, 6,
+    sizeof(double), 0, CHASLES_GAPS, 5, 6,
     chasles_moving_frame_velocity_loop_shapes,
     CHASLES_BLOCKS(chasles_moving_frame_velocity_block),
 };
@@ -31,7 +31,7 @@ static const chasles_shape chasles_moving_frame_velocity_loopf_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_moving_frame_velocity_loopf = {
-    sizeof(float), 0, 0, 5, 6,
+    sizeof(float), 0, CHASLES_GAPS, 5, 6,
     chasles_moving_frame_velocity_loopf_shapes,
     CHASLES_BLOCKS(chasles_moving_frame_velocity_blockf),
 };
@@ -47,7 +47,7 @@ static const chasles_shape chasles_moving_frame_acceleration_loop_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_moving_frame_acceleration_loop = {
-    sizeof(double), 0, 0, 7, 8,
+    sizeof(double), 0, CHASLES_GAPS, 7, 8,
     chasles_moving_frame_acceleration_loop_shapes,
     CHASLES_BLOCKS(chasles_moving_frame_acceleration_block),
 };
@@ -63,7 +63,7 @@ static const chasles_shape chasles_moving_frame_acceleration_loopf_shapes[] = {
     {1, 1, 3},
 };
 const chasles_loop chasles_moving_frame_acceleration_loopf = {
-    sizeof(float), 0, 0, 7, 8,
+    sizeof(float), 0, CHASLES_GAPS, 7, 8,
     chasles_moving_frame_acceleration_loopf_shapes,
     CHASLES_BLOCKS(chasles_moving_frame_acceleration_blockf),
 };

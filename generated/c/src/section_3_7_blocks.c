@@ -35,15 +35,15 @@ void CHASLES_LEVELED(chasles_wrench_axis_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles f[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, f);
         doubles n_A[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 3);
         load_3(item1, step1, n_A);
         doubles a[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, LANES * step2);
+        prefetch(item2, 3);
         load_3(item2, step2, a);
         const doubles t1 = choose(less(f[0], spread(0.0)), -f[0], f[0]);
         const doubles t2 = choose(less(f[1], spread(0.0)), -f[1], f[1]);
@@ -71,11 +71,11 @@ void CHASLES_LEVELED(chasles_wrench_axis_block)(
         const doubles axis5 = axis1 * t16 - axis0 * t17;
         const doubles pitch_value = (axis0 * t13 + axis1 * t14 + axis2 * t15) / t6;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, LANES * step3);
+        prefetch_to_write(item3, 6);
         store_4(item3, step3, axis0, axis1, axis2, axis3);
         store_2(item3 + 4 * sizeof(double), step3, axis4, axis5);
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, LANES * step4);
+        prefetch_to_write(item4, 1);
         store_1(item4, step4, pitch_value);
         stream_lines(&copied);
     }
@@ -101,15 +101,15 @@ void CHASLES_LEVELED(chasles_wrench_axis_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats f[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, f);
         floats n_A[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 3);
         load_3f(item1, step1, n_A);
         floats a[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, LANESF * step2);
+        prefetch(item2, 3);
         load_3f(item2, step2, a);
         const floats t1 = choosef(lessf(f[0], spreadf(0.0f)), -f[0], f[0]);
         const floats t2 = choosef(lessf(f[1], spreadf(0.0f)), -f[1], f[1]);
@@ -137,11 +137,11 @@ void CHASLES_LEVELED(chasles_wrench_axis_blockf)(
         const floats axis5 = axis1 * t16 - axis0 * t17;
         const floats pitch_value = (axis0 * t13 + axis1 * t14 + axis2 * t15) / t6;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, LANESF * step3);
+        prefetch_to_write(item3, 6);
         store_4f(item3, step3, axis0, axis1, axis2, axis3);
         store_2f(item3 + 4 * sizeof(float), step3, axis4, axis5);
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, LANESF * step4);
+        prefetch_to_write(item4, 1);
         store_1f(item4, step4, pitch_value);
         stream_lines(&copied);
     }
@@ -163,18 +163,18 @@ void CHASLES_LEVELED(chasles_power_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles t[6];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 6);
         load_4(item0, step0, t);
         load_2(item0 + 4 * sizeof(double), step0, &t[4]);
         doubles w[6];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 6);
         load_4(item1, step1, w);
         load_2(item1 + 4 * sizeof(double), step1, &w[4]);
         const doubles t1 = t[0] * w[0] + t[1] * w[1] + t[2] * w[2] + t[3] * w[3] + t[4] * w[4];
         const doubles Pi_value = t1 + t[5] * w[5];
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 1);
         store_1(item2, step2, Pi_value);
         stream_lines(&copied);
     }
@@ -196,18 +196,18 @@ void CHASLES_LEVELED(chasles_power_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats t[6];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 6);
         load_4f(item0, step0, t);
         load_2f(item0 + 4 * sizeof(float), step0, &t[4]);
         floats w[6];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 6);
         load_4f(item1, step1, w);
         load_2f(item1 + 4 * sizeof(float), step1, &w[4]);
         const floats t1 = t[0] * w[0] + t[1] * w[1] + t[2] * w[2] + t[3] * w[3] + t[4] * w[4];
         const floats Pi_value = t1 + t[5] * w[5];
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 1);
         store_1f(item2, step2, Pi_value);
         stream_lines(&copied);
     }
@@ -229,18 +229,18 @@ void CHASLES_LEVELED(chasles_reciprocal_product_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles s_w[6];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 6);
         load_4(item0, step0, s_w);
         load_2(item0 + 4 * sizeof(double), step0, &s_w[4]);
         doubles s_t[6];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 6);
         load_4(item1, step1, s_t);
         load_2(item1 + 4 * sizeof(double), step1, &s_t[4]);
         const doubles t1 = s_w[0] * s_t[3] + s_w[1] * s_t[4] + s_w[2] * s_t[5] + s_w[3] * s_t[0];
         const doubles product_value = t1 + s_w[4] * s_t[1] + s_w[5] * s_t[2];
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 1);
         store_1(item2, step2, product_value);
         stream_lines(&copied);
     }
@@ -262,18 +262,18 @@ void CHASLES_LEVELED(chasles_reciprocal_product_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats s_w[6];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 6);
         load_4f(item0, step0, s_w);
         load_2f(item0 + 4 * sizeof(float), step0, &s_w[4]);
         floats s_t[6];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 6);
         load_4f(item1, step1, s_t);
         load_2f(item1 + 4 * sizeof(float), step1, &s_t[4]);
         const floats t1 = s_w[0] * s_t[3] + s_w[1] * s_t[4] + s_w[2] * s_t[5] + s_w[3] * s_t[0];
         const floats product_value = t1 + s_w[4] * s_t[1] + s_w[5] * s_t[2];
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 1);
         store_1f(item2, step2, product_value);
         stream_lines(&copied);
     }
@@ -297,16 +297,16 @@ void CHASLES_LEVELED(chasles_wrench_transfer_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles w_A[6];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 6);
         load_4(item0, step0, w_A);
         load_2(item0 + 4 * sizeof(double), step0, &w_A[4]);
         doubles a[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 3);
         load_3(item1, step1, a);
         doubles p[3];
         const char *const item2 = at2 + g * LANES * step2;
-        prefetch(item2, LANES * step2);
+        prefetch(item2, 3);
         load_3(item2, step2, p);
         const doubles w_P3 = w_A[3];
         const doubles w_P4 = w_A[4];
@@ -318,7 +318,7 @@ void CHASLES_LEVELED(chasles_wrench_transfer_block)(
         const doubles w_P1 = w_A[1] + (w_P3 * t3 - w_P5 * t1);
         const doubles w_P2 = w_A[2] + (w_P4 * t1 - w_P3 * t2);
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, LANES * step3);
+        prefetch_to_write(item3, 6);
         store_4(item3, step3, w_P0, w_P1, w_P2, w_P3);
         store_2(item3 + 4 * sizeof(double), step3, w_P4, w_P5);
         stream_lines(&copied);
@@ -343,16 +343,16 @@ void CHASLES_LEVELED(chasles_wrench_transfer_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats w_A[6];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 6);
         load_4f(item0, step0, w_A);
         load_2f(item0 + 4 * sizeof(float), step0, &w_A[4]);
         floats a[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 3);
         load_3f(item1, step1, a);
         floats p[3];
         const char *const item2 = at2 + g * LANESF * step2;
-        prefetch(item2, LANESF * step2);
+        prefetch(item2, 3);
         load_3f(item2, step2, p);
         const floats w_P3 = w_A[3];
         const floats w_P4 = w_A[4];
@@ -364,7 +364,7 @@ void CHASLES_LEVELED(chasles_wrench_transfer_blockf)(
         const floats w_P1 = w_A[1] + (w_P3 * t3 - w_P5 * t1);
         const floats w_P2 = w_A[2] + (w_P4 * t1 - w_P3 * t2);
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, LANESF * step3);
+        prefetch_to_write(item3, 6);
         store_4f(item3, step3, w_P0, w_P1, w_P2, w_P3);
         store_2f(item3 + 4 * sizeof(float), step3, w_P4, w_P5);
         stream_lines(&copied);

@@ -16,7 +16,7 @@ static const chasles_shape chasles_inertia_about_point_loop_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_inertia_about_point_loop = {
-    sizeof(double), 0, 0, 4, 5,
+    sizeof(double), 0, CHASLES_GAPS, 4, 5,
     chasles_inertia_about_point_loop_shapes,
     CHASLES_BLOCKS(chasles_inertia_about_point_block),
 };
@@ -29,7 +29,7 @@ static const chasles_shape chasles_inertia_about_point_loopf_shapes[] = {
     {2, 3, 3},
 };
 const chasles_loop chasles_inertia_about_point_loopf = {
-    sizeof(float), 0, 0, 4, 5,
+    sizeof(float), 0, CHASLES_GAPS, 4, 5,
     chasles_inertia_about_point_loopf_shapes,
     CHASLES_BLOCKS(chasles_inertia_about_point_blockf),
 };
@@ -42,7 +42,7 @@ static const chasles_shape chasles_inertia_about_point_sym6_loop_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_inertia_about_point_sym6_loop = {
-    sizeof(double), 0, 0, 4, 5,
+    sizeof(double), 0, CHASLES_GAPS, 4, 5,
     chasles_inertia_about_point_sym6_loop_shapes,
     CHASLES_BLOCKS(chasles_inertia_about_point_sym6_block),
 };
@@ -55,7 +55,7 @@ static const chasles_shape chasles_inertia_about_point_sym6_loopf_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_inertia_about_point_sym6_loopf = {
-    sizeof(float), 0, 0, 4, 5,
+    sizeof(float), 0, CHASLES_GAPS, 4, 5,
     chasles_inertia_about_point_sym6_loopf_shapes,
     CHASLES_BLOCKS(chasles_inertia_about_point_sym6_blockf),
 };
@@ -67,7 +67,7 @@ static const chasles_shape chasles_momentum_screw_loop_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_momentum_screw_loop = {
-    sizeof(double), 0, 0, 3, 4,
+    sizeof(double), 0, CHASLES_GAPS, 3, 4,
     chasles_momentum_screw_loop_shapes,
     CHASLES_BLOCKS(chasles_momentum_screw_block),
 };
@@ -79,7 +79,7 @@ static const chasles_shape chasles_momentum_screw_loopf_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_momentum_screw_loopf = {
-    sizeof(float), 0, 0, 3, 4,
+    sizeof(float), 0, CHASLES_GAPS, 3, 4,
     chasles_momentum_screw_loopf_shapes,
     CHASLES_BLOCKS(chasles_momentum_screw_blockf),
 };
@@ -91,7 +91,7 @@ static const chasles_shape chasles_momentum_screw_sym6_loop_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_momentum_screw_sym6_loop = {
-    sizeof(double), 0, 0, 3, 4,
+    sizeof(double), 0, CHASLES_GAPS, 3, 4,
     chasles_momentum_screw_sym6_loop_shapes,
     CHASLES_BLOCKS(chasles_momentum_screw_sym6_block),
 };
@@ -103,7 +103,7 @@ static const chasles_shape chasles_momentum_screw_sym6_loopf_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_momentum_screw_sym6_loopf = {
-    sizeof(float), 0, 0, 3, 4,
+    sizeof(float), 0, CHASLES_GAPS, 3, 4,
     chasles_momentum_screw_sym6_loopf_shapes,
     CHASLES_BLOCKS(chasles_momentum_screw_sym6_blockf),
 };
@@ -115,7 +115,7 @@ static const chasles_shape chasles_kinetic_energy_loop_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_kinetic_energy_loop = {
-    sizeof(double), 0, 0, 3, 4,
+    sizeof(double), 0, CHASLES_GAPS, 3, 4,
     chasles_kinetic_energy_loop_shapes,
     CHASLES_BLOCKS(chasles_kinetic_energy_block),
 };
@@ -127,7 +127,7 @@ static const chasles_shape chasles_kinetic_energy_loopf_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_kinetic_energy_loopf = {
-    sizeof(float), 0, 0, 3, 4,
+    sizeof(float), 0, CHASLES_GAPS, 3, 4,
     chasles_kinetic_energy_loopf_shapes,
     CHASLES_BLOCKS(chasles_kinetic_energy_blockf),
 };
@@ -139,7 +139,7 @@ static const chasles_shape chasles_kinetic_energy_sym6_loop_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_kinetic_energy_sym6_loop = {
-    sizeof(double), 0, 0, 3, 4,
+    sizeof(double), 0, CHASLES_GAPS, 3, 4,
     chasles_kinetic_energy_sym6_loop_shapes,
     CHASLES_BLOCKS(chasles_kinetic_energy_sym6_block),
 };
@@ -151,7 +151,7 @@ static const chasles_shape chasles_kinetic_energy_sym6_loopf_shapes[] = {
     {0, 1, 1},
 };
 const chasles_loop chasles_kinetic_energy_sym6_loopf = {
-    sizeof(float), 0, 0, 3, 4,
+    sizeof(float), 0, CHASLES_GAPS, 3, 4,
     chasles_kinetic_energy_sym6_loopf_shapes,
     CHASLES_BLOCKS(chasles_kinetic_energy_sym6_blockf),
 };
@@ -164,7 +164,7 @@ static const chasles_shape chasles_newton_euler_wrench_loop_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_newton_euler_wrench_loop = {
-    sizeof(double), 0, 0, 4, 5,
+    sizeof(double), 0, CHASLES_GAPS, 4, 5,
     chasles_newton_euler_wrench_loop_shapes,
     CHASLES_BLOCKS(chasles_newton_euler_wrench_block),
 };
@@ -177,7 +177,7 @@ static const chasles_shape chasles_newton_euler_wrench_loopf_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_newton_euler_wrench_loopf = {
-    sizeof(float), 0, 0, 4, 5,
+    sizeof(float), 0, CHASLES_GAPS, 4, 5,
     chasles_newton_euler_wrench_loopf_shapes,
     CHASLES_BLOCKS(chasles_newton_euler_wrench_blockf),
 };
@@ -190,7 +190,7 @@ static const chasles_shape chasles_newton_euler_wrench_sym6_loop_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_newton_euler_wrench_sym6_loop = {
-    sizeof(double), 0, 0, 4, 5,
+    sizeof(double), 0, CHASLES_GAPS, 4, 5,
     chasles_newton_euler_wrench_sym6_loop_shapes,
     CHASLES_BLOCKS(chasles_newton_euler_wrench_sym6_block),
 };
@@ -203,7 +203,7 @@ static const chasles_shape chasles_newton_euler_wrench_sym6_loopf_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_newton_euler_wrench_sym6_loopf = {
-    sizeof(float), 0, 0, 4, 5,
+    sizeof(float), 0, CHASLES_GAPS, 4, 5,
     chasles_newton_euler_wrench_sym6_loopf_shapes,
     CHASLES_BLOCKS(chasles_newton_euler_wrench_sym6_blockf),
 };
@@ -216,7 +216,7 @@ static const chasles_shape chasles_newton_euler_twist_rate_loop_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_newton_euler_twist_rate_loop = {
-    sizeof(double), 0, 0, 4, 5,
+    sizeof(double), 0, CHASLES_GAPS, 4, 5,
     chasles_newton_euler_twist_rate_loop_shapes,
     CHASLES_BLOCKS(chasles_newton_euler_twist_rate_block),
 };
@@ -229,7 +229,7 @@ static const chasles_shape chasles_newton_euler_twist_rate_loopf_shapes[] = {
     {1, 1, 6},
 };
 const chasles_loop chasles_newton_euler_twist_rate_loopf = {
-    sizeof(float), 0, 0, 4, 5,
+    sizeof(float), 0, CHASLES_GAPS, 4, 5,
     chasles_newton_euler_twist_rate_loopf_shapes,
     CHASLES_BLOCKS(chasles_newton_euler_twist_rate_blockf),
 };
@@ -242,7 +242,7 @@ static const chasles_shape chasles_newton_euler_twist_rate_sym6_loop_shapes[] = 
     {1, 1, 6},
 };
 const chasles_loop chasles_newton_euler_twist_rate_sym6_loop = {
-    sizeof(double), 0, 0, 4, 5,
+    sizeof(double), 0, CHASLES_GAPS, 4, 5,
     chasles_newton_euler_twist_rate_sym6_loop_shapes,
     CHASLES_BLOCKS(chasles_newton_euler_twist_rate_sym6_block),
 };
@@ -255,7 +255,7 @@ static const chasles_shape chasles_newton_euler_twist_rate_sym6_loopf_shapes[] =
     {1, 1, 6},
 };
 const chasles_loop chasles_newton_euler_twist_rate_sym6_loopf = {
-    sizeof(float), 0, 0, 4, 5,
+    sizeof(float), 0, CHASLES_GAPS, 4, 5,
     chasles_newton_euler_twist_rate_sym6_loopf_shapes,
     CHASLES_BLOCKS(chasles_newton_euler_twist_rate_sym6_blockf),
 };
@@ -268,7 +268,7 @@ static const chasles_shape chasles_inertia_dyad_loop_shapes[] = {
     {2, 6, 6},
 };
 const chasles_loop chasles_inertia_dyad_loop = {
-    sizeof(double), 0, 0, 4, 5,
+    sizeof(double), 0, CHASLES_GAPS, 4, 5,
     chasles_inertia_dyad_loop_shapes,
     CHASLES_BLOCKS(chasles_inertia_dyad_block),
 };
@@ -281,7 +281,7 @@ static const chasles_shape chasles_inertia_dyad_loopf_shapes[] = {
     {2, 6, 6},
 };
 const chasles_loop chasles_inertia_dyad_loopf = {
-    sizeof(float), 0, 0, 4, 5,
+    sizeof(float), 0, CHASLES_GAPS, 4, 5,
     chasles_inertia_dyad_loopf_shapes,
     CHASLES_BLOCKS(chasles_inertia_dyad_blockf),
 };
@@ -294,7 +294,7 @@ static const chasles_shape chasles_inertia_dyad_sym6_loop_shapes[] = {
     {2, 6, 6},
 };
 const chasles_loop chasles_inertia_dyad_sym6_loop = {
-    sizeof(double), 0, 0, 4, 5,
+    sizeof(double), 0, CHASLES_GAPS, 4, 5,
     chasles_inertia_dyad_sym6_loop_shapes,
     CHASLES_BLOCKS(chasles_inertia_dyad_sym6_block),
 };
@@ -307,7 +307,7 @@ static const chasles_shape chasles_inertia_dyad_sym6_loopf_shapes[] = {
     {2, 6, 6},
 };
 const chasles_loop chasles_inertia_dyad_sym6_loopf = {
-    sizeof(float), 0, 0, 4, 5,
+    sizeof(float), 0, CHASLES_GAPS, 4, 5,
     chasles_inertia_dyad_sym6_loopf_shapes,
     CHASLES_BLOCKS(chasles_inertia_dyad_sym6_blockf),
 };

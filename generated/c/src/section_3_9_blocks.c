@@ -32,7 +32,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -61,7 +61,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_block)(
         const doubles Q7 = sin_angles_0 * cos_angles_2 + t2 * sin_angles_2;
         const doubles Q8 = t2 * cos_angles_2 - sin_angles_0 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
@@ -86,7 +86,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -115,7 +115,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_blockf)(
         const floats Q7 = sin_angles_0 * cos_angles_2 + t2 * sin_angles_2;
         const floats Q8 = t2 * cos_angles_2 - sin_angles_0 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
@@ -140,7 +140,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -159,7 +159,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_block)(
         const doubles W5 = W7 * sin_angles_1;
         const doubles W8 = -(W4 * sin_angles_1);
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, spread(1.0), spread(0.0), W2, spread(0.0));
         store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(0.0), W7);
         store_1(item1 + 8 * sizeof(double), step1, W8);
@@ -184,7 +184,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -203,7 +203,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_blockf)(
         const floats W5 = W7 * sin_angles_1;
         const floats W8 = -(W4 * sin_angles_1);
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
         store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(0.0f), W7);
         store_1f(item1 + 8 * sizeof(float), step1, W8);
@@ -228,7 +228,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
@@ -247,7 +247,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_block)(
         const doubles W_body7 = -sin_angles_2;
         const doubles W_body6 = sin_angles_1 * W_body4;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, W_body0, spread(0.0), spread(1.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, W_body7);
         store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
@@ -272,7 +272,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
@@ -291,7 +291,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_blockf)(
         const floats W_body7 = -sin_angles_2;
         const floats W_body6 = sin_angles_1 * W_body4;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, W_body7);
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
@@ -318,7 +318,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
@@ -329,7 +329,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 3);
         load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -340,7 +340,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_block)(
         const doubles theta_dot0 = omega[0] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[1] * cos_angles_0 + omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 3);
         store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
@@ -365,7 +365,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
@@ -376,7 +376,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 3);
         load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -388,7 +388,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_blockf)(
         const floats theta_dot0 = omega[0] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[1] * cos_angles_0 + omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 3);
         store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
@@ -411,7 +411,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -440,7 +440,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_block)(
         const doubles Q6 = sin_angles_0 * sin_angles_2 - t2 * cos_angles_2;
         const doubles Q7 = t2 * sin_angles_2 + sin_angles_0 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
@@ -465,7 +465,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -494,7 +494,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_blockf)(
         const floats Q6 = sin_angles_0 * sin_angles_2 - t2 * cos_angles_2;
         const floats Q7 = t2 * sin_angles_2 + sin_angles_0 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
@@ -519,7 +519,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -538,7 +538,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_block)(
         const doubles W5 = -(W7 * cos_angles_1);
         const doubles W8 = W4 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, spread(1.0), spread(0.0), W2, spread(0.0));
         store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(0.0), W7);
         store_1(item1 + 8 * sizeof(double), step1, W8);
@@ -563,7 +563,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -582,7 +582,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_blockf)(
         const floats W5 = -(W7 * cos_angles_1);
         const floats W8 = W4 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
         store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(0.0f), W7);
         store_1f(item1 + 8 * sizeof(float), step1, W8);
@@ -607,7 +607,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
@@ -626,7 +626,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_block)(
         const doubles W_body1 = sin_angles_2;
         const doubles W_body3 = -(cos_angles_1 * W_body1);
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, spread(0.0));
         store_1(item1 + 8 * sizeof(double), step1, spread(1.0));
@@ -651,7 +651,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
@@ -670,7 +670,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_blockf)(
         const floats W_body1 = sin_angles_2;
         const floats W_body3 = -(cos_angles_1 * W_body1);
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(1.0f));
@@ -697,7 +697,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
@@ -708,7 +708,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 3);
         load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -719,7 +719,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_block)(
         const doubles theta_dot0 = omega[0] - sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[1] * cos_angles_0 + omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 3);
         store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
@@ -744,7 +744,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
@@ -755,7 +755,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 3);
         load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -767,7 +767,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_blockf)(
         const floats theta_dot0 = omega[0] - sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[1] * cos_angles_0 + omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 3);
         store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
@@ -790,7 +790,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -819,7 +819,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_block)(
         const doubles Q7 = t2 * cos_angles_2 + cos_angles_0 * sin_angles_2;
         const doubles Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
@@ -844,7 +844,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -873,7 +873,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_blockf)(
         const floats Q7 = t2 * cos_angles_2 + cos_angles_0 * sin_angles_2;
         const floats Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
@@ -898,7 +898,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -917,7 +917,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_block)(
         const doubles W5 = W7 * sin_angles_1;
         const doubles W8 = sin_angles_0 * sin_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, spread(1.0), spread(0.0), W2, spread(0.0));
         store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(0.0), W7);
         store_1(item1 + 8 * sizeof(double), step1, W8);
@@ -942,7 +942,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -961,7 +961,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_blockf)(
         const floats W5 = W7 * sin_angles_1;
         const floats W8 = sin_angles_0 * sin_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
         store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(0.0f), W7);
         store_1f(item1 + 8 * sizeof(float), step1, W8);
@@ -986,7 +986,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
@@ -1005,7 +1005,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_block)(
         const doubles W_body4 = sin_angles_2;
         const doubles W_body6 = sin_angles_1 * W_body4;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, W_body0, spread(0.0), spread(1.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, W_body7);
         store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
@@ -1030,7 +1030,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
@@ -1049,7 +1049,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_blockf)(
         const floats W_body4 = sin_angles_2;
         const floats W_body6 = sin_angles_1 * W_body4;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, W_body7);
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
@@ -1076,7 +1076,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
@@ -1087,7 +1087,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 3);
         load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -1098,7 +1098,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_block)(
         const doubles theta_dot0 = omega[0] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[2] * cos_angles_0 - omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 3);
         store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
@@ -1123,7 +1123,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
@@ -1134,7 +1134,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 3);
         load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -1146,7 +1146,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_blockf)(
         const floats theta_dot0 = omega[0] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[2] * cos_angles_0 - omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 3);
         store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
@@ -1169,7 +1169,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -1198,7 +1198,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_block)(
         const doubles Q6 = t2 * cos_angles_2 - cos_angles_0 * sin_angles_2;
         const doubles Q8 = t2 * sin_angles_2 + cos_angles_0 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
@@ -1223,7 +1223,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -1252,7 +1252,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_blockf)(
         const floats Q6 = t2 * cos_angles_2 - cos_angles_0 * sin_angles_2;
         const floats Q8 = t2 * sin_angles_2 + cos_angles_0 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
@@ -1277,7 +1277,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -1296,7 +1296,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_block)(
         const doubles W5 = W7 * cos_angles_1;
         const doubles W8 = sin_angles_0 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, spread(1.0), spread(0.0), W2, spread(0.0));
         store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(0.0), W7);
         store_1(item1 + 8 * sizeof(double), step1, W8);
@@ -1321,7 +1321,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -1340,7 +1340,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_blockf)(
         const floats W5 = W7 * cos_angles_1;
         const floats W8 = sin_angles_0 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
         store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(0.0f), W7);
         store_1f(item1 + 8 * sizeof(float), step1, W8);
@@ -1365,7 +1365,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
@@ -1384,7 +1384,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_block)(
         const doubles W_body1 = -sin_angles_2;
         const doubles W_body6 = cos_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, spread(0.0), spread(1.0), W_body6, W_body7);
         store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
@@ -1409,7 +1409,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
@@ -1428,7 +1428,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_blockf)(
         const floats W_body1 = -sin_angles_2;
         const floats W_body6 = cos_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
@@ -1455,7 +1455,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
@@ -1466,7 +1466,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 3);
         load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -1477,7 +1477,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_block)(
         const doubles theta_dot0 = omega[0] + sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[2] * cos_angles_0 - omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 3);
         store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
@@ -1502,7 +1502,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
@@ -1513,7 +1513,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 3);
         load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -1525,7 +1525,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_blockf)(
         const floats theta_dot0 = omega[0] + sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[2] * cos_angles_0 - omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 3);
         store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
@@ -1548,7 +1548,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -1577,7 +1577,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_block)(
         const doubles Q6 = -(sin_angles_0 * cos_angles_2 + t2 * sin_angles_2);
         const doubles Q8 = t2 * cos_angles_2 - sin_angles_0 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
@@ -1602,7 +1602,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -1631,7 +1631,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_blockf)(
         const floats Q6 = -(sin_angles_0 * cos_angles_2 + t2 * sin_angles_2);
         const floats Q8 = t2 * cos_angles_2 - sin_angles_0 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
@@ -1656,7 +1656,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -1675,7 +1675,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_block)(
         const doubles W2 = sin_angles_0 * sin_angles_1;
         const doubles W8 = W1 * sin_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, spread(0.0), W1, W2, spread(1.0));
         store_4(item1 + 4 * sizeof(double), step1, spread(0.0), W5, spread(0.0), W7);
         store_1(item1 + 8 * sizeof(double), step1, W8);
@@ -1700,7 +1700,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -1719,7 +1719,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_blockf)(
         const floats W2 = sin_angles_0 * sin_angles_1;
         const floats W8 = W1 * sin_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
         store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
         store_1f(item1 + 8 * sizeof(float), step1, W8);
@@ -1744,7 +1744,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
@@ -1763,7 +1763,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_block)(
         const doubles W_body0 = sin_angles_1 * W_body7;
         const doubles W_body6 = -(sin_angles_1 * W_body1);
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, spread(0.0), spread(1.0), W_body6, W_body7);
         store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
@@ -1788,7 +1788,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
@@ -1807,7 +1807,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_blockf)(
         const floats W_body0 = sin_angles_1 * W_body7;
         const floats W_body6 = -(sin_angles_1 * W_body1);
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
@@ -1834,7 +1834,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
@@ -1845,7 +1845,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 3);
         load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -1856,7 +1856,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_block)(
         const doubles theta_dot0 = omega[1] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * cos_angles_0 - omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 3);
         store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
@@ -1881,7 +1881,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
@@ -1892,7 +1892,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 3);
         load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -1904,7 +1904,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_blockf)(
         const floats theta_dot0 = omega[1] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * cos_angles_0 - omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 3);
         store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
@@ -1927,7 +1927,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -1956,7 +1956,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_block)(
         const doubles Q6 = t2 * sin_angles_2 - sin_angles_0 * cos_angles_2;
         const doubles Q7 = sin_angles_0 * sin_angles_2 + t2 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
@@ -1981,7 +1981,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -2010,7 +2010,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_blockf)(
         const floats Q6 = t2 * sin_angles_2 - sin_angles_0 * cos_angles_2;
         const floats Q7 = sin_angles_0 * sin_angles_2 + t2 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
@@ -2035,7 +2035,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -2054,7 +2054,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_block)(
         const doubles W2 = sin_angles_0 * cos_angles_1;
         const doubles W8 = W1 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, spread(0.0), W1, W2, spread(1.0));
         store_4(item1 + 4 * sizeof(double), step1, spread(0.0), W5, spread(0.0), W7);
         store_1(item1 + 8 * sizeof(double), step1, W8);
@@ -2079,7 +2079,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -2098,7 +2098,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_blockf)(
         const floats W2 = sin_angles_0 * cos_angles_1;
         const floats W8 = W1 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
         store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
         store_1f(item1 + 8 * sizeof(float), step1, W8);
@@ -2123,7 +2123,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
@@ -2142,7 +2142,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_block)(
         const doubles W_body4 = -sin_angles_2;
         const doubles W_body3 = cos_angles_1 * W_body1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, spread(0.0));
         store_1(item1 + 8 * sizeof(double), step1, spread(1.0));
@@ -2167,7 +2167,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
@@ -2186,7 +2186,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_blockf)(
         const floats W_body4 = -sin_angles_2;
         const floats W_body3 = cos_angles_1 * W_body1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(1.0f));
@@ -2213,7 +2213,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
@@ -2224,7 +2224,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 3);
         load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -2235,7 +2235,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_block)(
         const doubles theta_dot0 = omega[1] + sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * cos_angles_0 - omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 3);
         store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
@@ -2260,7 +2260,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
@@ -2271,7 +2271,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 3);
         load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -2283,7 +2283,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_blockf)(
         const floats theta_dot0 = omega[1] + sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * cos_angles_0 - omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 3);
         store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
@@ -2306,7 +2306,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -2335,7 +2335,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_block)(
         const doubles Q7 = t2 * cos_angles_2 + cos_angles_0 * sin_angles_2;
         const doubles Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
@@ -2360,7 +2360,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -2389,7 +2389,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_blockf)(
         const floats Q7 = t2 * cos_angles_2 + cos_angles_0 * sin_angles_2;
         const floats Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
@@ -2414,7 +2414,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -2433,7 +2433,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_block)(
         const doubles W2 = W7 * cos_angles_1;
         const doubles W8 = -(W1 * cos_angles_1);
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, spread(0.0), W1, W2, spread(1.0));
         store_4(item1 + 4 * sizeof(double), step1, spread(0.0), W5, spread(0.0), W7);
         store_1(item1 + 8 * sizeof(double), step1, W8);
@@ -2458,7 +2458,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -2477,7 +2477,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_blockf)(
         const floats W2 = W7 * cos_angles_1;
         const floats W8 = -(W1 * cos_angles_1);
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
         store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
         store_1f(item1 + 8 * sizeof(float), step1, W8);
@@ -2502,7 +2502,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
@@ -2521,7 +2521,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_block)(
         const doubles W_body4 = sin_angles_2;
         const doubles W_body6 = -(cos_angles_1 * W_body4);
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, W_body0, spread(0.0), spread(1.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, W_body7);
         store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
@@ -2546,7 +2546,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
@@ -2565,7 +2565,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_blockf)(
         const floats W_body4 = sin_angles_2;
         const floats W_body6 = -(cos_angles_1 * W_body4);
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, W_body7);
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
@@ -2592,7 +2592,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
@@ -2603,7 +2603,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 3);
         load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -2614,7 +2614,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_block)(
         const doubles theta_dot0 = omega[1] - sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * sin_angles_0 + omega[2] * cos_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 3);
         store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
@@ -2639,7 +2639,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
@@ -2650,7 +2650,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 3);
         load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -2662,7 +2662,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_blockf)(
         const floats theta_dot0 = omega[1] - sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * sin_angles_0 + omega[2] * cos_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 3);
         store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
@@ -2685,7 +2685,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -2714,7 +2714,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_block)(
         const doubles Q6 = -(t2 * cos_angles_2 + cos_angles_0 * sin_angles_2);
         const doubles Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
@@ -2739,7 +2739,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -2768,7 +2768,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_blockf)(
         const floats Q6 = -(t2 * cos_angles_2 + cos_angles_0 * sin_angles_2);
         const floats Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
@@ -2793,7 +2793,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -2812,7 +2812,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_block)(
         const doubles W2 = -(W7 * sin_angles_1);
         const doubles W8 = W1 * sin_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, spread(0.0), W1, W2, spread(1.0));
         store_4(item1 + 4 * sizeof(double), step1, spread(0.0), W5, spread(0.0), W7);
         store_1(item1 + 8 * sizeof(double), step1, W8);
@@ -2837,7 +2837,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -2856,7 +2856,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_blockf)(
         const floats W2 = -(W7 * sin_angles_1);
         const floats W8 = W1 * sin_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
         store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
         store_1f(item1 + 8 * sizeof(float), step1, W8);
@@ -2881,7 +2881,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
@@ -2900,7 +2900,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_block)(
         const doubles W_body1 = -sin_angles_2;
         const doubles W_body6 = sin_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, spread(0.0), spread(1.0), W_body6, W_body7);
         store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
@@ -2925,7 +2925,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
@@ -2944,7 +2944,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_blockf)(
         const floats W_body1 = -sin_angles_2;
         const floats W_body6 = sin_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
@@ -2971,7 +2971,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
@@ -2982,7 +2982,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 3);
         load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -2993,7 +2993,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_block)(
         const doubles theta_dot0 = omega[1] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * sin_angles_0 + omega[2] * cos_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 3);
         store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
@@ -3018,7 +3018,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
@@ -3029,7 +3029,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 3);
         load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -3041,7 +3041,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_blockf)(
         const floats theta_dot0 = omega[1] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * sin_angles_0 + omega[2] * cos_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 3);
         store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
@@ -3064,7 +3064,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -3093,7 +3093,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_block)(
         const doubles Q6 = -(cos_angles_1 * sin_angles_2);
         const doubles Q8 = cos_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
@@ -3118,7 +3118,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -3147,7 +3147,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_blockf)(
         const floats Q6 = -(cos_angles_1 * sin_angles_2);
         const floats Q8 = cos_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
@@ -3172,7 +3172,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -3191,7 +3191,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_block)(
         const doubles W2 = -(W4 * cos_angles_1);
         const doubles W5 = W1 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, spread(0.0), W1, W2, spread(0.0));
         store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(1.0), spread(0.0));
         store_1(item1 + 8 * sizeof(double), step1, W8);
@@ -3216,7 +3216,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -3235,7 +3235,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_blockf)(
         const floats W2 = -(W4 * cos_angles_1);
         const floats W5 = W1 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
         store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
         store_1f(item1 + 8 * sizeof(float), step1, W8);
@@ -3260,7 +3260,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
@@ -3279,7 +3279,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_block)(
         const doubles W_body0 = -(cos_angles_1 * W_body7);
         const doubles W_body6 = cos_angles_1 * W_body1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, spread(0.0), spread(1.0), W_body6, W_body7);
         store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
@@ -3304,7 +3304,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
@@ -3323,7 +3323,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_blockf)(
         const floats W_body0 = -(cos_angles_1 * W_body7);
         const floats W_body6 = cos_angles_1 * W_body1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
@@ -3350,7 +3350,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
@@ -3361,7 +3361,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 3);
         load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -3372,7 +3372,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_block)(
         const doubles theta_dot0 = omega[2] - sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * cos_angles_0 + omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 3);
         store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
@@ -3397,7 +3397,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
@@ -3408,7 +3408,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 3);
         load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -3420,7 +3420,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_blockf)(
         const floats theta_dot0 = omega[2] - sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * cos_angles_0 + omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 3);
         store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
@@ -3443,7 +3443,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -3472,7 +3472,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_block)(
         const doubles Q6 = sin_angles_1 * sin_angles_2;
         const doubles Q7 = sin_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
@@ -3497,7 +3497,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -3526,7 +3526,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_blockf)(
         const floats Q6 = sin_angles_1 * sin_angles_2;
         const floats Q7 = sin_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
@@ -3551,7 +3551,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -3570,7 +3570,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_block)(
         const doubles W2 = W4 * sin_angles_1;
         const doubles W5 = -(W1 * sin_angles_1);
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, spread(0.0), W1, W2, spread(0.0));
         store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(1.0), spread(0.0));
         store_1(item1 + 8 * sizeof(double), step1, W8);
@@ -3595,7 +3595,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -3614,7 +3614,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_blockf)(
         const floats W2 = W4 * sin_angles_1;
         const floats W5 = -(W1 * sin_angles_1);
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
         store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
         store_1f(item1 + 8 * sizeof(float), step1, W8);
@@ -3639,7 +3639,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
@@ -3658,7 +3658,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_block)(
         const doubles W_body4 = -sin_angles_2;
         const doubles W_body3 = sin_angles_1 * W_body1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, spread(0.0));
         store_1(item1 + 8 * sizeof(double), step1, spread(1.0));
@@ -3683,7 +3683,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
@@ -3702,7 +3702,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_blockf)(
         const floats W_body4 = -sin_angles_2;
         const floats W_body3 = sin_angles_1 * W_body1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(1.0f));
@@ -3729,7 +3729,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
@@ -3740,7 +3740,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 3);
         load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -3751,7 +3751,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_block)(
         const doubles theta_dot0 = omega[2] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * cos_angles_0 + omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 3);
         store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
@@ -3776,7 +3776,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
@@ -3787,7 +3787,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 3);
         load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -3799,7 +3799,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_blockf)(
         const floats theta_dot0 = omega[2] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * cos_angles_0 + omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 3);
         store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
@@ -3822,7 +3822,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -3851,7 +3851,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_block)(
         const doubles Q7 = cos_angles_1 * sin_angles_2;
         const doubles Q8 = cos_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
@@ -3876,7 +3876,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -3905,7 +3905,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_blockf)(
         const floats Q7 = cos_angles_1 * sin_angles_2;
         const floats Q8 = cos_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
@@ -3930,7 +3930,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -3949,7 +3949,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_block)(
         const doubles W2 = W4 * cos_angles_1;
         const doubles W5 = sin_angles_0 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, spread(0.0), W1, W2, spread(0.0));
         store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(1.0), spread(0.0));
         store_1(item1 + 8 * sizeof(double), step1, W8);
@@ -3974,7 +3974,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -3993,7 +3993,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_blockf)(
         const floats W2 = W4 * cos_angles_1;
         const floats W5 = sin_angles_0 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
         store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
         store_1f(item1 + 8 * sizeof(float), step1, W8);
@@ -4018,7 +4018,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
@@ -4037,7 +4037,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_block)(
         const doubles W_body7 = -sin_angles_2;
         const doubles W_body6 = cos_angles_1 * W_body4;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, W_body0, spread(0.0), spread(1.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, W_body7);
         store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
@@ -4062,7 +4062,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
@@ -4081,7 +4081,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_blockf)(
         const floats W_body7 = -sin_angles_2;
         const floats W_body6 = cos_angles_1 * W_body4;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, W_body7);
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
@@ -4108,7 +4108,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
@@ -4119,7 +4119,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 3);
         load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -4130,7 +4130,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_block)(
         const doubles theta_dot0 = omega[2] + sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[1] * cos_angles_0 - omega[0] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 3);
         store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
@@ -4155,7 +4155,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
@@ -4166,7 +4166,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 3);
         load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -4178,7 +4178,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_blockf)(
         const floats theta_dot0 = omega[2] + sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[1] * cos_angles_0 - omega[0] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 3);
         store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
@@ -4201,7 +4201,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_3(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -4230,7 +4230,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_block)(
         const doubles Q6 = -(sin_angles_1 * cos_angles_2);
         const doubles Q7 = sin_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, Q0, Q1, Q2, Q3);
         store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
         store_1(item1 + 8 * sizeof(double), step1, Q8);
@@ -4255,7 +4255,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_3f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -4284,7 +4284,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_blockf)(
         const floats Q6 = -(sin_angles_1 * cos_angles_2);
         const floats Q7 = sin_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, Q0, Q1, Q2, Q3);
         store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
         store_1f(item1 + 8 * sizeof(float), step1, Q8);
@@ -4309,7 +4309,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -4328,7 +4328,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_block)(
         const doubles W2 = W4 * sin_angles_1;
         const doubles W5 = sin_angles_0 * sin_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, spread(0.0), W1, W2, spread(0.0));
         store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(1.0), spread(0.0));
         store_1(item1 + 8 * sizeof(double), step1, W8);
@@ -4353,7 +4353,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
@@ -4372,7 +4372,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_blockf)(
         const floats W2 = W4 * sin_angles_1;
         const floats W5 = sin_angles_0 * sin_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
         store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
         store_1f(item1 + 8 * sizeof(float), step1, W8);
@@ -4397,7 +4397,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
@@ -4416,7 +4416,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_block)(
         const doubles W_body1 = sin_angles_2;
         const doubles W_body3 = sin_angles_1 * W_body1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, LANES * step1);
+        prefetch_to_write(item1, 9);
         store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
         store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, spread(0.0));
         store_1(item1 + 8 * sizeof(double), step1, spread(1.0));
@@ -4441,7 +4441,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
@@ -4460,7 +4460,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_blockf)(
         const floats W_body1 = sin_angles_2;
         const floats W_body3 = sin_angles_1 * W_body1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, LANESF * step1);
+        prefetch_to_write(item1, 9);
         store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
         store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
         store_1f(item1 + 8 * sizeof(float), step1, spreadf(1.0f));
@@ -4487,7 +4487,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
-        prefetch(item0, LANES * step0);
+        prefetch(item0, 3);
         load_2(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
@@ -4498,7 +4498,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_block)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
-        prefetch(item1, LANES * step1);
+        prefetch(item1, 3);
         load_3(item1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
@@ -4509,7 +4509,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_block)(
         const doubles theta_dot0 = omega[2] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[1] * cos_angles_0 - omega[0] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, LANES * step2);
+        prefetch_to_write(item2, 3);
         store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
@@ -4534,7 +4534,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
-        prefetch(item0, LANESF * step0);
+        prefetch(item0, 3);
         load_2f(item0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
@@ -4545,7 +4545,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_blockf)(
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
-        prefetch(item1, LANESF * step1);
+        prefetch(item1, 3);
         load_3f(item1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
@@ -4557,7 +4557,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_blockf)(
         const floats theta_dot0 = omega[2] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[1] * cos_angles_0 - omega[0] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, LANESF * step2);
+        prefetch_to_write(item2, 3);
         store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }

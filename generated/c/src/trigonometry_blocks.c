@@ -171,6 +171,10 @@ void CHASLES_LEVELED(chasles_sincosf)(
 
 void CHASLES_LEVELED(chasles_directions)(doubles *y, const doubles *x)
 {
+    if (alike(*x) && alike(*y)) {
+        *y = spread(atan2((*y)[0], (*x)[0]));
+        return;
+    }
     for (int i = 0; i < LANES; i++) {
         (*y)[i] = atan2((*y)[i], (*x)[i]);
     }
@@ -178,6 +182,10 @@ void CHASLES_LEVELED(chasles_directions)(doubles *y, const doubles *x)
 
 void CHASLES_LEVELED(chasles_directionsf)(floats *y, const floats *x)
 {
+    if (alikef(*x) && alikef(*y)) {
+        *y = spreadf(atan2f((*y)[0], (*x)[0]));
+        return;
+    }
     for (int i = 0; i < LANESF; i++) {
         (*y)[i] = atan2f((*y)[i], (*x)[i]);
     }

@@ -131,6 +131,17 @@ CHASLES_INLINE doubles roots(doubles x)
 #endif
 }
 
+/* Whether all lanes hold the same number, as where an item is computed alone. */
+CHASLES_INLINE int alike(doubles x)
+{
+    const truths apart = (truths)x ^ (truths)spread(x[0]);
+    long long any = 0;
+    for (int i = 0; i < LANES; i++) {
+        any |= apart[i];
+    }
+    return !any;
+}
+
 CHASLES_INLINE truths less(doubles a, doubles b)
 {
     return (truths)(a < b);
@@ -165,6 +176,17 @@ CHASLES_INLINE floats rootsf(floats x)
 #undef AT
     return all;
 #endif
+}
+
+/* Whether all lanes hold the same number, as where an item is computed alone. */
+CHASLES_INLINE int alikef(floats x)
+{
+    const truthsf apart = (truthsf)x ^ (truthsf)spreadf(x[0]);
+    long long any = 0;
+    for (int i = 0; i < LANESF; i++) {
+        any |= apart[i];
+    }
+    return !any;
 }
 
 CHASLES_INLINE truthsf lessf(floats a, floats b)
@@ -215,26 +237,26 @@ typedef float packed_floats __attribute__((vector_size(64), aligned(sizeof(float
 #define PACKEDF_IN(at, k) (*(const packed_floats *)((at) + 64 * (k)))
 #endif
 
-/* Where items lie one after the other: asks for `bytes` that are soon read, and for memory that is soon written. */
-CHASLES_INLINE void prefetch(const char *at, ptrdiff_t bytes)
+/* Asks for so many registers that are soon read, and for memory that is soon written, as if there were no gaps. */
+CHASLES_INLINE void prefetch(const char *at, ptrdiff_t registers)
 {
 #if CHASLES_REGISTER == 64
-    for (ptrdiff_t k = 0; k < bytes; k += CHASLES_LINE) {
+    for (ptrdiff_t k = 0; k < registers * CHASLES_LINE; k += CHASLES_LINE) {
         __builtin_prefetch(at + 16 * CHASLES_LINE + k);
     }
 #else
-    (void)at, (void)bytes;
+    (void)at, (void)registers;
 #endif
 }
 
-CHASLES_INLINE void prefetch_to_write(const char *at, ptrdiff_t bytes)
+CHASLES_INLINE void prefetch_to_write(const char *at, ptrdiff_t registers)
 {
 #if CHASLES_REGISTER == 64
-    for (ptrdiff_t k = 0; k < bytes; k += CHASLES_LINE) {
+    for (ptrdiff_t k = 0; k < registers * CHASLES_LINE; k += CHASLES_LINE) {
         __asm__ volatile("prefetchw %0" : : "m"(at[8 * CHASLES_LINE + k]));
     }
 #else
-    (void)at, (void)bytes;
+    (void)at, (void)registers;
 #endif
 }
 
@@ -522,6 +544,9 @@ void CHASLES_LEVELED(chasles_directionsf)(floats *y, const floats *x);
 #define CHASLES_LANEWISE_1(name) \
     CHASLES_INLINE doubles name##_of(doubles x) \
     { \
+        if (alike(x)) { \
+            return spread(name(x[0])); \
+        } \
         for (int i = 0; i < LANES; i++) { \
             x[i] = name(x[i]); \
         } \
@@ -529,6 +554,9 @@ void CHASLES_LEVELED(chasles_directionsf)(floats *y, const floats *x);
     } \
     CHASLES_INLINE floats name##_off(floats x) \
     { \
+        if (alikef(x)) { \
+            return spreadf(name##f(x[0])); \
+        } \
         for (int i = 0; i < LANESF; i++) { \
             x[i] = name##f(x[i]); \
         } \
@@ -537,6 +565,9 @@ void CHASLES_LEVELED(chasles_directionsf)(floats *y, const floats *x);
 #define CHASLES_LANEWISE_2(name) \
     CHASLES_INLINE doubles name##_of(doubles x, doubles y) \
     { \
+        if (alike(x) && alike(y)) { \
+            return spread(name(x[0], y[0])); \
+        } \
         for (int i = 0; i < LANES; i++) { \
             x[i] = name(x[i], y[i]); \
         } \
@@ -544,6 +575,9 @@ void CHASLES_LEVELED(chasles_directionsf)(floats *y, const floats *x);
     } \
     CHASLES_INLINE floats name##_off(floats x, floats y) \
     { \
+        if (alikef(x) && alikef(y)) { \
+            return spreadf(name##f(x[0], y[0])); \
+        } \
         for (int i = 0; i < LANESF; i++) { \
             x[i] = name##f(x[i], y[i]); \
         } \

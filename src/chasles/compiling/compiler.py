@@ -29,8 +29,6 @@ _INCLUDES = ("-Iinclude", "-Isrc")
 _CONTRACTED = "src/trigonometry_blocks.c"
 _CIRCULAR = ("chasles_sincos", "sine_of", "directions")
 """What blocks take from there: `cosine_of` holds the second."""
-_PACKED = "CHASLES_STEP"
-"""What is in blocks of which those of x86-64-v4 leave items with gaps to those of x86-64-v3."""
 _FIXED = ("src/batches.c", _CONTRACTED)
 _FIXED_HEADERS = ("src/batches.h", "src/vectors.h")
 """What knows no kernel, and so came with the package, or else is compiled once and kept."""
@@ -110,8 +108,6 @@ class Compiler:
     def _jobs(self, files: Mapping[str, str]) -> Iterator[_Job]:
         """Blocks for each level, the largest first, and other sources once: with the first, where that runs anyway."""
         count, least = len(self.levels), self.least
-        if any(_PACKED in text for path, text in files.items() if path.endswith("_blocks.c")):
-            least = min(least, 1)
         shared = (*_ALWAYS, *_INCLUDES, f"-DCHASLES_LEVELS={count}", *([f"-DCHASLES_LEAST={least}"] if least else ()))
         sources = sorted(path for path in files if path.endswith(".c"))
         blocks = [path for path in sources if path.endswith("_blocks.c")]

@@ -96,7 +96,7 @@ def _on_registers(program: Program, precision: Precision) -> Iterator[str]:
     yield from _indented(text.lines)
     for place, entries in enumerate(text.entries, start=inputs):
         yield f"    {_item(place, 'char', precision)}"
-        yield f"    prefetch_to_write(item{place}, LANES{precision.suffix.upper()} * step{place});"
+        yield f"    prefetch_to_write(item{place}, {len(entries)});"
         yield from _indented(_stores(place, entries, precision))
     yield "    stream_lines(&copied);"
     yield "}"
@@ -180,7 +180,7 @@ def _loads(program: Program, text: Spelled, inputs: int, precision: Precision) -
             continue
         yield f"{register(precision)} {name}{f'[{size}]' if item.shape else ''};"
         yield _item(place, "const char", precision)
-        yield f"prefetch(item{place}, LANES{precision.suffix.upper()} * step{place});"
+        yield f"prefetch(item{place}, {size});"
         for number, width in _runs(wanted):
             entry = wanted[number]
             target = name if item.shape and not entry else f"&{name}[{entry}]" if item.shape else f"&{name}"

@@ -19,7 +19,7 @@ class Loop:
     name: str
     number: str
     silent: int
-    gaps: int
+    gaps: str
     inputs: int
     operands: int
     shapes: tuple[str, ...]
@@ -45,7 +45,7 @@ def loop(kernel: TargetKernel, precision: Precision, *, gaps: bool = False) -> L
         name=name,
         number=precision.name,
         silent=int(any(step.op is Op.NOT_A_NUMBER for step in program.steps)),
-        gaps=int(gaps or bool(parts_of(program).parts)),
+        gaps="2" if gaps or parts_of(program).parts else "CHASLES_GAPS",
         inputs=len(program.arguments),
         operands=len(program.parameters),
         shapes=listed(f"static const chasles_shape {name}_shapes[] = {{", shapes, "};", closing_line=True),

@@ -19,7 +19,7 @@ _USED = """
     stream_lines prefetch prefetch_to_write
 """
 _CALLED = """
-    spread roots less equal choose row put_row sine_of cosine_of directions
+    spread roots alike less equal choose row put_row sine_of cosine_of directions
     fabs_of load_1 load_2 load_3 load_4 store_1 store_2 store_3 store_4
 """
 _MOST_OPERANDS = 64
