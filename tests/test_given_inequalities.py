@@ -17,6 +17,8 @@ X = sp.Symbol("X")
 p = sp.Symbol("p", positive=True)
 n = sp.Symbol("n", integer=True)
 Z = sp.Symbol("Z", complex=True)
+a, b = sp.symbols("a b", real=True)
+w, q, m, c, k = sp.symbols("w q m c k", positive=True)
 t, s = sp.symbols("t s")
 f, g = (sp.Function(name)(t) for name in "fg")
 TRUE: list[tuple[Any, Any, list[Any]]] = [
@@ -56,6 +58,17 @@ TRUE: list[tuple[Any, Any, list[Any]]] = [
     (acos(cos(p)), p, [p <= pi]),
     (acos(cos(x)), x, [x > pi / 4, x <= pi / 2]),
 ]
+FAST = (a + b) / (1 + a * b)
+DAMPED = sp.exp(-q * w * t) * cos(w * sqrt(1 - q**2) * t)
+BETWEEN: list[tuple[Any, Any, list[Any]]] = [
+    (1 / sqrt(1 - FAST**2), (1 + a * b) / sqrt(1 - a**2) / sqrt(1 - b**2), [Abs(a) < 1, Abs(b) < 1]),
+    (sp.atanh(a) + sp.atanh(b), sp.atanh(FAST), [a > -1, a < 1, b > -1, b < 1]),
+    (DAMPED.diff(t, 2) + 2 * q * w * DAMPED.diff(t), -(w**2) * DAMPED, [q < 1]),
+    (sqrt(m**2 - 2 * m * k + k**2), m - k, [m > k]),
+    (sqrt((x - y) ** 2) + sqrt((z - x) ** 2), z - y, [x >= y, x < z]),
+    (sqrt((4 * k * m - c**2) ** 2), 4 * k * m - c**2, [c**2 < 4 * k * m]),
+    (Abs(x), x, [x > 1, x <= 3]),
+]
 FALSE: list[tuple[Any, Any, list[Any]]] = [
     (sqrt(x**2), x, [x < 0]),
     (sqrt(x**2), x, [x > -1]),
@@ -71,11 +84,19 @@ FALSE: list[tuple[Any, Any, list[Any]]] = [
 ]
 
 
-@pytest.mark.parametrize(("left", "right", "given"), TRUE, ids=str)
+@pytest.mark.parametrize(("left", "right", "given"), [*TRUE, *BETWEEN], ids=str)
 def test_what_holds_where_they_do_is_proved(left: Any, right: Any, given: list[Any]) -> None:
     verdict = prove(left, right, given)
     assert isinstance(verdict, Holds | HoldsUnder)
     recheck(verdict, left, right, given)
+
+
+@pytest.mark.parametrize(("left", "right", "given"), [BETWEEN[k] for k in (0, 1, 2, 4, 6)], ids=str)
+def test_the_verdict_says_between_what_a_symbol_is(left: Any, right: Any, given: list[Any]) -> None:
+    verdict = prove(left, right, given)
+    assert isinstance(verdict, HoldsUnder)
+    assert any(" = " in need and "d_1" in need for need in verdict.needs)
+    assert not verdict.unused
 
 
 @pytest.mark.parametrize(("left", "right", "given"), FALSE, ids=str)

@@ -37,21 +37,9 @@ if TYPE_CHECKING:
 
 __version__ = "0.2.0"
 __all__ = [
-    "__version__",
-    "chapter",
-    "checked",
-    "compile",
-    "decide",
-    "derive",
-    "kernel",
-    "kernels",
-    "load",
-    "practice",
-    "prove",
-    "read",
-    "repair",
-    "solve",
-]
+    "__version__", "chapter", "checked", "compile", "decide", "derive", "kernel", "kernels", "load", "practice",
+    "prove", "read", "repair", "solve",
+]  # fmt: skip
 
 # Name -> the module that holds what has that name.
 _HELD = {

@@ -16,7 +16,7 @@ from chasles.from_sympy import Question, ask
 from chasles.from_sympy.complex_symbols import by_parts
 from chasles.from_sympy.contradiction import contradiction
 from chasles.from_sympy.decimals import as_decimals
-from chasles.from_sympy.inequalities import without_inequalities
+from chasles.from_sympy.inequalities import definitions, without_inequalities
 from chasles.from_sympy.splitting import Splitting
 from chasles.problems.context import build
 from chasles.problems.variables import Untreatable
@@ -42,8 +42,8 @@ def prove(lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), budget: float 
         rhs: one of the same shape.
         given: equations that hold, as `Eq(a, b)` or as expressions or matrices that are zero, one or a list of them,
             or the values of symbols as `{x: 1}`; between functions of time they hold at all times. Inequalities may be
-            among them; of `a > b` the verdict speaks as a = b + d_1, with a positive symbol d_1, and of an angle
-            between two multiples of pi by its tangent, sine or direction.
+            among them; of `a > b` the verdict speaks as a = b + d_1, with a positive symbol d_1, of `a < x < b` as
+            x = (a + b d_1)/(1 + d_1), and of an angle between two multiples of pi by its tangent, sine or direction.
         nonzero: scalars that do not vanish. Divisors need not be named: the verdict's `needs` lists them.
         budget: seconds after which the verdict is `Undecided`. Without it only the work is limited, so that the verdict
             does not depend on the machine.
@@ -59,12 +59,20 @@ def prove(lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), budget: float 
         Untreatable: a ValueError that names what is not treated.
     """
     try:
-        asked = _asked(exact, lhs, rhs, given, nonzero)
+        said = _said(exact, lhs, rhs, given, nonzero)
+        asked = without_inequalities(said)
         with within(EFFORT, budget):
             verdict = _verdict(*asked)
     except OutOfTime as error:
         return Undecided(str(error))
-    return replace(verdict, asked=asked) if isinstance(verdict, Holds | HoldsUnder) else verdict
+    except RecursionError as error:
+        raise Untreatable("it is nested too deeply, or SymPy does not come to an end with it") from error
+    if not isinstance(verdict, Holds | HoldsUnder):
+        return verdict
+    if used := [text for text in definitions(said, asked) if text in verdict.unused]:
+        unused = tuple(text for text in verdict.unused if text not in used)
+        verdict = HoldsUnder((*used, *verdict.needs), verdict.certificate, verdict.witness, unused)
+    return replace(verdict, asked=asked)
 
 
 def _verdict(*asked: Any) -> Verdict:
@@ -107,13 +115,10 @@ def _followed(verdict: Verdict, asked: tuple[Any, ...]) -> Verdict:
     return verdict
 
 
-def _asked(exact: bool, *said: Any) -> tuple[Any, ...]:
-    """What was asked: iterators written out, which are read more than once, complex symbols by parts, all as equations.
-
-    Raises `Untreatable` for what cannot be said so.
-    """
+def _said(exact: bool, *said: Any) -> tuple[Any, ...]:
+    """What was said: iterators written out, which are read more than once, and complex symbols by parts."""
     said = tuple(tuple(each) if isinstance(each, Iterator) else each for each in said)
-    return without_inequalities(by_parts(tuple(map(as_decimals, said)) if exact else said))
+    return by_parts(tuple(map(as_decimals, said)) if exact else said)
 
 
 def recheck(verdict: Verdict, lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), exact: bool = False) -> None:
@@ -122,11 +127,12 @@ def recheck(verdict: Verdict, lhs: Any, rhs: Any, given: Any = (), nonzero: Any 
     A certificate proves what was asked from the verdict's `needs`, which the witness satisfies; a counterexample
     satisfies what is given, and the two sides differ there. Raises `Rejected` with the reason if not.
     """
+    asked = without_inequalities(_said(exact, lhs, rhs, given, nonzero))
     match verdict:
         case Holds() | HoldsUnder():
-            check_proof(verdict, *_asked(exact, lhs, rhs, given, nonzero))
+            check_proof(verdict, *asked)
         case Fails(found):
-            check_refutation(found, *_asked(exact, lhs, rhs, given, nonzero))
+            check_refutation(found, *asked)
         case _:
             raise TypeError(f"the verdict is {verdict.name}: only what holds or fails can be checked")
 

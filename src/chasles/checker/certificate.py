@@ -12,7 +12,7 @@ from typing import Any
 from chasles.checker.division import Division, divided, solved_for
 from chasles.checker.quantities import squeezed
 from chasles.checker.reading import Reading
-from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, cleared, parsed, powered, variable
+from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, cleared, parsed, powered, variable, well_formed
 from chasles.checker.witness import point_of, require
 from chasles.statements import Inverse, Problem, Statement, Theorem, problem_of
 from chasles.statements.goals import AcceptedSides
@@ -36,13 +36,9 @@ def check(
         problems = dict(problems_of_inverse(said, accepted))
     else:
         problems = {"": said if isinstance(said, Problem) else problem_of(said, form, accepted)}
-    try:
+    with well_formed("certificate"):
         for says, problem in problems.items():
             _check(problem, certificate["branches"][says] if isinstance(said, Inverse) else certificate)
-    except Rejected:
-        raise
-    except (ArithmeticError, AttributeError, LookupError, RecursionError, TypeError, ValueError) as error:
-        raise Rejected(f"the certificate is malformed: {type(error).__name__}: {error}") from error
 
 
 def _check(problem: Problem, certificate: Mapping[str, Any]) -> None:

@@ -7,7 +7,7 @@ from typing import Any
 
 from chasles.checker.quantities import squeezed
 from chasles.checker.reading import Reading
-from chasles.checker.sparse import ONE, Polynomial, Rejected, exponents, parsed, product, variable
+from chasles.checker.sparse import ONE, Polynomial, Rejected, exponents, parsed, product, variable, well_formed
 from chasles.statements import Problem
 
 
@@ -16,7 +16,7 @@ def check_contradiction(problem: Problem, hypotheses: Collection[str], certifica
 
     What does not vanish is a combination of what does; or it is positive, and up to such a combination not above zero.
     """
-    try:
+    with well_formed("certificate"):
         known = tuple(hypothesis for hypothesis in problem.hypotheses if hypothesis.text in hypotheses)
         if {hypothesis.text for hypothesis in known} != {*hypotheses}:
             raise Rejected("what is said to contradict itself is not assumed")
@@ -32,10 +32,6 @@ def check_contradiction(problem: Problem, hypotheses: Collection[str], certifica
             total -= parsed(cofactor, reading.places) * reading.vanishing[label]
         if total and not (is_positive and _is_nonnegative(reading, -total)):
             raise Rejected("the certificate shows no contradiction")
-    except Rejected:
-        raise
-    except (ArithmeticError, AttributeError, LookupError, RecursionError, TypeError, ValueError) as error:
-        raise Rejected(f"the certificate is malformed: {type(error).__name__}: {error}") from error
 
 
 def _is_nonnegative(reading: Reading, polynomial: Polynomial) -> bool:

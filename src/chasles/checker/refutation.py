@@ -15,7 +15,7 @@ from chasles.checker.elimination import eliminated
 from chasles.checker.expansion import Formless
 from chasles.checker.motion import require_motion
 from chasles.checker.reading import Reading
-from chasles.checker.sparse import ZERO, Polynomial, Rejected, cleared, product
+from chasles.checker.sparse import ZERO, Polynomial, Rejected, cleared, product, well_formed
 from chasles.checker.witness import Point, point_of, require, value_at
 from chasles.statements import Goal, Problem
 from chasles.vocabulary import Node
@@ -40,14 +40,13 @@ def check_counterexample(problem: Problem, shown: Shown) -> None:
         check_at_sizes(problem, shown)
         return
     try:
-        reasons = list(_objections(problem, shown))
+        with well_formed("counterexample"):
+            reasons = list(_objections(problem, shown))
     except Formless:
         from chasles.checker.expressions.scalars import check_scalar_counterexample  # loads SymPy
 
         check_scalar_counterexample(problem, shown)
         return
-    except (ArithmeticError, AttributeError, LookupError, RecursionError, TypeError, ValueError) as error:
-        raise Rejected(f"the counterexample is malformed: {type(error).__name__}: {error}") from error
     if all(reasons):
         raise Rejected(reasons[0] if reasons else f"no equation of the statement is called {shown.goal!r}")
 

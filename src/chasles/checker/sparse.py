@@ -2,15 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from fractions import Fraction
 from functools import reduce
 from math import lcm
 from operator import add, mul, or_
 
+MALFORMED = (ArithmeticError, AssertionError, AttributeError, LookupError, RecursionError, TypeError, ValueError)
+
 
 class Rejected(ValueError):
     """What was to be checked does not show what it says; the message says why."""
+
+
+@contextmanager
+def well_formed(what: str) -> Iterator[None]:
+    """Whatever goes wrong in reading `what` is malformed, and `Rejected`."""
+    try:
+        yield
+    except Rejected:
+        raise
+    except MALFORMED as error:
+        raise Rejected(f"the {what} is malformed: {type(error).__name__}: {error}") from error
 
 
 class Polynomial:

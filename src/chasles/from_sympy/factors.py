@@ -55,6 +55,8 @@ def factors_of(value: Any) -> list[tuple[Any, Any, Any]]:
 def _parts(base: Any) -> list[tuple[Any, int]]:
     """A product, a quotient of numbers or a sum by its factors."""
     if base.is_Add and base.count_ops() <= MOST_OPERATIONS:
+        base = sympy.expand(base)
+    if base.is_Add and base.count_ops() <= MOST_OPERATIONS:
         content, rest = sympy.factor_list(base)
         return [*rest, (content, 1)]
     if base.is_Mul:

@@ -6,7 +6,7 @@ cos(pi/n). Whatever holds for all values of the symbols holds for these.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from math import lcm
 from typing import Any
@@ -74,6 +74,15 @@ class General:
         """What symbols stand for that has to be defined."""
         return [meaning for meaning in self.meanings.values() if meaning.free_symbols]
 
+    def alike(self) -> Iterator[tuple[Any, Any, Any]]:
+        """Symbols, each with what multiple of an earlier one it seems to be."""
+        first: dict[Any, tuple[Any, Any]] = {}
+        for symbol, meaning in self.meanings.items():
+            multiple, rest = _canonical(meaning).as_coeff_Mul()
+            known, other = first.setdefault(rest, (symbol, multiple))
+            if known != symbol and meaning.free_symbols and (ratio := multiple / other).is_Rational:
+                yield symbol, ratio, known
+
     def _circular(self, e: Any) -> Any:
         above, below = CIRCULAR[type(e)]
         rest, turn = sympy.S.Zero, sympy.S.Zero
@@ -133,6 +142,12 @@ def is_root_of_number(e: Any) -> bool:
     if not (isinstance(e, sympy.Pow) and e.exp.is_Rational and e.exp.q > 1 and is_algebraic(e.base)):
         return False
     return any(part.exp.q > 2 for part in e.atoms(sympy.Pow)) and visible_sign(e.base) == 1
+
+
+def _canonical(e: Any) -> Any:
+    """The expression as a fraction of products, and radicands as well."""
+    roots = {p: sympy.factor(p.base) ** p.exp for p in e.atoms(sympy.Pow) if p.exp.is_Rational and p.exp.q > 1}
+    return sympy.factor(e.xreplace(roots))
 
 
 def _is_product(e: Any) -> bool:

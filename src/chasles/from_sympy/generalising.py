@@ -42,7 +42,10 @@ def generalised(
         met.append(general(general.met[len(met)]))
     if met and any(side.has(AppliedUndef) for pair in given for side in pair):
         return None
-    columns = [sympy.Matrix([*side, *met]) for side in sides]
+    equal = _equal(general, given, nonzero, decide)
+    put = {symbol: multiple * other for symbol, multiple, other, _ in equal}
+    columns = [sympy.Matrix([*side, *met]).xreplace(put) for side in sides]
+    equations, declared = ([e.xreplace(put) for e in said] for said in (equations, declared))
     facts = [*general.facts]
     while True:
         vanishing = [*general.roots, *((fact, sympy.S.Zero) for fact in facts)]
@@ -64,4 +67,18 @@ def generalised(
     certificate: dict[str, Any] = {"proof": verdict.certificate, "needs": list(verdict.needs)}
     if general.meanings or facts:
         certificate |= {"parts": general.parts, "facts": [str(fact.xreplace(general.meanings)) for fact in facts]}
-    return Proved(certificate, needs)
+    if equal:
+        certificate["equal"] = [[str(a), str(q), str(b), proved.certificate] for a, q, b, proved in equal]
+    return Proved(certificate, (*needs, *(text for *_, proved in equal for text in proved.needs)))
+
+
+def _equal(
+    general: General, given: Sequence[tuple[Any, Any]], nonzero: Sequence[Any], decide: Decide
+) -> list[tuple[Any, Any, Any, Proved]]:
+    """Symbols, each with a multiple of another one that it is, and the proof that what they stand for is equal."""
+    found = []
+    for symbol, multiple, other in general.alike():
+        sides = [general.meanings[symbol]], [multiple * general.meanings[other]]
+        if proved := generalised(*sides, given, nonzero, decide):
+            found.append((symbol, multiple, other, proved))
+    return found

@@ -11,9 +11,9 @@ from sympy.core.function import AppliedUndef
 
 from chasles.from_sympy.angles_between import between
 from chasles.from_sympy.atoms import ASSUMPTIONS
-from chasles.from_sympy.cases import eliminable
 from chasles.from_sympy.complex_symbols import expressions_in
-from chasles.from_sympy.decimals import with_values
+from chasles.from_sympy.decimals import each_replaced, with_values
+from chasles.from_sympy.divisors import CIRCULAR
 from chasles.from_sympy.opening import excerpt
 from chasles.from_sympy.side_conditions import listed
 from chasles.problems.variables import Untreatable
@@ -23,14 +23,17 @@ COMPARED = tuple(SIGNS)
 STRICT = sympy.Gt | sympy.Lt
 Said = tuple[Any, ...]
 """Both sides, the list of what is given, and the list of what does not vanish."""
+End = tuple[Any, bool, Any]
+"""What something is compared with, whether it is not equal to that, and the inequality that says so."""
 
 
 def without_inequalities(said: Said) -> Said:
     """What was said, with equations for what is given as `a > b`, and `a != b` as what does not vanish.
 
     A symbol or function that is compared with zero is read with that assumption. One between two multiples of pi is
-    an angle whose tangent, sine or direction may have any value. Else a = b + d_1 for a positive d_1, and where that
-    defines a symbol, everything is said by d_1. Inequalities of functions of time hold at all times.
+    an angle whose tangent, sine or direction may have any value; one between a and b is (a + b d_1)/(1 + d_1). Else
+    a = b + d_1 for a positive d_1, and where that defines a symbol, everything is said by d_1. Inequalities of
+    functions of time hold at all times.
 
     Raises `Untreatable` for an inequality between functions of different variables, or with what is infinite.
     """
@@ -47,8 +50,20 @@ def without_inequalities(said: Said) -> Said:
     number = 0
     while compared := [item for item in said[2] if isinstance(item, COMPARED)]:
         number += 1
-        said = _with_excess(said, compared[0], number)
+        symbols = sorted({s for item in compared for s in (item.lts, item.gts) if s.is_Symbol}, key=str)
+        ways = (_with_ratio(said, symbol, f"d_{number}") for symbol in symbols)
+        said = next(filter(None, ways), ()) or _with_excess(said, compared[0], f"d_{number}")
     return (*said[:2], [item for item in said[2] if item is not sympy.true], said[3])
+
+
+def definitions(said: Said, asked: Said) -> list[str]:
+    """How the verdict says the equations by which something is said otherwise than it was."""
+    known, *spoken = (
+        {symbol for e in expressions_in(part) for symbol in e.free_symbols} for part in (said, *asked[:2], asked[3])
+    )
+    new = set().union(*spoken) - known
+    equations = (e for e in expressions_in(asked[2]) if isinstance(e, sympy.Eq))
+    return [f"{e.lhs} = {e.rhs}" for e in equations if e.lhs.is_Symbol and e.rhs.free_symbols & new]
 
 
 def _plain(item: Any) -> Iterator[Any]:
@@ -83,48 +98,80 @@ def _signed(item: Any) -> dict[Any, Any]:
 
 def _with_angle(said: Said, symbol: Any) -> Said:
     """What is said, with an angle of any tangent, sine or direction for a symbol between two multiples of pi."""
+    ends = _ends(said, symbol)
+    if ends is None or not all((end / sympy.pi).is_Rational for end, _, _ in ends):
+        return said
+    (low, after, _), (high, before, _) = ends
+    if high <= low:
+        return said
+    value = between(low, high, after, before, partial(_fresh, said))
+    bounded = sympy.Dummy(positive=after or None, nonnegative=True) if low == 0 else sympy.Dummy(real=True)
+    return said if value is None or not _may_be(symbol, bounded, said) else _defined(said, symbol, value, ends)
+
+
+def _with_ratio(said: Said, symbol: Any, name: str) -> Said | None:
+    """What is said, with (a + b d)/(1 + d) for a symbol between a and b, one of which it may be; None for others."""
+    ends = _ends(said, symbol)
+    if ends is None:
+        return None
+    (low, after, _), (high, before, _) = ends
+    if not (high - low).is_positive or not (after or before):
+        return None
+    d = _fresh(said, name, **{"positive" if after and before else "nonnegative": True})
+    value = (low + high * d) / (1 + d) if before else (high + low * d) / (1 + d)
+    return _defined(said, symbol, value, ends) if _may_be(symbol, value, said) else None
+
+
+def _ends(said: Said, symbol: Any) -> tuple[End, End] | None:
+    """Between what a symbol is said to be; None unless there is one end below it and one above it."""
     compared = [item for item in said[2] if isinstance(item, COMPARED)]
     above = [(item.lts, isinstance(item, STRICT), item) for item in compared if item.gts == symbol]
     below = [(item.gts, isinstance(item, STRICT), item) for item in compared if item.lts == symbol]
     if not above and symbol.is_nonnegative:
         above = [(sympy.S.Zero, bool(symbol.is_positive), None)]
-    ends = [end for end in (*above, *below) if (end[0] / sympy.pi).is_Rational]
-    if len(above) != 1 or len(below) != 1 or len(ends) != 2:
-        return said
-    (low, after, _), (high, before, _) = ends
-    other = sympy.Dummy()
-    if symbol.is_nonnegative:
-        other = sympy.Dummy(positive=True) if after and low == 0 else sympy.Dummy(nonnegative=True)
-    if high <= low or not _is_free(symbol, other, said):
-        return said
-    value = between(low, high, after, before, partial(_fresh, said))
-    if value is None:
-        return said
-    stated = [item for item in said[2] if item not in (ends[0][2], ends[1][2])]
-    lhs, rhs, given, nonzero = with_values((*said[:2], stated, said[3]), {symbol: value})
+    if len(above) != 1 or len(below) != 1 or any(end.has(symbol) for end, _, _ in (*above, *below)):
+        return None
+    return above[0], below[0]
+
+
+def _defined(said: Said, symbol: Any, value: Any, ends: tuple[End, ...]) -> Said:
+    """What is said, with the value of a symbol instead of the inequalities that it satisfies by itself."""
+    stated = [item for item in said[2] if all(item is not end for _, _, end in ends)]
+    put = with_values((*said[:2], stated, said[3]), {symbol: value})
+    new = value.free_symbols - {e for other in expressions_in(said) for e in other.free_symbols}
+    lhs, rhs, given, nonzero = (each_replaced(each, lambda e: {e: _with_signs_seen(e, new)}) for each in put)
     return lhs, rhs, [sympy.Eq(symbol, value, evaluate=False), *given], nonzero
 
 
-def _with_excess(said: Said, item: Any, number: int) -> Said:
-    """What is said, with an equation for one of the inequalities; the `number` names the excess."""
-    lhs, rhs, given, nonzero = said
-    others: Said = (lhs, rhs, [e for e in given if e is not item], nonzero)
+def _with_signs_seen(e: Any, new: set[Any]) -> Any:
+    """The expression with products where signs of new symbols matter: in divisors, radicands and functions."""
+    if not e.args or not e.free_symbols & new:
+        return e
+    power = e.is_Pow and e.exp.is_Rational and not (e.exp.is_Integer and e.exp > 0)
+    if power or (isinstance(e, sympy.Function) and len(e.args) == 1 and type(e) not in CIRCULAR):
+        e = e.func(sympy.factor(sympy.together(e.args[0])), *e.args[1:])
+    return e.func(*(_with_signs_seen(part, new) for part in e.args)) if e.args else e
+
+
+def _with_excess(said: Said, item: Any, name: str) -> Said:
+    """What is said, with an equation for one of the inequalities, in which the excess has a name."""
     more, less = item.gts, item.lts
-    excess = _excess(item, f"d_{number}", said)
+    excess = _excess(item, name, said)
+    for symbol in sorted((more - less).free_symbols, key=str):
+        slope = sympy.diff(more - less, symbol)
+        if slope.is_nonzero and not slope.has(symbol):
+            value = sympy.expand(symbol + (excess - more + less) / slope)
+            if _may_be(symbol, value, said):
+                return _defined(said, symbol, value, ((more, True, item),))
     equation = sympy.Eq(more, less + excess, evaluate=False)
-    defined = eliminable(more - less, expressions_in(said))
-    if defined is not None and _is_free(defined, sympy.Dummy(), said):
-        value = sympy.expand(defined + (excess - more + less) / sympy.diff(more - less, defined))
-        others = with_values(others, {defined: value})
-        equation = sympy.Eq(defined, value, evaluate=False)
-    lhs, rhs, given, nonzero = others
-    return lhs, rhs, [equation, *given], nonzero
+    return (*said[:2], [equation, *(e for e in said[2] if e is not item)], said[3])
 
 
-def _is_free(symbol: Any, other: Any, said: Said) -> bool:
-    """Whether a symbol may have the values of the other one, and no function is said to depend on it."""
-    same = all(getattr(symbol, f"is_{kind}") is getattr(other, f"is_{kind}") for kind in ASSUMPTIONS)
-    return same and not any(call.has(symbol) for e in expressions_in(said) for call in e.atoms(AppliedUndef))
+def _may_be(symbol: Any, value: Any, said: Said) -> bool:
+    """Whether what is assumed of a symbol is seen of a value, and no function is said to depend on it."""
+    assumed = [kind for kind in ASSUMPTIONS if getattr(symbol, f"is_{kind}") is not None]
+    seen = all(getattr(symbol, f"is_{kind}") is getattr(value, f"is_{kind}") for kind in assumed)
+    return seen and not any(call.has(symbol) for e in expressions_in(said) for call in e.atoms(AppliedUndef))
 
 
 def _excess(item: Any, name: str, said: Said) -> Any:

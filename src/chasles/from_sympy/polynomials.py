@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from fractions import Fraction
+from math import gcd, lcm
 from typing import Any
 
 import sympy
@@ -30,19 +31,24 @@ def key_of(context: Context, polynomial: Polynomial) -> Key:
     )
 
 
-def factored(context: Context, polynomial: Polynomial) -> tuple[int, Fraction, Factors]:
-    """Sign, size and factors with their powers, none of them a square; irreducible ones if it is in few variables."""
+def factored(context: Context, polynomial: Polynomial, roots: Collection[str] = ()) -> tuple[int, Fraction, Factors]:
+    """Sign, size and factors with their powers, none of them a square; irreducible ones if it is in few variables.
+
+    The factors have integers without common factors as coefficients; where only squares occur of one of the `roots`,
+    they are polynomials in that square.
+    """
     ring = context.field.ring
     terms = ring.terms(polynomial)
+    squared = [name in roots and all(e[k] % 2 == 0 for e, _ in terms) for k, name in enumerate(ring.names)]
     places = [k for k in range(len(ring.names)) if any(exponents[k] for exponents, _ in terms)]
     if not places or len(terms) > MOST_TERMS:
         constant = terms[0][1] if not places else Fraction(1)
         return (1 if constant > 0 else -1), abs(constant), [] if not places else [(polynomial, 1)]
     gens = sympy.symbols(f"x:{len(places)}")
-    packed = {tuple(e[k] for k in places): sympy.Rational(c.numerator, c.denominator) for e, c in terms}
+    packed = {tuple(e[k] >> squared[k] for k in places): sympy.Rational(c.numerator, c.denominator) for e, c in terms}
     whole = sympy.Poly.from_dict(packed, *gens)
     monomials, rest = whole.terms_gcd()
-    content, factors = rest.factor_list() if len(places) <= MOST_VARIABLES else rest.sqf_list()
+    content, factors = rest.factor_list() if len(rest.free_symbols) <= MOST_VARIABLES else rest.sqf_list()
     factors += [(sympy.Poly(gen, *gens), power) for gen, power in zip(gens, monomials, strict=True) if power]
     size = Fraction(int(content.p), int(content.q))
     sign = 1 if size > 0 else -1
@@ -52,12 +58,15 @@ def factored(context: Context, polynomial: Polynomial) -> tuple[int, Fraction, F
         for exponents, coefficient in factor.terms():
             spread = [0] * len(ring.names)
             for place, exponent in zip(places, exponents, strict=True):
-                spread[place] = int(exponent)
+                spread[place] = int(exponent) << squared[place]
             unpacked[tuple(spread)] = Fraction(int(coefficient.p), int(coefficient.q))
         first = min(unpacked, key=lambda e: sorted((ring.names[k], x) for k, x in enumerate(e) if x))
         flip = -1 if unpacked[first] < 0 else 1
         sign *= flip if power % 2 else 1
-        found.append((ring.from_terms({e: flip * c for e, c in unpacked.items()}), int(power)))
+        values = unpacked.values()
+        unit = Fraction(gcd(*(c.numerator for c in values)), lcm(*(c.denominator for c in values)))
+        size *= unit ** int(power)
+        found.append((ring.from_terms({e: flip * c / unit for e, c in unpacked.items()}), int(power)))
     return sign, abs(size), found
 
 

@@ -85,7 +85,8 @@ class Reader:
                 self.declare(term, divisor)
             case _:
                 self.met.add(node)
-                self.divisors.setdefault(node, divisor)
+                if self.divisors.setdefault(node, divisor).evident:
+                    self.divisors[node] = divisor
 
     def product(self, e: Any) -> Node:
         """Factors above and below the line."""

@@ -17,7 +17,7 @@ import sympy
 from chasles.algebra.rings import Polynomial
 from chasles.from_sympy.constants import is_nonnegative
 from chasles.from_sympy.numbers import NumberRoots, defining
-from chasles.from_sympy.polynomials import Key, as_node, as_sympy, factored, key_of
+from chasles.from_sympy.polynomials import Factors, Key, as_node, as_sympy, factored, key_of
 from chasles.from_sympy.positivity import sum_of_squares
 from chasles.from_sympy.reader import Reader, multiplied
 from chasles.problems.context import Context, build
@@ -59,8 +59,10 @@ class _Resolver:
         self.rules: list[tuple[Node, Node]] = []
         self.domains: list[str] = []
         self.words: dict[Key, Symbol] = {}
+        self.radicands: dict[Symbol, Node] = {}
         self.composite: list[tuple[Node, list[Size]]] = []
         self.known: set[Key] = set()
+        self.noted: list[Node] = []
         self.values: list[tuple[Node, Node]] = []
         self.symbols = set(reader.atoms.words.values())
         self.negative = {word.name for atom, word in reader.atoms.words.items() if atom.is_nonpositive}
@@ -74,6 +76,7 @@ class _Resolver:
             self._note(context, self._reduced(context, self._radicand(context, root.radicand)[0]))
         for root in self.reader.roots.values():
             context = self._context()
+            self._look_up_in(context)
             polynomial, absolute = self._radicand(context, root.radicand)
             value = self._square_free(context, polynomial)
             self.values.append((as_node(context, polynomial), value))
@@ -90,11 +93,22 @@ class _Resolver:
         nothing = Number(Fraction(0))
         goals = tuple(Goal("", root.radicand, nothing) for root in self.reader.roots.values())
         words = words_of(self.hypotheses)
-        # A symbol ranks above its own root, so that it is replaced by the root's square and more squares are seen.
-        symbols = tuple(h.subjects[1] for h in self.hypotheses if h.kind == "root" and h.subjects[1] in self.symbols)
-        first = Hypothesis("equation", symbols, free=True)
-        hypotheses = (first, *reversed(self.hypotheses), *self.divisors)
+        # A symbol ranks above its own root, so that it is replaced by the root's square and more squares are seen; and
+        # this root below all others, so that it is not replaced by what these are roots of.
+        own = [h for h in self.hypotheses if h.kind == "root" and h.subjects[1] in self.symbols]
+        symbols = tuple(symbol for h in own if isinstance(symbol := h.subjects[1], Symbol))
+        others = [h for h in reversed(self.hypotheses) if h not in own]
+        first = Hypothesis("equation", (*symbols, *words_of((*others, *own))), free=True)
+        hypotheses = (first, *own, *others, *self.divisors)
         return build(Problem(goals, tuple(self.rules), (), (*symbols, *words), hypotheses))
+
+    def _look_up_in(self, context: Context) -> None:
+        """What is known, as a context says it: in the roots of symbols that have one by now."""
+        self.words = {self._key(context, radicand): word for word, radicand in self.radicands.items()}
+        self.known = {self._key(context, node) for node in self.noted}
+
+    def _key(self, context: Context, node: Node) -> Key:
+        return key_of(context, self._reduced(context, context.unfold(node)[0][0].numerator))
 
     def _radicand(self, context: Context, node: Node) -> tuple[Polynomial, list[tuple[Polynomial, Node]]]:
         """N d for a radicand N / d, and the factors of d, by whose absolute values the root is to be divided."""
@@ -111,18 +125,24 @@ class _Resolver:
     def _reduced(self, context: Context, polynomial: Polynomial) -> Polynomial:
         return context.basis.reduce(polynomial)[1]
 
+    def _factored(self, context: Context, polynomial: Polynomial) -> tuple[int, Fraction, Factors]:
+        """Sign, size and factors, in symbols rather than in their roots."""
+        return factored(
+            context, polynomial, {word.name for word, node in self.radicands.items() if node in self.symbols}
+        )
+
     def _note(self, context: Context, polynomial: Polynomial) -> None:
         """A root of a single factor says that this factor is not negative."""
         if polynomial == 0:
             return
-        sign, _, factors = factored(context, polynomial)
+        sign, _, factors = self._factored(context, polynomial)
         odd = [factor for factor, power in factors if power % 2]
         if len(odd) == 1:
-            self.known.add(key_of(context, odd[0] if sign > 0 else -odd[0]))
+            self.noted.append(as_node(context, odd[0] if sign > 0 else -odd[0]))
 
     def _square_free(self, context: Context, polynomial: Polynomial) -> Node:
         """The root of a polynomial whose squares leave it before cosines and sines are reduced."""
-        sign, size, factors = factored(context, polynomial) if polynomial != 0 else (1, Fraction(1), [])
+        sign, size, factors = self._factored(context, polynomial) if polynomial != 0 else (1, Fraction(1), [])
         squares = [factor for factor, power in factors for _ in range(power // 2)]
         left = context.field.ring.constant(sign * size)
         for factor, power in factors:
@@ -136,7 +156,7 @@ class _Resolver:
         """The root of a polynomial that is reduced."""
         if polynomial == 0:
             return Number(Fraction(0))
-        sign, size, factors = factored(context, polynomial)
+        sign, size, factors = self._factored(context, polynomial)
         parts: list[Node] = [] if size == 1 else [self.numbers.root(size)]
         left = context.field.ring.constant(Fraction(1))
         unknown: list[Polynomial] = []
@@ -230,6 +250,6 @@ class _Resolver:
         if key in self.words:
             return
         word = self.reader.atoms.fresh(f"w_{len(self.words) + 1}", origin)
-        self.words[key] = word
+        self.words[key], self.radicands[word] = word, radicand
         self.positive.add(word.name)
         self.hypotheses.append(defining(word, radicand, str(origin)))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import partial, reduce
 from itertools import combinations
 from math import prod
 from operator import methodcaller
@@ -13,12 +13,12 @@ from typing import Any
 import sympy
 from sympy.core.function import AppliedUndef
 
+from chasles.checker.expressions.assumptions import NUMBERS
 from chasles.checker.expressions.enclosed import sign_of_number
 from chasles.checker.expressions.remainders import at_integer
 from chasles.checker.expressions.switches import SWITCHES, deciding, excludes, sign_of_multiple, visible_sign, written
 from chasles.checker.sparse import Rejected
 
-KINDS = ("integer", "noninteger", "rational", "irrational", "algebraic", "transcendental", "even", "odd", "prime")
 Pairs = tuple[tuple[Any, Any], ...]
 
 
@@ -84,8 +84,7 @@ class CheckedCase:
         case = self
         while True:
             values = ((part, written(part, case.sign)) for part in case.switches())
-            put = next(({part: value} for part, value in values if value is not None), None)
-            if put is None:
+            if (put := next(({part: value} for part, value in values if value is not None), None)) is None:
                 return case
             case = replace(case.each(methodcaller("xreplace", put)), equations=case.equations, facts=case.facts)
 
@@ -97,12 +96,10 @@ class CheckedCase:
     def sign(self, e: Any) -> int | None:
         """The sign of an expression, if it is known: by itself, as a multiple of a known one, or by its factors."""
         e = sympy.expand(e)
-        visible = visible_sign(e)
-        if visible is not None:
+        if (visible := visible_sign(e)) is not None:
             return visible
         for known, sign in self.facts:
-            multiple = sign_of_multiple(e, known)
-            if multiple is not None:
+            if (multiple := sign_of_multiple(e, known)) is not None:
                 return sign * multiple
         symbols = sorted(e.free_symbols, key=str)
         if e.has(*SWITCHES) or not e.is_polynomial(*symbols):
@@ -165,7 +162,7 @@ class CheckedCase:
                   for s in f.free_symbols}  # fmt: skip
         for symbol in sorted(factor.free_symbols - inside, key=str):
             slope = sympy.diff(factor, symbol)
-            if slope.is_Rational and slope != 0 and all(getattr(symbol, f"is_{kind}") is None for kind in KINDS):
+            if slope.is_Rational and slope != 0 and all(getattr(symbol, f"is_{kind}") is None for kind in NUMBERS):
                 return symbol
         return None
 
@@ -199,10 +196,7 @@ class CheckedCase:
         """What is to be said of those within, where it is not seen in this case whether it holds."""
         found = []
         for power in self.within():
-            base = power.base
-            for atom, value in self.values:
-                base = base.xreplace({atom: value})
-            sign = self.sign(base)
+            sign = self.sign(reduce(lambda base, at: base.xreplace(dict([at])), self.values, power.base))
             unseen = sign is None or (sign < 0 and power.exp.is_Integer) or sign > 0
             found += _requirements(power, sign) if unseen else []
         return found

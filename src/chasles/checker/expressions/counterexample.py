@@ -14,7 +14,7 @@ from chasles.checker.expressions.spoken import Spoken
 from chasles.checker.expressions.symbolic import Symbolic
 from chasles.checker.expressions.valuation import UnknownValue
 from chasles.checker.expressions.widened import check_enclosed
-from chasles.checker.sparse import Polynomial, Rejected, number, variable
+from chasles.checker.sparse import Polynomial, Rejected, number, variable, well_formed
 
 NEAR = Fraction(1, 2**100)
 """So near to a value with functions of numbers is a text that tells it."""
@@ -25,16 +25,12 @@ def check_refutation(found: Any, lhs: Any, rhs: Any, given: Any = (), nonzero: A
 
     Raises `Rejected` with the reason if not.
     """
-    try:
+    with well_formed("counterexample"):
         asked = Asked(lhs, rhs, given, nonzero)
         try:
             _check(found, asked)
         except Rejected as reason:
             _check_values(found, asked, reason)
-    except Rejected:
-        raise
-    except (ArithmeticError, AttributeError, LookupError, RecursionError, TypeError, ValueError) as error:
-        raise Rejected(f"the counterexample is malformed: {type(error).__name__}: {error}") from error
 
 
 def _check(found: Any, asked: Asked) -> None:

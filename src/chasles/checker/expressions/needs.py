@@ -67,11 +67,11 @@ def _is_said(said: list[_SaidNeed], odd: frozenset[Terms], sign: int) -> bool:
 
 
 def _is_evident(reading: Proven, place: int) -> bool:
-    """Whether something visibly does not vanish; of a quantity by itself it is said in any case."""
+    """Whether something visibly does not vanish; of a quantity that the question divides by it is said in any case."""
     base = reading.inverses[place]
     if reading.is_number(base):
         return bool(reading.sign(base))
-    if len(base.terms) == 1 and base.places <= reading.atoms.keys():
+    if any(str(reading.atoms.get(atom)) in reading.divided.get(place, ()) for atom in base.places):
         return place in reading.arcs.positive
     return is_positive(reading, base) or is_positive(reading, -base) or _is_odd(reading, base)
 

@@ -20,7 +20,7 @@ from chasles.checker.expressions.reading_of_proof import Proven
 from chasles.checker.expressions.signs import is_positive
 from chasles.checker.expressions.spoken import Spoken
 from chasles.checker.expressions.widened import check_widened
-from chasles.checker.sparse import ONE, Polynomial, Rejected, number, parsed, variable
+from chasles.checker.sparse import ONE, Polynomial, Rejected, number, parsed, variable, well_formed
 
 Data = Mapping[str, Any]
 PARTS = frozenset((
@@ -28,7 +28,6 @@ PARTS = frozenset((
     "equal", "frames", "divisors", "entries", "turns", "witness",
 ))  # fmt: skip
 """What a certificate may say."""
-MALFORMED = (ArithmeticError, AssertionError, AttributeError, LookupError, RecursionError, TypeError, ValueError)
 
 
 def check_proof(verdict: Any, lhs: Any, rhs: Any, given: Any = (), nonzero: Any = ()) -> None:
@@ -36,7 +35,7 @@ def check_proof(verdict: Any, lhs: Any, rhs: Any, given: Any = (), nonzero: Any 
 
     Raises `Rejected` with the reason if the certificate does not prove that.
     """
-    try:
+    with well_formed("certificate"):
         asked = Asked(lhs, rhs, given, nonzero)
         if {"proof", "cases"} & verdict.certificate.keys():
             sides = [[side[place] for place in sorted(side)] for side in (asked.left, asked.right)]
@@ -44,10 +43,6 @@ def check_proof(verdict: Any, lhs: Any, rhs: Any, given: Any = (), nonzero: Any 
             check_widened(verdict, sides, stated, asked.nonzero, _check_part)
         else:
             _check(verdict.certificate, verdict.needs, asked, verdict.witness)
-    except Rejected:
-        raise
-    except MALFORMED as error:
-        raise Rejected(f"the certificate is malformed: {type(error).__name__}: {error}") from error
 
 
 def _check_part(certificate: Data, needs: Sequence[str], question: tuple[Any, ...]) -> None:

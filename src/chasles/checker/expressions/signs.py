@@ -114,6 +114,9 @@ def _of_variable(reading: KnownRoots, place: int) -> Sign | None:
         return 1, True
     if place in reading.words:
         return 1, is_positive(reading, reading.squares[place])
+    if place in reading.inverses:
+        signs = (sign for sign in (1, -1) if is_nonnegative(reading, reading.inverses[place] * number(sign)))
+        return next(((sign, True) for sign in signs), None)
     e = reading.atoms.get(place)
     if e is None or reading.is_known(variable(place)):
         return None if e is None else (1, bool(e.is_positive))

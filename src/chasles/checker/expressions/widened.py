@@ -18,6 +18,7 @@ from typing import Any
 import sympy
 from sympy.core.function import AppliedUndef
 
+from chasles.checker.expressions.assumptions import NUMBERS, SIGNS
 from chasles.checker.expressions.cases import CheckedCase
 from chasles.checker.expressions.enclosed import EnclosedValues, vanishes
 from chasles.checker.expressions.generalised import Generalised
@@ -28,12 +29,10 @@ from chasles.checker.expressions.remainders import at_integer
 from chasles.checker.sparse import Rejected
 
 PLAIN = re.compile(r"[A-Za-z0-9_+\-*/(), .\[\]]*")
-ASSUMED = (
-    "positive", "negative", "nonnegative", "nonpositive", "zero", "nonzero", "integer", "even", "odd", "rational",
-)  # fmt: skip
-PARTS = frozenset(
-    ("on", "size", "remainders", "cases", "proof", "needs", "parts", "facts", "impossible", "witness", "defined")
-)
+PARTS = frozenset((
+    "on", "size", "remainders", "cases", "proof", "needs", "parts", "facts", "equal", "impossible", "witness",
+    "defined",
+))  # fmt: skip
 """What a certificate by cases, or of a more general question, may say."""
 Standard = Callable[[Mapping[str, Any], Sequence[str], tuple[Any, ...]], None]
 """Checks a certificate, with what it needs, of both sides, what is given and what does not vanish."""
@@ -104,6 +103,7 @@ class _Widened:
         moving = any(e.has(AppliedUndef) for pair in case.pairs for e in pair)
         if met and moving:
             raise Rejected("functions that are given are angles inside others")
+        put = self._equal(case, more, node.get("equal", ()))
         given += [sympy.Eq(one, other, evaluate=False) for one, other in more.roots]
         for text in node.get("facts", ()):
             fact = _parsed(text, {})
@@ -111,16 +111,27 @@ class _Widened:
                 raise Rejected(f"{text} is not known to be zero")
             given.append(sympy.Eq(more(fact), 0, evaluate=False))
         stated = list(node["needs"])
-        self.check(node["proof"], stated, (*(sympy.Matrix([*side, *met]) for side in sides), given, nonzero))
+        whole = [sympy.Matrix([*side, *met]).xreplace(put) for side in sides]
+        given, nonzero = ([e.xreplace(put) for e in said] for said in (given, nonzero))
+        self.check(node["proof"], stated, (*whole, given, nonzero))
         own = {f"{e.lhs} = {e.rhs}" for e in given}
         for text in stated:
             if text not in own and text not in self.needs and not self._holds(case, text):
                 raise Rejected(f"one of the cases needs {text}, and the verdict does not say so")
 
+    def _equal(self, case: CheckedCase, more: Generalised, said: Sequence[Any]) -> dict[Any, Any]:
+        """Multiples of others that symbols are, as it is proved of what they stand for."""
+        named = {str(symbol): (symbol, meaning) for meaning, symbol in more.symbols.items()}
+        put = {}
+        for one, multiple, other, node in said:
+            (symbol, meaning), (first, known) = named[one], named[other]
+            self._leaf(replace(case, sides=((meaning,), (sympy.Rational(multiple) * known,))), node)
+            put[symbol] = sympy.Rational(multiple) * first
+        return put
+
     def _holds(self, case: CheckedCase, text: str) -> bool:
         """Whether something holds throughout a case, or the verdict says it in the symbols of the question."""
-        relation = next((relation for relation in RELATIONS if text.endswith(relation)), None)
-        if relation is None:
+        if (relation := next((end for end in RELATIONS if text.endswith(end)), None)) is None:
             return False
         e = _parsed(text.removesuffix(relation), case.named)
         return case.sign(e) in ((1, -1) if relation == " != 0" else (1,)) or f"{case.back(e)}{relation}" in self.needs
@@ -135,7 +146,7 @@ def _without_defined(case: CheckedCase, pair: tuple[Any, Any], side: int) -> Che
     calls = () if moving else {call for e in case.spoken for call in e.atoms(AppliedUndef)}
     if value.has(type(atom) if moving else atom) or any(call.has(atom) for call in calls):
         raise Rejected(f"{atom} is not defined by {value}")
-    if any(getattr(atom, f"is_{kind}") is not None for kind in ASSUMED):
+    if any(getattr(atom, f"is_{kind}") is not None for kind in (*SIGNS, *NUMBERS)):
         raise Rejected(f"{atom} may not have any value")
     pairs = tuple(() if other is pair else tuple(_put(e, atom, value) for e in other) for other in case.pairs)
     sides = tuple(tuple(_put(e, atom, value) for e in entries) for entries in case.sides)
@@ -215,7 +226,7 @@ def _values(case: CheckedCase, at: Mapping[str, Any]) -> EnclosedValues:
     values = EnclosedValues(point)
     for atom, value in point.items():
         sign = value if value.is_Rational else sympy.Integer(values.sign(value))
-        if any(getattr(atom, f"is_{kind}") not in (None, getattr(sign, f"is_{kind}")) for kind in ASSUMED):
+        if any(getattr(atom, f"is_{kind}") not in (None, getattr(sign, f"is_{kind}")) for kind in (*SIGNS, *NUMBERS)):
             raise Rejected(f"{atom} cannot be {value}")
     if any(values.sign(one - other) for one, other in case.pairs) or any(values.sign(e) == 0 for e in case.nonzero):
         raise Rejected("the point does not satisfy the side conditions")
