@@ -133,15 +133,12 @@ def outcome_of(case: Planted, chapter: Chapter, session: Session) -> Outcome:
 def _says(found: Repair, case: Planted) -> bool:
     """Whether a repair says what the original says, or a multiple of it, whatever its letters are."""
     sides = case.original.printed
-    if sizes_of(sides):
-        shown = found.left, found.right
+    shown, meaning = (found.left, found.right), case.meaning.of_words
+    if not sizes_of(sides) and all(meaning(a) == meaning(b) for a, b in zip(shown, sides, strict=True)):
+        return True
+    if sizes_of(sides) or not all(isinstance(meaning(side), tuple) for side in sides):
         multiples = ([Scale(Number(times), side) for side in sides] for times in map(Fraction, ("1", "-1", "2", "1/2")))
         return any(all(_same_in_words(a, b, case) for a, b in zip(shown, said, strict=True)) for said in multiples)
-    meaning = case.meaning.of_words
-    if all(meaning(a) == meaning(b) for a, b in zip((found.left, found.right), sides, strict=True)):
-        return True
-    if not isinstance(meaning(sides[1]), tuple):
-        return all(_same_in_words(a, b, case) for a, b in zip((found.left, found.right), sides, strict=True))
     try:
         one, other = (Sum((left, Negative(right))) for left, right in ((found.left, found.right), sides))
     except Misfit:

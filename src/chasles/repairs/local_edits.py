@@ -75,11 +75,10 @@ def _exponents(node: Node, parent: Node | None) -> Iterator[Node]:
     if isinstance(node, w.Power):
         yield w.Power(node.base, node.exponent + 1)
         yield node.base if node.exponent == 2 else w.Power(node.base, node.exponent - 1)
-    elif (
-        isinstance(node, w.Symbol | w.Call | w.Norm)
-        and node.shape[0] == node.shape[1]
-        and not isinstance(parent, w.Power)
-    ):
+    elif isinstance(node, w.Symbol | w.Call | w.Norm | Submatrix):
+        if node.shape[0] == node.shape[1] and not isinstance(parent, w.Power):
+            yield w.Power(node, 2)
+    elif isinstance(node, w.Sum | w.Group) and node.is_scalar and isinstance(parent, w.Scale | w.Quotient):
         yield w.Power(node, 2)
 
 

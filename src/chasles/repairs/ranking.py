@@ -42,11 +42,15 @@ class Nearest:
     _known_tests: dict[tuple[Node, Node, int], tuple[ModularTest | None, TermBasis]] = field(default_factory=dict)
 
     def changes(self, left: Node, right: Node) -> Iterator[Change]:
-        """Candidates for sides that fit; one without words if they agree as they are."""
+        """The first candidates that there are for sides that fit."""
+        yield from next(iter(self.stages(left, right)), ())
+
+    def stages(self, left: Node, right: Node) -> Iterator[list[Change]]:
+        """Candidates for sides that fit, later ones further from them; one without words if they agree as they are."""
         if self.agree(left, right):
-            yield Change(left, right, ())
+            yield [Change(left, right, ())]
             return
-        stages = (
+        kinds = (
             self._one_change,
             self._misread_letters,
             self._other_objects,
@@ -54,11 +58,7 @@ class Nearest:
             self._inner_changes,
             self._without_form,
         )
-        for stage in stages:
-            found = list(stage(left, right))
-            yield from found
-            if found:
-                return
+        yield from filter(None, (list(changes(left, right)) for changes in kinds))
 
     def is_tested(self, left: Node, right: Node) -> bool:
         """Whether there are points at which changes can be tried."""
@@ -145,8 +145,11 @@ class Nearest:
             yield from changes_without_form(test, left, right, self.letters)
 
     def in_floats(self, left: Node, right: Node) -> RealTest | None:
-        """The equation at points in floating point, where there are no others at which changes can be tried."""
-        return None if self.is_tested(left, right) else real_test(self.statement, left, right, self.accepted)
+        """The equation at points in floating point, where there are no others at which all changes can be tried."""
+        lengths = (part for side in (left, right) for part in w.walk(side) if isinstance(part, w.Norm))
+        if self.is_tested(left, right) and all(isinstance(bare(each.of), w.Symbol) for each in lengths):
+            return None
+        return real_test(self.statement, left, right, self.accepted)
 
     def _tests(self, left: Node, right: Node) -> Iterator[tuple[ModularTest, TermBasis]]:
         """The equation at points, first with the symbols of its right side alone, then with all that are at hand."""

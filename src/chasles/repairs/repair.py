@@ -124,7 +124,7 @@ def _candidates(near: Nearest) -> Iterator[Iterable[Change]]:
         yield (_marked(WellFormedRepair(left, right, words), change) for change in near.changes(left, right))
     elif not statement.fault:
         indexed = any(map(indices_of, statement.printed))
-        yield () if indexed else near.changes(*statement.printed)
+        yield from () if indexed else near.stages(*statement.printed)
         if indexed or not (near.is_tested(*statement.printed) or near.in_floats(*statement.printed)):
             yield _decided_edits(near)
     else:

@@ -21,6 +21,7 @@ from chasles.rewriting.coefficients import AngleFunction, scaled, times
 from chasles.rewriting.places import linear_places, with_term
 from chasles.rewriting.term_basis import fit
 from chasles.vocabulary import Node
+from chasles.vocabulary.parts import Submatrix
 
 
 def true_edits(test: ModularTest, factors: Factors) -> Iterator[Change]:
@@ -85,7 +86,12 @@ def _unknown(node: Node, parent: Node | None, factors: Factors) -> Iterator[Sing
         numbers = (node.value + 1, node.value - 1, 2 * node.value, node.value / 2)
         least = 1 if isinstance(parent, w.Scale | w.Quotient) else 0
         yield from (SingleEdit(w.Number(number), "") for number in numbers if number > 0 and number != least)
-    elif node.is_scalar or not isinstance(parent, w.Sum | w.Contract | w.Transpose):
+        return
+    if node.is_scalar and isinstance(node, w.Symbol | Submatrix | w.Call | w.Power):
+        for factor in factors.simple:
+            if isinstance(factor, w.Symbol | Submatrix):
+                yield SingleEdit(times(factor, node), f"the factor {w.plain(factor)} is added", FACTOR + 1)
+    if node.is_scalar or not isinstance(parent, w.Sum | w.Contract | w.Transpose):
         for factor in factors.simple if node.is_scalar else dict.fromkeys((*factors.letters, *factors.matrices)):
             if not isinstance(factor, w.Number) and factor != node and fit(factor, node):
                 yield from (SingleEdit(with_term(node, t), missing(t), FORM + 1) for t in (factor, w.Negative(factor)))

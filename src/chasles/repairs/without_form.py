@@ -35,6 +35,8 @@ OTHER_NUMBERS = (2, Fraction(1, 2), -1, 4, Fraction(1, 4), 3, Fraction(1, 3))
 def changes_without_form(test: RealTest, left: Node, right: Node, letters: list[w.Symbol]) -> Iterator[Change]:
     """The sides with one edit on either that agree at points where the hypotheses hold; none where none is found."""
     scalars = dict.fromkeys(part for side in (left, right) for part in w.walk(side) if part.is_scalar)
+    angles = dict.fromkeys(part.argument for part in scalars if isinstance(part, w.Call))
+    scalars |= dict.fromkeys(w.Call(function, angle) for angle in angles for function in ("cos", "sin"))
     tried = edited(left, right, lambda side: chain(edits_of(side, letters), _with_scalars(side, scalars)))
     yield from (change for change in tried if test.agree(change.left, change.right))
 

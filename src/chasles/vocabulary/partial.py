@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import lru_cache
 from typing import TYPE_CHECKING, ClassVar
 
 from chasles.vocabulary.arguments import declaring, making
@@ -107,6 +108,8 @@ def with_derivatives(node: Node, rules: Mapping[Node, Node]) -> Node:
 
     Raises `Misfit` for what has no rule of differentiation, and TypeError where it is not said what varies.
     """
+    if not _differentiates(node):
+        return node
     parts = children(node)
     changed = tuple(with_derivatives(part, rules) for part in parts)
     node = node if changed == parts else rebuilt(node, changed)
@@ -144,6 +147,13 @@ def with_derivatives(node: Node, rules: Mapping[Node, Node]) -> Node:
     return replace(columns[0] if len(columns) == 1 else Block((columns,)), back)
 
 
+@lru_cache(maxsize=16384)
+def _differentiates(node: Node) -> bool:
+    """Whether there is a derivative in the expression, or in what an abbreviation stands for."""
+    inner = node.stands_for if isinstance(node, Symbol) else None
+    return isinstance(node, PartialDerivative) or any(map(_differentiates, (inner,) if inner else children(node)))
+
+
 def _at_rest(node: Node, rates: dict[Node, Node]) -> Node:
     """The expression with a quantity of its own for each rate of a symbol, which does not depend on the symbol."""
     if isinstance(node, Rate):
@@ -158,6 +168,7 @@ def _at_rest(node: Node, rates: dict[Node, Node]) -> Node:
     return node if changed == parts else rebuilt(node, changed)
 
 
+@lru_cache(maxsize=16384)  # edits of an expression leave most of its parts, and so their derivatives, as they are
 def _along(node: Node, by: Node, direction: Node) -> Node:
     """The derivative of an expression where one quantity moves in a direction, and everything else rests."""
     match node:
