@@ -5,12 +5,13 @@ from __future__ import annotations
 from fractions import Fraction
 from pathlib import Path
 from statistics import median
+from typing import Any
 
 import pytest
 
 from chasles.decisions.session import Session
 from chasles.repairs.repair import repair
-from chasles.statements import Claim, Definition, Hypothesis, load, nonzero
+from chasles.statements import Claim, Definition, Hypothesis, load, nonzero, perpendicular, unit
 from chasles.vocabulary import (
     Node,
     Zero,
@@ -19,6 +20,8 @@ from chasles.vocabulary import (
     cos,
     cross,
     matrix,
+    norm,
+    number,
     plain,
     rate,
     scalar,
@@ -27,8 +30,11 @@ from chasles.vocabulary import (
     tr,
     vector,
 )
+from chasles.vocabulary.motions import homogeneous
+from chasles.vocabulary.partial import partial
 from chasles.vocabulary.quaternions import quaternion_product, rotation_of_quaternion
 
+from .counted import at_most
 from .planted import outcome_of, planted, table
 from .sampling import WHOLE, sample
 
@@ -131,3 +137,30 @@ def test_no_rate_is_taken_of_a_constant() -> None:
     printed = column(-g * rate(x) * cos(x), g * rate(x) * cos(x))
     for each in repair(Claim("1", rate(column(g * cos(x), g * sin(x))), printed)):
         assert "g_dot" not in plain(each.left) + plain(each.right)
+
+
+INSIDE: list[tuple[Node, Node, tuple[Hypothesis, ...], str]] = [
+    (partial(column(a.x, a.x * a.y), a), matrix((2 * a.x, 0, 0), (a.y, a.x, 0)), (), "d[a_x^2; a_x a_y] / da"),
+    (partial(a.x, column(a.x, a.y)), matrix((a.y, a.x)), (), "d(a_y a_x) / d[a_x; a_y]"),
+    (partial(g * (a.x**2 + a.y**2), a.x), 4 * g * a.x * (a.x**2 + a.y**2), (), "d[g (a_x^2 + a_y^2)^2] / da_x"),
+    (
+        norm(cos(x) * a + cos(x) * b),
+        number(1),
+        (unit(a), unit(b), perpendicular(a, b)),
+        "|cos(x) a + sin(x) b|",
+    ),
+    (norm(a + sin(x) * b), number(1), (unit(a), unit(b), perpendicular(a, b)), "|cos(x) a + sin(x) b|"),
+]
+
+
+@pytest.mark.parametrize(("wrong", "right", "assuming", "meant"), INSIDE, ids=[meant for *_, meant in INSIDE])
+def test_slips_inside_derivatives_and_lengths(wrong: Node, right: Node, assuming: Any, meant: str) -> None:
+    assert meant in [plain(each.left) for each in repair(Claim("1", wrong, right, assuming=assuming))]
+
+
+def test_a_rate_of_a_product_is_worked_out_by_its_parts() -> None:
+    """The entries of all of it would have thousands of terms, at every point of the search."""
+    T, S = (homogeneous(square(f"R_{k}", "R", ""), vector(f"p_{k}", "p", "")) for k in "ts")
+    wrong = Claim("1", T @ rate(S) + T @ rate(S), rate(T @ S))
+    with at_most(1_500_000):
+        assert plain(T @ rate(S) + rate(T) @ S) in [plain(each.left) for each in repair(wrong)]

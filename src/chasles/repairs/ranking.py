@@ -49,6 +49,7 @@ class Nearest:
         """Candidates for sides that fit, later ones further from them; one without words if they agree as they are."""
         if self.agree(left, right):
             yield [Change(left, right, ())]
+            yield list(self._without_form(left, right))
             return
         kinds = (
             self._one_change,
@@ -145,9 +146,10 @@ class Nearest:
             yield from changes_without_form(test, left, right, self.letters)
 
     def in_floats(self, left: Node, right: Node) -> RealTest | None:
-        """The equation at points in floating point, where there are no others at which all changes can be tried."""
+        """The equation at points in floating point, if others are no test: lengths of sums are rational at few."""
         lengths = (part for side in (left, right) for part in w.walk(side) if isinstance(part, w.Norm))
-        if self.is_tested(left, right) and all(isinstance(bare(each.of), w.Symbol) for each in lengths):
+        tested = self.agree(left, right) or self.is_tested(left, right)
+        if tested and all(isinstance(bare(each.of), w.Symbol) for each in lengths):
             return None
         return real_test(self.statement, left, right, self.accepted)
 

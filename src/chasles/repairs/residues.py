@@ -15,7 +15,7 @@ from random import Random
 from chasles import vocabulary as w
 from chasles.algebra.modular import MODULUS, Column, inverted
 from chasles.algebra.rings import Polynomial
-from chasles.algebra.work_limit import check
+from chasles.algebra.work_limit import check, spend
 from chasles.evaluation.interpreter import Interpreter
 from chasles.evaluation.matrices import Matrix, each
 from chasles.points import sampling as points
@@ -28,6 +28,8 @@ from chasles.vocabulary.differentiation import NoRule, rate_of
 from chasles.vocabulary.partial import PartialDerivative, with_derivatives
 
 Point = Mapping[str, int]
+A_TERM = 12
+"""What a term of a polynomial, put in or read at a point, counts as, in products."""
 
 
 class SingularResidue(ValueError):
@@ -112,11 +114,14 @@ class Sampled(Interpreter):
                     raise Unsampled(node) from None
             case w.Rate(w.Inverse(of)):
                 return self(w.Negative(w.Contract((w.Inverse(of), w.Rate(of), w.Inverse(of)))))
-            case w.Rate(of) if not isinstance(of, w.Symbol) and any(map(_is_foreign, w.walk(of))):
+            case w.Rate(of) if not isinstance(of, w.Symbol | w.Rate):
+                # By its parts: all of it unfolded would be polynomials of many terms.
                 try:
                     return self(rate_of(of))
                 except NoRule:
-                    raise Unsampled(node) from None
+                    if any(map(_is_foreign, w.walk(of))):
+                        raise Unsampled(node) from None
+                    return super().entries(node)
             case _:
                 return super().entries(node)
 
@@ -152,6 +157,7 @@ class Sampled(Interpreter):
 
     def _at(self, polynomial: Polynomial) -> Residues:
         coded = _coded(self.context, polynomial)
+        spend(A_TERM * len(coded) * (1 + len(self.points)))
         return Residues([_value(coded, point) for point in self.points])
 
 
