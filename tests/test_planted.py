@@ -12,6 +12,7 @@ import pytest
 from chasles.decisions.session import Session
 from chasles.repairs.repair import repair
 from chasles.statements import Claim, Definition, Hypothesis, load, nonzero, perpendicular, unit
+from chasles.statements.inequalities import inequality
 from chasles.vocabulary import (
     Node,
     Zero,
@@ -30,6 +31,7 @@ from chasles.vocabulary import (
     tr,
     vector,
 )
+from chasles.vocabulary.functions import sqrt
 from chasles.vocabulary.motions import homogeneous
 from chasles.vocabulary.partial import partial
 from chasles.vocabulary.quaternions import quaternion_product, rotation_of_quaternion
@@ -156,6 +158,16 @@ INSIDE: list[tuple[Node, Node, tuple[Hypothesis, ...], str]] = [
 @pytest.mark.parametrize(("wrong", "right", "assuming", "meant"), INSIDE, ids=[meant for *_, meant in INSIDE])
 def test_slips_inside_derivatives_and_lengths(wrong: Node, right: Node, assuming: Any, meant: str) -> None:
     assert meant in [plain(each.left) for each in repair(Claim("1", wrong, right, assuming=assuming))]
+
+
+def test_nothing_is_divided_by_a_zero_that_is_printed() -> None:
+    wrong = Claim(
+        "1",
+        partial(column(sqrt(a.x), a.y), a.x),
+        column(1 / (3 * sqrt(a.x)), Zero(1, 1)),
+        assuming=(inequality(a.x > 0),),
+    )
+    assert plain(repair(wrong)[0].right) == "[1 / [2 sqrt(a_x)]; 0]"
 
 
 def test_a_rate_of_a_product_is_worked_out_by_its_parts() -> None:

@@ -66,8 +66,8 @@ def _with_scalars(side: Node, scalars: Iterable[Node]) -> Iterator[SingleEdit]:
         for scalar in scalars:
             if isinstance(scalar, w.Number | w.Negative | w.Scale | w.Quotient) or scalar == part:
                 continue
-            for new in (times(scalar, part), w.Quotient(part, scalar)):
-                whole = placed(side, path, w.printed(lambda: new))  # noqa: B023
+            for new in (times(scalar, part), w.printed(lambda: w.Quotient(part, scalar))):  # noqa: B023
+                whole = placed(side, path, new)
                 if whole.fault is None:
                     yield SingleEdit(whole, instead(new, part), FORM + 1)
 
