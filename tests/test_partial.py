@@ -21,6 +21,7 @@ from chasles.vocabulary import (
     Identity,
     Misfit,
     Node,
+    abbreviation,
     column,
     cos,
     cross,
@@ -51,6 +52,7 @@ length, L = scalar("l", "l", "", LENGTH, constant=True), scalar("L", "L", "the L
 pendulum = Definition("0.1", L, m * length**2 * rate(t) ** 2 / 2 + m * g * length * cos(t))
 circle = Definition("0.2", v, column(x * cos(y), x * sin(y), x))
 z, u = scalar("z", "z", "a number"), vector("u", "u", "")
+spin = abbreviation("S", "S", CPM(v), "a short letter")
 entries, moved = Definition("0.3", v, column(x, y, z)), Definition("0.4", u, A @ w)
 
 TRUE = [
@@ -86,6 +88,8 @@ TRUE = [
     claim(partial(partial(x**2 * y**3, x), y), 6 * x * y**2),
     claim(partial(gradient(dot(v, A @ v), v), v), A + A.T),
     claim(partial(R @ v, v), R, rotation(R)),
+    claim(partial(spin @ w, w), spin),
+    claim(partial(spin @ w, v), -CPM(w)),
     claim(partial(inverse(A) @ w, A[1, 1]), -(inverse(A) @ partial(A, A[1, 1]) @ inverse(A) @ w), nonzero(det(A))),
 ]
 FALSE = [

@@ -18,6 +18,7 @@ from chasles.vocabulary import (
     LENGTH,
     Identity,
     Misfit,
+    abbreviation,
     det,
     inverse,
     latex,
@@ -38,11 +39,14 @@ C, D = square("C", "C", "", size=m), square("D", "D", "")
 x, c = vector("x", "x", "", size=n), scalar("c", "c", "")
 eigen = Condition("0", A @ x, c * x, on=(x,))
 
+similar = abbreviation("S", "S", (Q @ A @ inverse(Q)) ** k, "a short letter")
+
 TRUE = [
     claim(A**k @ A, A ** (k + 1)),
     claim(D @ D**k, D ** (k + 1)),
     claim(A**k @ A**j, A ** (j + k)),
     claim((A**k) ** 2, A ** (k + k)),
+    claim(similar, Q @ A**k @ inverse(Q), invertible(Q)),
     claim((A**k).T, A.T**k),
     claim((A @ B) ** k, A**k @ B**k, commuting(A, B)),
     claim(A**k @ B**j, B**j @ A**k, commuting(A, B)),

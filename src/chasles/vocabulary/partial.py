@@ -151,7 +151,9 @@ def with_derivatives(node: Node, rules: Mapping[Node, Node]) -> Node:
 def _differentiates(node: Node) -> bool:
     """Whether there is a derivative in the expression, or in what an abbreviation stands for."""
     inner = node.stands_for if isinstance(node, Symbol) else None
-    return isinstance(node, PartialDerivative) or any(map(_differentiates, (inner,) if inner else children(node)))
+    return isinstance(node, PartialDerivative) or any(
+        map(_differentiates, children(node) if inner is None else (inner,))
+    )
 
 
 def _at_rest(node: Node, rates: dict[Node, Node]) -> Node:

@@ -137,7 +137,7 @@ def at_sizes(node: Node, numbers: Mapping[str, int]) -> Node:
     """The expression with numbers for the letters of these names; raises KeyError for a letter that has none."""
     match node:
         case Symbol():
-            inner = node.stands_for and at_sizes(node.stands_for, numbers)
+            inner = None if node.stands_for is None else at_sizes(node.stands_for, numbers)
             return with_fields(node, size=_numbered(node.size, numbers), stands_for=inner)
         case Identity(size):
             return with_fields(node, size=_count(size, numbers))
@@ -152,7 +152,7 @@ def at_sizes(node: Node, numbers: Mapping[str, int]) -> Node:
 def at_exponent(node: Node, letter: Size, exponent: Extent) -> Node:
     """The expression with another exponent wherever the letter is one."""
     if isinstance(node, Symbol):
-        inner = node.stands_for and at_exponent(node.stands_for, letter, exponent)
+        inner = None if node.stands_for is None else at_exponent(node.stands_for, letter, exponent)
         return node if inner is None or inner == node.stands_for else inner
     made = rebuilt(node, tuple(at_exponent(part, letter, exponent) for part in node.below)) if node.below else node
     if not isinstance(made, Power) or letter not in (parts := parts_of(made.exponent)):
