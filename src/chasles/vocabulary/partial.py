@@ -127,7 +127,7 @@ def with_derivatives(node: Node, rules: Mapping[Node, Node]) -> Node:
         return with_derivatives(PartialDerivative(node.of, by), rules)
     of = opened(node.of)
     values = {key: _of_rule(key, rules) for key in rules if key not in (whole, base)}
-    while (told := opened(replace(of, values))) != of:
+    while (told := opened(replace(of, values | _meanings(of)))) != of:
         of = told
     said = {part for key in (whole, base) if key in rules for part in walk(opened(rules[key]))}
     if whole not in (seen := {*walk(of)}) and any(isinstance(part, Symbol) for part in said & seen):
@@ -154,6 +154,12 @@ def _differentiates(node: Node) -> bool:
     return isinstance(node, PartialDerivative) or any(
         map(_differentiates, children(node) if inner is None else (inner,))
     )
+
+
+def _meanings(node: Node) -> dict[Node, Node]:
+    """What the abbreviations in the expression stand for."""
+    found = {part: part.stands_for for part in walk(node) if isinstance(part, Symbol)}
+    return {part: meaning for part, meaning in found.items() if meaning is not None}
 
 
 def _at_rest(node: Node, rates: dict[Node, Node]) -> Node:
