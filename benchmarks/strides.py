@@ -50,6 +50,7 @@ def _wide(a: Array) -> Array:
 
 
 LAYOUTS: dict[str, Callable[[Array], Array]] = {
+    "Fortran order": np.asfortranarray,
     "items last": lambda a: _order(a, (*range(1, a.ndim), 0)),
     "transposed cores": lambda a: _order(a, (0, *range(a.ndim - 1, 0, -1))),
     "every second item": partial(_every, 2),

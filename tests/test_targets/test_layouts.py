@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from benchmarks.strides import LAYOUTS, NAMES, batches, shapes_of
+from benchmarks.strides import LAYOUTS, NAMES, batches, compiled, shapes_of
 
 from chasles import kernels
 
@@ -12,9 +12,10 @@ LAID = {"contiguous": lambda a: a, **LAYOUTS}
 
 
 @pytest.mark.parametrize("dtype", [np.float64, np.float32])
-@pytest.mark.parametrize("which", NAMES)
+@pytest.mark.parametrize("which", [*NAMES, ""], ids=lambda which: which or "compiled")
 def test_every_layout_gives_the_same_bits(which, dtype, ufuncs_by_level):
-    for kernel in [getattr(module, which) for module in (kernels, *ufuncs_by_level.values()) if hasattr(module, which)]:
+    modules = kernels, *ufuncs_by_level.values()
+    for kernel in [getattr(each, which) for each in modules if hasattr(each, which)] if which else [compiled()]:
         given, returned = shapes_of(kernel)
         for count in (1, 2, 3, 7, 8, 9, 17, 63, 64, 65, 131):
             inputs = [a.astype(dtype) for a in batches(given, count)]

@@ -105,38 +105,49 @@ typedef struct {
     int dense;
 } Stride;
 
-/* The strides that `core` says; without gaps where it is NULL. Gives whether there are none. */
-static int find_strides(const chasles_loop *loop, const ptrdiff_t *core, Stride *strides)
+/* The strides that `core` says; without gaps where it is NULL. */
+static void find_strides(const chasles_loop *loop, const ptrdiff_t *core, Stride *strides)
 {
-    int dense = 1;
     for (int k = 0; k < loop->operands; k++) {
         const chasles_shape shape = loop->shapes[k];
         const ptrdiff_t row = loop->number * shape.columns;
         const ptrdiff_t down = core != NULL && shape.axes == 2 ? *core++ : row;
         const ptrdiff_t across = core != NULL && shape.axes >= 1 ? *core++ : loop->number;
-        strides[k].down = down;
-        strides[k].across = across;
-        strides[k].dense = (shape.columns == 1 || across == loop->number) && (shape.rows == 1 || down == row);
-        dense &= strides[k].dense;
+        const int dense = (shape.columns == 1 || across == loop->number) && (shape.rows == 1 || down == row);
+        strides[k].down = dense ? row : down;
+        strides[k].across = dense ? loop->number : across;
+        strides[k].dense = dense;
     }
-    return dense;
+}
+
+/* Whether blocks take the items of operand k as they lie: without gaps in or, unless their level is for these alone,
+ * between them; or a whole register's items side by side in each of their numbers. */
+static int is_taken(const chasles_loop *loop, int k, ptrdiff_t step, Stride stride, int level, ptrdiff_t count)
+{
+    if (level == 2 && !loop->gaps) {
+        return stride.dense && step == size_of(loop, k);
+    }
+    /* Blocks that round from double may be behind a loop of floats, and know items alone. */
+    const int knows_rows = CHASLES_VECTORS && (loop->gaps < 2 || loop->number == (ptrdiff_t)sizeof(double));
+    const int side_by_side = step == loop->number && stride.across != step && count >> shift_of(loop, level) > 0;
+    return stride.dense || (knows_rows && side_by_side);
 }
 
 /* What lies one after the other: nothing more is to be done, some inputs are to be gathered, or items have gaps. */
 enum { PACKED, NEARLY_PACKED, WITH_GAPS };
 
 /* Nearly packed are items of which inputs alone are apart, and no more than half of the numbers. */
-static int packing_of(const chasles_loop *loop, const ptrdiff_t *steps)
+static int packing_of(const chasles_loop *loop, const ptrdiff_t *steps, const Stride *strides)
 {
     ptrdiff_t all = 0, apart = 0;
-    int outputs = 0;
+    int in_rows = 0;
     for (int k = 0; k < loop->operands; k++) {
         const int lies_apart = steps[k] != size_of(loop, k);
         all += size_of(loop, k);
         apart += lies_apart ? size_of(loop, k) : 0;
-        outputs |= lies_apart && k >= loop->inputs;
+        in_rows |= !strides[k].dense || (lies_apart && k >= loop->inputs);
     }
-    return apart == 0 ? PACKED : !outputs && 2 * apart <= all ? NEARLY_PACKED : WITH_GAPS;
+    return apart == 0 ? PACKED : !in_rows && 2 * apart <= all ? NEARLY_PACKED : WITH_GAPS;
 }
 
 /* The first byte of operand k and the one after its last. */
@@ -189,166 +200,54 @@ static void copy_some(ptrdiff_t width, char *to, ptrdiff_t to_step, const char *
 #undef COPY
 }
 
-#if CHASLES_VECTORS && defined(__SSE2__)
-#define NUMBERS(at) ((double *)(void *)(at))
-
-/* Copies an even number of pairs from two rows to items that lie `step` apart, or back. */
-static void copy_pairs(char *first, char *second, char *together, ptrdiff_t step, ptrdiff_t items, int back)
-{
-#define MOVE(from_a, from_b, to_a, to_b) \
-    do { \
-        const __m128d x = _mm_loadu_pd(NUMBERS(from_a)), y = _mm_loadu_pd(NUMBERS(from_b)); \
-        _mm_storeu_pd(NUMBERS(to_a), _mm_unpacklo_pd(x, y)); \
-        _mm_storeu_pd(NUMBERS(to_b), _mm_unpackhi_pd(x, y)); \
-    } while (0)
-    char *at = together;
-    if (back) {
-        for (ptrdiff_t i = 0; i < items * 8; i += 16, at += 2 * step) {
-            MOVE(at, at + step, first + i, second + i);
-        }
-    } else {
-        for (ptrdiff_t i = 0; i < items * 8; i += 16, at += 2 * step) {
-            MOVE(first + i, second + i, at, at + step);
-        }
-    }
-#undef MOVE
-}
-#define CHASLES_PAIRS 1
-#else
-static void copy_pairs(char *first, char *second, char *together, ptrdiff_t step, ptrdiff_t items, int back)
-{
-    (void)first, (void)second, (void)together, (void)step, (void)items, (void)back;
-}
-#define CHASLES_PAIRS 0
-#endif
-
-#if CHASLES_PAIRS && CHASLES_LEVELS >= 2
-/* Copies four rows of numbers, a multiple of four, to items that lie `step` apart, or back. */
-__attribute__((target("avx2")))
-static void copy_fours(char *const *rows, char *together, ptrdiff_t step, ptrdiff_t items, int back)
-{
-    char *const a = rows[0], *const b = rows[1], *const c = rows[2], *const d = rows[3];
-#define MOVE(from_a, from_b, from_c, from_d, to_a, to_b, to_c, to_d) \
-    do { \
-        const __m256d w = _mm256_loadu_pd(NUMBERS(from_a)), x = _mm256_loadu_pd(NUMBERS(from_b)); \
-        const __m256d y = _mm256_loadu_pd(NUMBERS(from_c)), z = _mm256_loadu_pd(NUMBERS(from_d)); \
-        const __m256d even = _mm256_unpacklo_pd(w, x), odd = _mm256_unpackhi_pd(w, x); \
-        const __m256d even_ = _mm256_unpacklo_pd(y, z), odd_ = _mm256_unpackhi_pd(y, z); \
-        _mm256_storeu_pd(NUMBERS(to_a), _mm256_permute2f128_pd(even, even_, 0x20)); \
-        _mm256_storeu_pd(NUMBERS(to_b), _mm256_permute2f128_pd(odd, odd_, 0x20)); \
-        _mm256_storeu_pd(NUMBERS(to_c), _mm256_permute2f128_pd(even, even_, 0x31)); \
-        _mm256_storeu_pd(NUMBERS(to_d), _mm256_permute2f128_pd(odd, odd_, 0x31)); \
-    } while (0)
-    char *at = together;
-    if (back) {
-        for (ptrdiff_t i = 0; i < items * 8; i += 32, at += 4 * step) {
-            MOVE(at, at + step, at + 2 * step, at + 3 * step, a + i, b + i, c + i, d + i);
-        }
-    } else {
-        for (ptrdiff_t i = 0; i < items * 8; i += 32, at += 4 * step) {
-            MOVE(a + i, b + i, c + i, d + i, at, at + step, at + 2 * step, at + 3 * step);
-        }
-    }
-#undef MOVE
-}
-#define CHASLES_FOURS 1
-#else
-static void copy_fours(char *const *rows, char *together, ptrdiff_t step, ptrdiff_t items, int back)
-{
-    (void)rows, (void)together, (void)step, (void)items, (void)back;
-}
-#define CHASLES_FOURS 0
-#endif
-
-#if defined(__GNUC__)
-#define CHASLES_PREFETCH(at, nearness) __builtin_prefetch(at, 0, nearness)
-#else
-#define CHASLES_PREFETCH(at, nearness) ((void)(at))
-#endif
-
-/* Asks for the memory of a row of numbers from its byte `first` to before its byte `last`, as near as can be or not quite.
- * Among so many rows no machine guesses what comes next. */
-static void prefetch_row(const char *row, ptrdiff_t first, ptrdiff_t last, int soon)
-{
-    for (ptrdiff_t byte = first; byte < last; byte += CHASLES_LINE) {
-        const char *const line = (const char *)((uintptr_t)row + (uintptr_t)byte);
-        if (soon) {
-            CHASLES_PREFETCH(line, 3);
-        } else {
-            CHASLES_PREFETCH(line, 2);
-        }
-    }
-}
-
-/* Where entry e of the first item lies. */
-static char *entry_of(chasles_shape shape, Stride stride, char *apart, ptrdiff_t e)
-{
-    return apart + e / shape.columns * stride.down + e % shape.columns * stride.across;
-}
-
 /* Copies `items` items from where their strides say to `together`, where they lie one after the other, or back. */
 static void copy(
     ptrdiff_t number, chasles_shape shape, Stride stride, char *apart, ptrdiff_t step, char *together, ptrdiff_t items,
-    int back, int level)
+    int back)
 {
     const ptrdiff_t entries = (ptrdiff_t)shape.rows * shape.columns, size = number * entries;
     const ptrdiff_t row = stride.across == number ? shape.columns : 1, wide = stride.dense ? entries : row;
-    const ptrdiff_t widest = CHASLES_FOURS && level > 0 && entries >= 4 ? 4 : 2;
-    const int in_rows = CHASLES_PAIRS && number == 8 && step == number && entries > 1;
-    const ptrdiff_t turned = in_rows ? items - items % widest : 0, rest = items - turned;
-    const ptrdiff_t at_once = turned > 0 ? widest : wide, width = number * (turned > 0 ? 1 : wide);
-    for (ptrdiff_t e = 0; e < entries; e += at_once) {
-        /* Of the last entries some come again, so that they are as many. */
-        const ptrdiff_t first = e + at_once > entries ? entries - at_once : e;
-        char *const start = together + first * number;
-        char *rows[4];
-        for (ptrdiff_t k = 0; k < (turned > 0 ? at_once : 1); k++) {
-            char *const here = start + k * number + turned * size;
-            rows[k] = entry_of(shape, stride, apart, first + k);
-            if (back) {
-                copy_some(width, rows[k] + turned * step, step, here, size, rest);
-            } else {
-                copy_some(width, here, size, rows[k] + turned * step, step, rest);
-            }
-            if (back && turned > 0) {
-                /* What comes next, and this row in the next block. */
-                if (first + k + at_once < entries) {
-                    prefetch_row(entry_of(shape, stride, apart, first + k + at_once), 0, turned * step, 1);
-                }
-                prefetch_row(rows[k], turned * step, 2 * turned * step, 0);
-            }
-        }
-        if (turned > 0 && at_once == 4) {
-            copy_fours(rows, start, size, turned, back);
-        } else if (turned > 0) {
-            copy_pairs(rows[0], rows[1], start, size, turned, back);
+    for (ptrdiff_t e = 0; e < entries; e += wide) {
+        char *const there = apart + e / shape.columns * stride.down + e % shape.columns * stride.across;
+        if (back) {
+            copy_some(wide * number, there, step, together + e * number, size, items);
+        } else {
+            copy_some(wide * number, together + e * number, size, there, step, items);
         }
     }
 }
 
-/* A part of a batch: the places of its items, in the batch itself or gathered in `store`. */
+/* A part of a batch: the places of its items, in the batch itself or gathered in `store`. Behind the steps between
+ * items are those down and across in each of them. */
 typedef struct {
     char *at[CHASLES_OPERANDS];
-    ptrdiff_t steps[CHASLES_OPERANDS];
+    ptrdiff_t steps[3 * CHASLES_OPERANDS];
 } Part;
+
+/* The steps of operand k: between items, and down and across in each. */
+static void say_steps(const chasles_loop *loop, Part *part, int k, ptrdiff_t step, ptrdiff_t down, ptrdiff_t across)
+{
+    part->steps[k] = step;
+    part->steps[loop->operands + 2 * k] = down;
+    part->steps[loop->operands + 2 * k + 1] = across;
+}
 
 /* Gives the operands that are not in place room in `store`, and copies `items` items of the inputs there, the last one
  * again up to `filled`. */
 static void gather(
     const chasles_loop *loop, Part *part, const Part *batch, const Stride *strides, const int *in_place, ptrdiff_t items,
-    ptrdiff_t filled, char *store, int level)
+    ptrdiff_t filled, char *store)
 {
+    *part = *batch;
     for (int k = 0; k < loop->operands; k++) {
         const ptrdiff_t size = size_of(loop, k);
-        part->at[k] = batch->at[k];
-        part->steps[k] = batch->steps[k];
         if (in_place != NULL && in_place[k]) {
             continue;
         }
         part->at[k] = store;
-        part->steps[k] = size;
+        say_steps(loop, part, k, size, loop->number * loop->shapes[k].columns, loop->number);
         if (k < loop->inputs) {
-            copy(loop->number, loop->shapes[k], strides[k], batch->at[k], batch->steps[k], store, items, 0, level);
+            copy(loop->number, loop->shapes[k], strides[k], batch->at[k], batch->steps[k], store, items, 0);
             for (ptrdiff_t i = items; i < filled; i++) {
                 memcpy(store + i * size, store + (items - 1) * size, (size_t)size);
             }
@@ -360,25 +259,27 @@ static void gather(
 /* Copies `items` items of each output that is not in place to their places. */
 static void scatter(
     const chasles_loop *loop, const Part *part, const Part *batch, const Stride *strides, const int *in_place,
-    ptrdiff_t items, int level)
+    ptrdiff_t items)
 {
     for (int k = loop->inputs; k < loop->operands; k++) {
         if (in_place == NULL || !in_place[k]) {
-            copy(loop->number, loop->shapes[k], strides[k], batch->at[k], batch->steps[k], part->at[k], items, 1, level);
+            copy(loop->number, loop->shapes[k], strides[k], batch->at[k], batch->steps[k], part->at[k], items, 1);
         }
     }
 }
 
-/* Whether one of `size` bytes of numbers is NaN. */
-static int holds_nan(ptrdiff_t number, const char *at, ptrdiff_t size)
+/* Whether one of the numbers of operand k in an item is NaN. */
+static int holds_nan(const chasles_loop *loop, const Part *part, int k, ptrdiff_t item)
 {
-    for (ptrdiff_t i = 0; i < size; i += number) {
+    const ptrdiff_t *const core = part->steps + loop->operands + 2 * k, columns = loop->shapes[k].columns;
+    for (ptrdiff_t e = 0; e < columns * loop->shapes[k].rows; e++) {
+        const char *const at = part->at[k] + item * part->steps[k] + e / columns * core[0] + e % columns * core[1];
         double x;
-        if (number == (ptrdiff_t)sizeof(double)) {
-            memcpy(&x, at + i, sizeof(double));
+        if (loop->number == (ptrdiff_t)sizeof(double)) {
+            memcpy(&x, at, sizeof(double));
         } else {
             float narrow;
-            memcpy(&narrow, at + i, sizeof(float));
+            memcpy(&narrow, at, sizeof(float));
             x = (double)narrow;
         }
         if (x != x) {
@@ -394,7 +295,7 @@ static int is_singular(const chasles_loop *loop, const Part *part, ptrdiff_t ite
     for (ptrdiff_t i = 0; i < items; i++) {
         int came = 0, went = 0;
         for (int k = 0; k < loop->operands; k++) {
-            const int found = holds_nan(loop->number, part->at[k] + i * part->steps[k], size_of(loop, k));
+            const int found = holds_nan(loop, part, k, i);
             came |= k < loop->inputs && found;
             went |= k >= loop->inputs && found;
         }
@@ -466,7 +367,6 @@ typedef struct {
     const chasles_loop *loop;
     chasles_block *block;
     const Stride *strides;
-    int level;
     int shift;
     ptrdiff_t lanes;
     Part rest;
@@ -512,9 +412,9 @@ static ptrdiff_t run_gathered(Run *run, ptrdiff_t left, char *store)
     const ptrdiff_t items = in_place != NULL ? most >> run->shift << run->shift : most;
     const ptrdiff_t filled = (items + run->lanes - 1) >> run->shift << run->shift;
     Part part;
-    gather(run->loop, &part, &run->rest, run->strides, in_place, items, filled, store, run->level);
+    gather(run->loop, &part, &run->rest, run->strides, in_place, items, filled, store);
     advance(run, &part, items, &nothing);
-    scatter(run->loop, &part, &run->rest, run->strides, in_place, items, run->level);
+    scatter(run->loop, &part, &run->rest, run->strides, in_place, items);
     go_on(run, items);
     return items;
 }
@@ -568,32 +468,34 @@ void chasles_run(
     double store[CHASLES_STORE / sizeof(double)];
     Stride strides[CHASLES_OPERANDS];
     Run run;
-    int in_place_each[CHASLES_OPERANDS];
-    const int dense = find_strides(loop, core, strides), over = overlaps(loop, count, at, steps, strides);
-    const int fills = count >> shift_of(loop, level) > 0;
-    int lies_well = dense && !over;
+    int in_place_each[CHASLES_OPERANDS] = {0};
+    find_strides(loop, core, strides);
+    const int over = overlaps(loop, count, at, steps, strides);
+    int lies_well = !over;
+    for (int k = 0; k < loop->operands; k++) {
+        say_steps(loop, &run.rest, k, steps[k], strides[k].down, strides[k].across);
+        lies_well &= is_taken(loop, k, steps[k], strides[k], 1, count);
+    }
     if (level == 2 && !loop->gaps) {
         /* Such blocks take items without gaps; by narrower registers few items are computed, and what has gaps. */
-        const int packing = packing_of(loop, steps);
-        level = !fills || (lies_well && packing == WITH_GAPS) ? 1 : 2;
+        const int packing = packing_of(loop, steps, strides);
+        level = count >> shift_of(loop, level) == 0 || (lies_well && packing == WITH_GAPS) ? 1 : 2;
         lies_well = lies_well && (level == 1 || packing == PACKED);
     }
-    for (int k = 0; k < loop->operands; k++) {
-        in_place_each[k] = strides[k].dense && (level < 2 || loop->gaps || steps[k] == size_of(loop, k));
+    for (int k = 0; k < loop->operands && !lies_well; k++) {
+        in_place_each[k] = is_taken(loop, k, steps[k], strides[k], level, count);
     }
     run.loop = loop;
     run.block = loop->blocks[level];
     run.strides = strides;
-    run.level = level;
     run.shift = shift_of(loop, level);
     run.lanes = (ptrdiff_t)1 << run.shift;
     run.in_place = over ? NULL : in_place_each;
     run.singular = 0;
     memcpy(run.rest.at, at, (size_t)loop->operands * sizeof *at);
-    memcpy(run.rest.steps, steps, (size_t)loop->operands * sizeof *steps);
     if (lies_well && count == 1) {
         /* An item alone is computed in all lanes. */
-        memset(run.rest.steps, 0, sizeof run.rest.steps);
+        memset(run.rest.steps, 0, (size_t)loop->operands * sizeof *steps);
         count = run.lanes;
     }
     const int in_place = lies_well && count >= run.lanes;
@@ -665,7 +567,7 @@ void chasles_run_in_double(
         for (int k = 0; k < loop->operands; k++) {
             const ptrdiff_t size = size_of(loop, k), numbers = size / (ptrdiff_t)sizeof(double);
             part.at[k] = (char *)next;
-            part.steps[k] = size;
+            say_steps(loop, &part, k, size, loop->number * loop->shapes[k].columns, loop->number);
             if (k < loop->inputs) {
                 widen((float *)(void *)(at[k] + done * steps[k]), steps[k], next, numbers, items, 0);
             }

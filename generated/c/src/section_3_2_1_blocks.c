@@ -23,10 +23,14 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -44,7 +48,7 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, e);
+        take_3(item0, 0, 3, down0, across0, step0, e);
         const doubles sin_half_phi = sines[0][g];
         const doubles t1 = choose(equal(sin_half_phi, spread(0.0)), spread(0.0), spread(0.5));
         const doubles t2 = t1 / sin_half_phi;
@@ -60,9 +64,9 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_block)(
         const doubles result8 = t3 + e[2] * (e[2] * t4);
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 9);
-        store_4(item2, step2, result0, result1, result2, result1);
-        store_4(item2 + 4 * sizeof(double), step2, result4, result5, result2, result5);
-        store_1(item2 + 8 * sizeof(double), step2, result8);
+        give_4(item2, 0, 3, down2, across2, step2, result0, result1, result2, result1);
+        give_4(item2, 4, 3, down2, across2, step2, result4, result5, result2, result5);
+        give_1(item2, 8, 3, down2, across2, step2, result8);
         stream_lines(&copied);
     }
 }
@@ -75,10 +79,14 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -96,7 +104,7 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, e);
+        take_3f(item0, 0, 3, down0, across0, step0, e);
         const floats sin_half_phi = sines[0][g];
         const truthsf t1 = equalf(sin_half_phi, spreadf(0.0f));
         const floats t2 = choosef(t1, spreadf(0.0f), spreadf(0.5f)) / sin_half_phi;
@@ -112,9 +120,9 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_blockf)(
         const floats result8 = t3 + e[2] * (e[2] * t4);
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 9);
-        store_4f(item2, step2, result0, result1, result2, result1);
-        store_4f(item2 + 4 * sizeof(float), step2, result4, result5, result2, result5);
-        store_1f(item2 + 8 * sizeof(float), step2, result8);
+        give_4f(item2, 0, 3, down2, across2, step2, result0, result1, result2, result1);
+        give_4f(item2, 4, 3, down2, across2, step2, result4, result5, result2, result5);
+        give_1f(item2, 8, 3, down2, across2, step2, result8);
         stream_lines(&copied);
     }
 }
@@ -127,14 +135,22 @@ void CHASLES_LEVELED(chasles_screw_axis_point_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 3 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 3 * sizeof(double));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -152,15 +168,15 @@ void CHASLES_LEVELED(chasles_screw_axis_point_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, e);
+        take_3(item0, 0, 3, down0, across0, step0, e);
         doubles a[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        load_3(item2, step2, a);
+        take_3(item2, 0, 3, down2, across2, step2, a);
         doubles a_prime[3];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 3);
-        load_3(item3, step3, a_prime);
+        take_3(item3, 0, 3, down3, across3, step3, a_prime);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t1 = a[0] + a_prime[0];
@@ -177,7 +193,7 @@ void CHASLES_LEVELED(chasles_screw_axis_point_block)(
         const doubles p_0_2 = 0.5 * ((e[0] * t6 - e[1] * t5) * t9 - (e[2] * t4 - t3));
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 3);
-        store_3(item4, step4, p_0_0, p_0_1, p_0_2);
+        give_3(item4, 0, 3, down4, across4, step4, p_0_0, p_0_1, p_0_2);
         stream_lines(&copied);
     }
 }
@@ -190,14 +206,22 @@ void CHASLES_LEVELED(chasles_screw_axis_point_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 3 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 3 * sizeof(float));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -215,15 +239,15 @@ void CHASLES_LEVELED(chasles_screw_axis_point_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, e);
+        take_3f(item0, 0, 3, down0, across0, step0, e);
         floats a[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        load_3f(item2, step2, a);
+        take_3f(item2, 0, 3, down2, across2, step2, a);
         floats a_prime[3];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 3);
-        load_3f(item3, step3, a_prime);
+        take_3f(item3, 0, 3, down3, across3, step3, a_prime);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats t1 = a[0] + a_prime[0];
@@ -240,7 +264,7 @@ void CHASLES_LEVELED(chasles_screw_axis_point_blockf)(
         const floats p_0_2 = 0.5f * ((e[0] * t6 - e[1] * t5) * t9 - (e[2] * t4 - t3));
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 3);
-        store_3f(item4, step4, p_0_0, p_0_1, p_0_2);
+        give_3f(item4, 0, 3, down4, across4, step4, p_0_0, p_0_1, p_0_2);
         stream_lines(&copied);
     }
 }

@@ -23,20 +23,26 @@ void CHASLES_LEVELED(chasles_plucker_line_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 6 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles p_1[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, p_1);
+        take_3(item0, 0, 3, down0, across0, step0, p_1);
         doubles p_2[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        load_3(item1, step1, p_2);
+        take_3(item1, 0, 3, down1, across1, step1, p_2);
         const doubles t1 = p_2[0] - p_1[0];
         const doubles t2 = p_2[1] - p_1[1];
         const doubles t3 = p_2[2] - p_1[2];
@@ -60,8 +66,8 @@ void CHASLES_LEVELED(chasles_plucker_line_block)(
         const doubles kappa5 = p_1[0] * kappa1 - p_1[1] * kappa0;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 6);
-        store_4(item2, step2, kappa0, kappa1, kappa2, kappa3);
-        store_2(item2 + 4 * sizeof(double), step2, kappa4, kappa5);
+        give_4(item2, 0, 6, down2, across2, step2, kappa0, kappa1, kappa2, kappa3);
+        give_2(item2, 4, 6, down2, across2, step2, kappa4, kappa5);
         stream_lines(&copied);
     }
 }
@@ -74,20 +80,26 @@ void CHASLES_LEVELED(chasles_plucker_line_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 6 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats p_1[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, p_1);
+        take_3f(item0, 0, 3, down0, across0, step0, p_1);
         floats p_2[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        load_3f(item1, step1, p_2);
+        take_3f(item1, 0, 3, down1, across1, step1, p_2);
         const floats t1 = p_2[0] - p_1[0];
         const floats t2 = p_2[1] - p_1[1];
         const floats t3 = p_2[2] - p_1[2];
@@ -111,8 +123,8 @@ void CHASLES_LEVELED(chasles_plucker_line_blockf)(
         const floats kappa5 = p_1[0] * kappa1 - p_1[1] * kappa0;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 6);
-        store_4f(item2, step2, kappa0, kappa1, kappa2, kappa3);
-        store_2f(item2 + 4 * sizeof(float), step2, kappa4, kappa5);
+        give_4f(item2, 0, 6, down2, across2, step2, kappa0, kappa1, kappa2, kappa3);
+        give_2f(item2, 4, 6, down2, across2, step2, kappa4, kappa5);
         stream_lines(&copied);
     }
 }
@@ -125,27 +137,35 @@ void CHASLES_LEVELED(chasles_plucker_transfer_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 6 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(6, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(7, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles kappa_A[6];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 6);
-        load_4(item0, step0, kappa_A);
-        load_2(item0 + 4 * sizeof(double), step0, &kappa_A[4]);
+        take_4(item0, 0, 6, down0, across0, step0, kappa_A);
+        take_2(item0, 4, 6, down0, across0, step0, &kappa_A[4]);
         doubles a[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        load_3(item1, step1, a);
+        take_3(item1, 0, 3, down1, across1, step1, a);
         doubles b[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        load_3(item2, step2, b);
+        take_3(item2, 0, 3, down2, across2, step2, b);
         const doubles kappa_B0 = kappa_A[0];
         const doubles kappa_B1 = kappa_A[1];
         const doubles kappa_B2 = kappa_A[2];
@@ -157,8 +177,8 @@ void CHASLES_LEVELED(chasles_plucker_transfer_block)(
         const doubles kappa_B5 = kappa_A[5] + (kappa_B1 * t1 - kappa_B0 * t2);
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 6);
-        store_4(item3, step3, kappa_B0, kappa_B1, kappa_B2, kappa_B3);
-        store_2(item3 + 4 * sizeof(double), step3, kappa_B4, kappa_B5);
+        give_4(item3, 0, 6, down3, across3, step3, kappa_B0, kappa_B1, kappa_B2, kappa_B3);
+        give_2(item3, 4, 6, down3, across3, step3, kappa_B4, kappa_B5);
         stream_lines(&copied);
     }
 }
@@ -171,27 +191,35 @@ void CHASLES_LEVELED(chasles_plucker_transfer_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 6 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(6, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(7, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats kappa_A[6];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 6);
-        load_4f(item0, step0, kappa_A);
-        load_2f(item0 + 4 * sizeof(float), step0, &kappa_A[4]);
+        take_4f(item0, 0, 6, down0, across0, step0, kappa_A);
+        take_2f(item0, 4, 6, down0, across0, step0, &kappa_A[4]);
         floats a[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        load_3f(item1, step1, a);
+        take_3f(item1, 0, 3, down1, across1, step1, a);
         floats b[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        load_3f(item2, step2, b);
+        take_3f(item2, 0, 3, down2, across2, step2, b);
         const floats kappa_B0 = kappa_A[0];
         const floats kappa_B1 = kappa_A[1];
         const floats kappa_B2 = kappa_A[2];
@@ -203,8 +231,8 @@ void CHASLES_LEVELED(chasles_plucker_transfer_blockf)(
         const floats kappa_B5 = kappa_A[5] + (kappa_B1 * t1 - kappa_B0 * t2);
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 6);
-        store_4f(item3, step3, kappa_B0, kappa_B1, kappa_B2, kappa_B3);
-        store_2f(item3 + 4 * sizeof(float), step3, kappa_B4, kappa_B5);
+        give_4f(item3, 0, 6, down3, across3, step3, kappa_B0, kappa_B1, kappa_B2, kappa_B3);
+        give_2f(item3, 4, 6, down3, across3, step3, kappa_B4, kappa_B5);
         stream_lines(&copied);
     }
 }

@@ -23,24 +23,30 @@ void CHASLES_LEVELED(chasles_rotation_in_triad_axes_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles triad[9];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 9);
-        load_4(item0, step0, triad);
-        load_4(item0 + 4 * sizeof(double), step0, &triad[4]);
-        load_1(item0 + 8 * sizeof(double), step0, &triad[8]);
+        take_4(item0, 0, 3, down0, across0, step0, triad);
+        take_4(item0, 4, 3, down0, across0, step0, &triad[4]);
+        take_1(item0, 8, 3, down0, across0, step0, &triad[8]);
         doubles triad_prime[9];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 9);
-        load_4(item1, step1, triad_prime);
-        load_4(item1 + 4 * sizeof(double), step1, &triad_prime[4]);
-        load_1(item1 + 8 * sizeof(double), step1, &triad_prime[8]);
+        take_4(item1, 0, 3, down1, across1, step1, triad_prime);
+        take_4(item1, 4, 3, down1, across1, step1, &triad_prime[4]);
+        take_1(item1, 8, 3, down1, across1, step1, &triad_prime[8]);
         const doubles t1 = triad[0] * triad_prime[0] + triad[3] * triad_prime[3];
         const doubles Q0 = t1 + triad[6] * triad_prime[6];
         const doubles t2 = triad[0] * triad_prime[1] + triad[3] * triad_prime[4];
@@ -61,9 +67,9 @@ void CHASLES_LEVELED(chasles_rotation_in_triad_axes_block)(
         const doubles Q8 = t9 + triad[8] * triad_prime[8];
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 9);
-        store_4(item2, step2, Q0, Q1, Q2, Q3);
-        store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
-        store_1(item2 + 8 * sizeof(double), step2, Q8);
+        give_4(item2, 0, 3, down2, across2, step2, Q0, Q1, Q2, Q3);
+        give_4(item2, 4, 3, down2, across2, step2, Q4, Q5, Q6, Q7);
+        give_1(item2, 8, 3, down2, across2, step2, Q8);
         stream_lines(&copied);
     }
 }
@@ -76,24 +82,30 @@ void CHASLES_LEVELED(chasles_rotation_in_triad_axes_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats triad[9];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 9);
-        load_4f(item0, step0, triad);
-        load_4f(item0 + 4 * sizeof(float), step0, &triad[4]);
-        load_1f(item0 + 8 * sizeof(float), step0, &triad[8]);
+        take_4f(item0, 0, 3, down0, across0, step0, triad);
+        take_4f(item0, 4, 3, down0, across0, step0, &triad[4]);
+        take_1f(item0, 8, 3, down0, across0, step0, &triad[8]);
         floats triad_prime[9];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 9);
-        load_4f(item1, step1, triad_prime);
-        load_4f(item1 + 4 * sizeof(float), step1, &triad_prime[4]);
-        load_1f(item1 + 8 * sizeof(float), step1, &triad_prime[8]);
+        take_4f(item1, 0, 3, down1, across1, step1, triad_prime);
+        take_4f(item1, 4, 3, down1, across1, step1, &triad_prime[4]);
+        take_1f(item1, 8, 3, down1, across1, step1, &triad_prime[8]);
         const floats t1 = triad[0] * triad_prime[0] + triad[3] * triad_prime[3];
         const floats Q0 = t1 + triad[6] * triad_prime[6];
         const floats t2 = triad[0] * triad_prime[1] + triad[3] * triad_prime[4];
@@ -114,9 +126,9 @@ void CHASLES_LEVELED(chasles_rotation_in_triad_axes_blockf)(
         const floats Q8 = t9 + triad[8] * triad_prime[8];
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 9);
-        store_4f(item2, step2, Q0, Q1, Q2, Q3);
-        store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
-        store_1f(item2 + 8 * sizeof(float), step2, Q8);
+        give_4f(item2, 0, 3, down2, across2, step2, Q0, Q1, Q2, Q3);
+        give_4f(item2, 4, 3, down2, across2, step2, Q4, Q5, Q6, Q7);
+        give_1f(item2, 8, 3, down2, across2, step2, Q8);
         stream_lines(&copied);
     }
 }
@@ -129,24 +141,30 @@ void CHASLES_LEVELED(chasles_rotation_from_triads_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles triad[9];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 9);
-        load_4(item0, step0, triad);
-        load_4(item0 + 4 * sizeof(double), step0, &triad[4]);
-        load_1(item0 + 8 * sizeof(double), step0, &triad[8]);
+        take_4(item0, 0, 3, down0, across0, step0, triad);
+        take_4(item0, 4, 3, down0, across0, step0, &triad[4]);
+        take_1(item0, 8, 3, down0, across0, step0, &triad[8]);
         doubles triad_prime[9];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 9);
-        load_4(item1, step1, triad_prime);
-        load_4(item1 + 4 * sizeof(double), step1, &triad_prime[4]);
-        load_1(item1 + 8 * sizeof(double), step1, &triad_prime[8]);
+        take_4(item1, 0, 3, down1, across1, step1, triad_prime);
+        take_4(item1, 4, 3, down1, across1, step1, &triad_prime[4]);
+        take_1(item1, 8, 3, down1, across1, step1, &triad_prime[8]);
         const doubles t1 = triad[0] * triad_prime[0] + triad[1] * triad_prime[1];
         const doubles Q0 = t1 + triad[2] * triad_prime[2];
         const doubles t2 = triad[3] * triad_prime[0] + triad[4] * triad_prime[1];
@@ -167,9 +185,9 @@ void CHASLES_LEVELED(chasles_rotation_from_triads_block)(
         const doubles Q8 = t9 + triad[8] * triad_prime[8];
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 9);
-        store_4(item2, step2, Q0, Q1, Q2, Q3);
-        store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
-        store_1(item2 + 8 * sizeof(double), step2, Q8);
+        give_4(item2, 0, 3, down2, across2, step2, Q0, Q1, Q2, Q3);
+        give_4(item2, 4, 3, down2, across2, step2, Q4, Q5, Q6, Q7);
+        give_1(item2, 8, 3, down2, across2, step2, Q8);
         stream_lines(&copied);
     }
 }
@@ -182,24 +200,30 @@ void CHASLES_LEVELED(chasles_rotation_from_triads_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats triad[9];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 9);
-        load_4f(item0, step0, triad);
-        load_4f(item0 + 4 * sizeof(float), step0, &triad[4]);
-        load_1f(item0 + 8 * sizeof(float), step0, &triad[8]);
+        take_4f(item0, 0, 3, down0, across0, step0, triad);
+        take_4f(item0, 4, 3, down0, across0, step0, &triad[4]);
+        take_1f(item0, 8, 3, down0, across0, step0, &triad[8]);
         floats triad_prime[9];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 9);
-        load_4f(item1, step1, triad_prime);
-        load_4f(item1 + 4 * sizeof(float), step1, &triad_prime[4]);
-        load_1f(item1 + 8 * sizeof(float), step1, &triad_prime[8]);
+        take_4f(item1, 0, 3, down1, across1, step1, triad_prime);
+        take_4f(item1, 4, 3, down1, across1, step1, &triad_prime[4]);
+        take_1f(item1, 8, 3, down1, across1, step1, &triad_prime[8]);
         const floats t1 = triad[0] * triad_prime[0] + triad[1] * triad_prime[1];
         const floats Q0 = t1 + triad[2] * triad_prime[2];
         const floats t2 = triad[3] * triad_prime[0] + triad[4] * triad_prime[1];
@@ -220,9 +244,9 @@ void CHASLES_LEVELED(chasles_rotation_from_triads_blockf)(
         const floats Q8 = t9 + triad[8] * triad_prime[8];
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 9);
-        store_4f(item2, step2, Q0, Q1, Q2, Q3);
-        store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
-        store_1f(item2 + 8 * sizeof(float), step2, Q8);
+        give_4f(item2, 0, 3, down2, across2, step2, Q0, Q1, Q2, Q3);
+        give_4f(item2, 4, 3, down2, across2, step2, Q4, Q5, Q6, Q7);
+        give_1f(item2, 8, 3, down2, across2, step2, Q8);
         stream_lines(&copied);
     }
 }

@@ -23,14 +23,18 @@ void CHASLES_LEVELED(chasles_cross_product_matrix_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles v[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, v);
+        take_3(item0, 0, 3, down0, across0, step0, v);
         const doubles V7 = v[0];
         const doubles V2 = v[1];
         const doubles V3 = v[2];
@@ -39,9 +43,9 @@ void CHASLES_LEVELED(chasles_cross_product_matrix_block)(
         const doubles V6 = -V2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, spread(0.0), V1, V2, V3);
-        store_4(item1 + 4 * sizeof(double), step1, spread(0.0), V5, V6, V7);
-        store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
+        give_4(item1, 0, 3, down1, across1, step1, spread(0.0), V1, V2, V3);
+        give_4(item1, 4, 3, down1, across1, step1, spread(0.0), V5, V6, V7);
+        give_1(item1, 8, 3, down1, across1, step1, spread(0.0));
         stream_lines(&copied);
     }
 }
@@ -54,14 +58,18 @@ void CHASLES_LEVELED(chasles_cross_product_matrix_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats v[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, v);
+        take_3f(item0, 0, 3, down0, across0, step0, v);
         const floats V7 = v[0];
         const floats V2 = v[1];
         const floats V3 = v[2];
@@ -70,9 +78,9 @@ void CHASLES_LEVELED(chasles_cross_product_matrix_blockf)(
         const floats V6 = -V2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, spreadf(0.0f), V1, V2, V3);
-        store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), V5, V6, V7);
-        store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
+        give_4f(item1, 0, 3, down1, across1, step1, spreadf(0.0f), V1, V2, V3);
+        give_4f(item1, 4, 3, down1, across1, step1, spreadf(0.0f), V5, V6, V7);
+        give_1f(item1, 8, 3, down1, across1, step1, spreadf(0.0f));
         stream_lines(&copied);
     }
 }
@@ -85,10 +93,14 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -106,7 +118,7 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, e);
+        take_3(item0, 0, 3, down0, across0, step0, e);
         const doubles sin_phi = sines[0][g];
         const doubles cos_phi = cosines[0][g];
         const doubles t1 = 1.0 - cos_phi;
@@ -129,9 +141,9 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_block)(
         const doubles Q7 = t6 + t7;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 9);
-        store_4(item2, step2, Q0, Q1, Q2, Q3);
-        store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
-        store_1(item2 + 8 * sizeof(double), step2, Q8);
+        give_4(item2, 0, 3, down2, across2, step2, Q0, Q1, Q2, Q3);
+        give_4(item2, 4, 3, down2, across2, step2, Q4, Q5, Q6, Q7);
+        give_1(item2, 8, 3, down2, across2, step2, Q8);
         stream_lines(&copied);
     }
 }
@@ -144,10 +156,14 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -165,7 +181,7 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, e);
+        take_3f(item0, 0, 3, down0, across0, step0, e);
         const floats sin_phi = sines[0][g];
         const floats cos_phi = cosines[0][g];
         const floats t1 = 1.0f - cos_phi;
@@ -188,9 +204,9 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_blockf)(
         const floats Q7 = t6 + t7;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 9);
-        store_4f(item2, step2, Q0, Q1, Q2, Q3);
-        store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
-        store_1f(item2 + 8 * sizeof(float), step2, Q8);
+        give_4f(item2, 0, 3, down2, across2, step2, Q0, Q1, Q2, Q3);
+        give_4f(item2, 4, 3, down2, across2, step2, Q4, Q5, Q6, Q7);
+        give_1f(item2, 8, 3, down2, across2, step2, Q8);
         stream_lines(&copied);
     }
 }
@@ -203,34 +219,44 @@ void CHASLES_LEVELED(chasles_point_after_displacement_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(7, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(8, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 3 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 3 * sizeof(double));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles Q[9];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 9);
-        load_4(item0, step0, Q);
-        load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
-        load_1(item0 + 8 * sizeof(double), step0, &Q[8]);
+        take_4(item0, 0, 3, down0, across0, step0, Q);
+        take_4(item0, 4, 3, down0, across0, step0, &Q[4]);
+        take_1(item0, 8, 3, down0, across0, step0, &Q[8]);
         doubles a[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        load_3(item1, step1, a);
+        take_3(item1, 0, 3, down1, across1, step1, a);
         doubles a_prime[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        load_3(item2, step2, a_prime);
+        take_3(item2, 0, 3, down2, across2, step2, a_prime);
         doubles p[3];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 3);
-        load_3(item3, step3, p);
+        take_3(item3, 0, 3, down3, across3, step3, p);
         const doubles t1 = p[0] - a[0];
         const doubles t2 = p[1] - a[1];
         const doubles t3 = p[2] - a[2];
@@ -239,7 +265,7 @@ void CHASLES_LEVELED(chasles_point_after_displacement_block)(
         const doubles p_prime2 = a_prime[2] + (Q[6] * t1 + Q[7] * t2 + Q[8] * t3);
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 3);
-        store_3(item4, step4, p_prime0, p_prime1, p_prime2);
+        give_3(item4, 0, 3, down4, across4, step4, p_prime0, p_prime1, p_prime2);
         stream_lines(&copied);
     }
 }
@@ -252,34 +278,44 @@ void CHASLES_LEVELED(chasles_point_after_displacement_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(7, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(8, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 3 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 3 * sizeof(float));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats Q[9];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 9);
-        load_4f(item0, step0, Q);
-        load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
-        load_1f(item0 + 8 * sizeof(float), step0, &Q[8]);
+        take_4f(item0, 0, 3, down0, across0, step0, Q);
+        take_4f(item0, 4, 3, down0, across0, step0, &Q[4]);
+        take_1f(item0, 8, 3, down0, across0, step0, &Q[8]);
         floats a[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        load_3f(item1, step1, a);
+        take_3f(item1, 0, 3, down1, across1, step1, a);
         floats a_prime[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        load_3f(item2, step2, a_prime);
+        take_3f(item2, 0, 3, down2, across2, step2, a_prime);
         floats p[3];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 3);
-        load_3f(item3, step3, p);
+        take_3f(item3, 0, 3, down3, across3, step3, p);
         const floats t1 = p[0] - a[0];
         const floats t2 = p[1] - a[1];
         const floats t3 = p[2] - a[2];
@@ -288,7 +324,7 @@ void CHASLES_LEVELED(chasles_point_after_displacement_blockf)(
         const floats p_prime2 = a_prime[2] + (Q[6] * t1 + Q[7] * t2 + Q[8] * t3);
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 3);
-        store_3f(item4, step4, p_prime0, p_prime1, p_prime2);
+        give_3f(item4, 0, 3, down4, across4, step4, p_prime0, p_prime1, p_prime2);
         stream_lines(&copied);
     }
 }
@@ -301,10 +337,14 @@ void CHASLES_LEVELED(chasles_pitch_of_motion_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 1 * sizeof(double));
     chasles_stream copied = *stream;
@@ -312,7 +352,7 @@ void CHASLES_LEVELED(chasles_pitch_of_motion_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, e);
+        take_3(item0, 0, 3, down0, across0, step0, e);
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -320,7 +360,7 @@ void CHASLES_LEVELED(chasles_pitch_of_motion_block)(
         doubles d_P[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        load_3(item2, step2, d_P);
+        take_3(item2, 0, 3, down2, across2, step2, d_P);
         const doubles t1 = e[0] * d_P[0] + e[1] * d_P[1] + e[2] * d_P[2];
         const doubles result_value = choose(equal(phi, spread(0.0)), spread(0.0), t1) / phi;
         char *const item3 = at3 + g * LANES * step3;
@@ -338,10 +378,14 @@ void CHASLES_LEVELED(chasles_pitch_of_motion_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 1 * sizeof(float));
     chasles_stream copied = *stream;
@@ -349,7 +393,7 @@ void CHASLES_LEVELED(chasles_pitch_of_motion_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, e);
+        take_3f(item0, 0, 3, down0, across0, step0, e);
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -357,7 +401,7 @@ void CHASLES_LEVELED(chasles_pitch_of_motion_blockf)(
         floats d_P[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        load_3f(item2, step2, d_P);
+        take_3f(item2, 0, 3, down2, across2, step2, d_P);
         const floats t1 = e[0] * d_P[0] + e[1] * d_P[1] + e[2] * d_P[2];
         const floats result_value = choosef(equalf(phi, spreadf(0.0f)), spreadf(0.0f), t1) / phi;
         char *const item3 = at3 + g * LANESF * step3;

@@ -23,26 +23,34 @@ void CHASLES_LEVELED(chasles_instant_screw_point_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(6, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(7, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 3 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, omega);
+        take_3(item0, 0, 3, down0, across0, step0, omega);
         doubles a_dot[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        load_3(item1, step1, a_dot);
+        take_3(item1, 0, 3, down1, across1, step1, a_dot);
         doubles a[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        load_3(item2, step2, a);
+        take_3(item2, 0, 3, down2, across2, step2, a);
         const doubles t1 = choose(less(omega[0], spread(0.0)), -omega[0], omega[0]);
         const doubles t2 = choose(less(omega[1], spread(0.0)), -omega[1], omega[1]);
         const doubles t3 = choose(less(t1, t2), t2, t1);
@@ -62,7 +70,7 @@ void CHASLES_LEVELED(chasles_instant_screw_point_block)(
         const doubles p_0_prime2 = choose(t14, spread(0.0), t7 * t12 - t8 * t11) / t10 / t6;
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 3);
-        store_3(item3, step3, p_0_prime0, p_0_prime1, p_0_prime2);
+        give_3(item3, 0, 3, down3, across3, step3, p_0_prime0, p_0_prime1, p_0_prime2);
         stream_lines(&copied);
     }
 }
@@ -75,26 +83,34 @@ void CHASLES_LEVELED(chasles_instant_screw_point_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(6, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(7, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 3 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, omega);
+        take_3f(item0, 0, 3, down0, across0, step0, omega);
         floats a_dot[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        load_3f(item1, step1, a_dot);
+        take_3f(item1, 0, 3, down1, across1, step1, a_dot);
         floats a[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        load_3f(item2, step2, a);
+        take_3f(item2, 0, 3, down2, across2, step2, a);
         const floats t1 = choosef(lessf(omega[0], spreadf(0.0f)), -omega[0], omega[0]);
         const floats t2 = choosef(lessf(omega[1], spreadf(0.0f)), -omega[1], omega[1]);
         const floats t3 = choosef(lessf(t1, t2), t2, t1);
@@ -114,7 +130,7 @@ void CHASLES_LEVELED(chasles_instant_screw_point_blockf)(
         const floats p_0_prime2 = choosef(t14, spreadf(0.0f), t7 * t12 - t8 * t11) / t10 / t6;
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 3);
-        store_3f(item3, step3, p_0_prime0, p_0_prime1, p_0_prime2);
+        give_3f(item3, 0, 3, down3, across3, step3, p_0_prime0, p_0_prime1, p_0_prime2);
         stream_lines(&copied);
     }
 }

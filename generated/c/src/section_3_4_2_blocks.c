@@ -23,10 +23,14 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -44,7 +48,7 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, e);
+        take_3(item0, 0, 3, down0, across0, step0, e);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles N9 = e[0];
@@ -74,9 +78,9 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_block)(
         const doubles N7 = -(half_N9 + t9);
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 12);
-        store_4(item2, step2, N0, N1, N2, N3);
-        store_4(item2 + 4 * sizeof(double), step2, N4, N5, N6, N7);
-        store_4(item2 + 8 * sizeof(double), step2, N8, N9, N10, N11);
+        give_4(item2, 0, 3, down2, across2, step2, N0, N1, N2, N3);
+        give_4(item2, 4, 3, down2, across2, step2, N4, N5, N6, N7);
+        give_4(item2, 8, 3, down2, across2, step2, N8, N9, N10, N11);
         stream_lines(&copied);
     }
 }
@@ -89,10 +93,14 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -110,7 +118,7 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, e);
+        take_3f(item0, 0, 3, down0, across0, step0, e);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats N9 = e[0];
@@ -140,9 +148,9 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_blockf)(
         const floats N7 = -(half_N9 + t9);
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 12);
-        store_4f(item2, step2, N0, N1, N2, N3);
-        store_4f(item2 + 4 * sizeof(float), step2, N4, N5, N6, N7);
-        store_4f(item2 + 8 * sizeof(float), step2, N8, N9, N10, N11);
+        give_4f(item2, 0, 3, down2, across2, step2, N0, N1, N2, N3);
+        give_4f(item2, 4, 3, down2, across2, step2, N4, N5, N6, N7);
+        give_4f(item2, 8, 3, down2, across2, step2, N8, N9, N10, N11);
         stream_lines(&copied);
     }
 }
@@ -155,10 +163,14 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -176,7 +188,7 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, e);
+        take_3(item0, 0, 3, down0, across0, step0, e);
         const doubles sin_phi = sines[0][g];
         const doubles cos_phi = cosines[0][g];
         const doubles half_cos_phi = 0.5 * cos_phi;
@@ -205,9 +217,9 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_block)(
         const doubles L11 = -(e[2] * sin_phi);
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 12);
-        store_4(item2, step2, L0, L1, L2, L3);
-        store_4(item2 + 4 * sizeof(double), step2, L4, L5, L6, L7);
-        store_4(item2 + 8 * sizeof(double), step2, L8, L9, L10, L11);
+        give_4(item2, 0, 3, down2, across2, step2, L0, L1, L2, L3);
+        give_4(item2, 4, 3, down2, across2, step2, L4, L5, L6, L7);
+        give_4(item2, 8, 3, down2, across2, step2, L8, L9, L10, L11);
         stream_lines(&copied);
     }
 }
@@ -220,10 +232,14 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -241,7 +257,7 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, e);
+        take_3f(item0, 0, 3, down0, across0, step0, e);
         const floats sin_phi = sines[0][g];
         const floats cos_phi = cosines[0][g];
         const floats half_cos_phi = 0.5f * cos_phi;
@@ -270,9 +286,9 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_blockf)(
         const floats L11 = -(e[2] * sin_phi);
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 12);
-        store_4f(item2, step2, L0, L1, L2, L3);
-        store_4f(item2 + 4 * sizeof(float), step2, L4, L5, L6, L7);
-        store_4f(item2 + 8 * sizeof(float), step2, L8, L9, L10, L11);
+        give_4f(item2, 0, 3, down2, across2, step2, L0, L1, L2, L3);
+        give_4f(item2, 4, 3, down2, across2, step2, L4, L5, L6, L7);
+        give_4f(item2, 8, 3, down2, across2, step2, L8, L9, L10, L11);
         stream_lines(&copied);
     }
 }
@@ -285,10 +301,14 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -306,7 +326,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, e);
+        take_3(item0, 0, 3, down0, across0, step0, e);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles H0 = 0.5 * cos_half_phi;
@@ -319,9 +339,9 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_block)(
         const doubles H3 = -H1;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 12);
-        store_4(item2, step2, H0, H1, H2, H3);
-        store_4(item2 + 4 * sizeof(double), step2, H0, H5, H6, H7);
-        store_4(item2 + 8 * sizeof(double), step2, H0, H7, H2, H3);
+        give_4(item2, 0, 3, down2, across2, step2, H0, H1, H2, H3);
+        give_4(item2, 4, 3, down2, across2, step2, H0, H5, H6, H7);
+        give_4(item2, 8, 3, down2, across2, step2, H0, H7, H2, H3);
         stream_lines(&copied);
     }
 }
@@ -334,10 +354,14 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -355,7 +379,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, e);
+        take_3f(item0, 0, 3, down0, across0, step0, e);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats H0 = 0.5f * cos_half_phi;
@@ -368,9 +392,9 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_blockf)(
         const floats H3 = -H1;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 12);
-        store_4f(item2, step2, H0, H1, H2, H3);
-        store_4f(item2 + 4 * sizeof(float), step2, H0, H5, H6, H7);
-        store_4f(item2 + 8 * sizeof(float), step2, H0, H7, H2, H3);
+        give_4f(item2, 0, 3, down2, across2, step2, H0, H1, H2, H3);
+        give_4f(item2, 4, 3, down2, across2, step2, H0, H5, H6, H7);
+        give_4f(item2, 8, 3, down2, across2, step2, H0, H7, H2, H3);
         stream_lines(&copied);
     }
 }
@@ -383,16 +407,20 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles q[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, q);
+        take_3(item0, 0, 3, down0, across0, step0, q);
         doubles q_0;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -415,9 +443,9 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_block)(
         const doubles Q7 = q[0] + t7;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 9);
-        store_4(item2, step2, Q0, Q1, Q2, Q3);
-        store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
-        store_1(item2 + 8 * sizeof(double), step2, Q8);
+        give_4(item2, 0, 3, down2, across2, step2, Q0, Q1, Q2, Q3);
+        give_4(item2, 4, 3, down2, across2, step2, Q4, Q5, Q6, Q7);
+        give_1(item2, 8, 3, down2, across2, step2, Q8);
         stream_lines(&copied);
     }
 }
@@ -430,16 +458,20 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats q[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, q);
+        take_3f(item0, 0, 3, down0, across0, step0, q);
         floats q_0;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -462,9 +494,9 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_blockf)(
         const floats Q7 = q[0] + t7;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 9);
-        store_4f(item2, step2, Q0, Q1, Q2, Q3);
-        store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
-        store_1f(item2 + 8 * sizeof(float), step2, Q8);
+        give_4f(item2, 0, 3, down2, across2, step2, Q0, Q1, Q2, Q3);
+        give_4f(item2, 4, 3, down2, across2, step2, Q4, Q5, Q6, Q7);
+        give_1f(item2, 8, 3, down2, across2, step2, Q8);
         stream_lines(&copied);
     }
 }
@@ -477,16 +509,20 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles q[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, q);
+        take_3(item0, 0, 3, down0, across0, step0, q);
         doubles q_0;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -512,9 +548,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_block)(
         const doubles Q7 = t7 + t8;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 9);
-        store_4(item2, step2, Q0, Q1, Q2, Q3);
-        store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
-        store_1(item2 + 8 * sizeof(double), step2, Q8);
+        give_4(item2, 0, 3, down2, across2, step2, Q0, Q1, Q2, Q3);
+        give_4(item2, 4, 3, down2, across2, step2, Q4, Q5, Q6, Q7);
+        give_1(item2, 8, 3, down2, across2, step2, Q8);
         stream_lines(&copied);
     }
 }
@@ -527,16 +563,20 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats q[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, q);
+        take_3f(item0, 0, 3, down0, across0, step0, q);
         floats q_0;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -562,9 +602,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_blockf)(
         const floats Q7 = t7 + t8;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 9);
-        store_4f(item2, step2, Q0, Q1, Q2, Q3);
-        store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
-        store_1f(item2 + 8 * sizeof(float), step2, Q8);
+        give_4f(item2, 0, 3, down2, across2, step2, Q0, Q1, Q2, Q3);
+        give_4f(item2, 4, 3, down2, across2, step2, Q4, Q5, Q6, Q7);
+        give_1f(item2, 8, 3, down2, across2, step2, Q8);
         stream_lines(&copied);
     }
 }
@@ -577,8 +617,12 @@ void CHASLES_LEVELED(chasles_linear_invariants_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(double));
     chasles_stream copied = *stream;
@@ -586,16 +630,16 @@ void CHASLES_LEVELED(chasles_linear_invariants_block)(
         doubles Q[9];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 9);
-        load_4(item0, step0, Q);
-        load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
-        load_1(item0 + 8 * sizeof(double), step0, &Q[8]);
+        take_4(item0, 0, 3, down0, across0, step0, Q);
+        take_4(item0, 4, 3, down0, across0, step0, &Q[4]);
+        take_1(item0, 8, 3, down0, across0, step0, &Q[8]);
         const doubles q0 = 0.5 * (Q[7] - Q[5]);
         const doubles q1 = 0.5 * (Q[2] - Q[6]);
         const doubles q2 = 0.5 * (Q[3] - Q[1]);
         const doubles q_0_value = 0.5 * (Q[8] + (Q[0] + Q[4]) - 1.0);
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 3);
-        store_3(item1, step1, q0, q1, q2);
+        give_3(item1, 0, 3, down1, across1, step1, q0, q1, q2);
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 1);
         store_1(item2, step2, q_0_value);
@@ -611,8 +655,12 @@ void CHASLES_LEVELED(chasles_linear_invariants_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(float));
     chasles_stream copied = *stream;
@@ -620,16 +668,16 @@ void CHASLES_LEVELED(chasles_linear_invariants_blockf)(
         floats Q[9];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 9);
-        load_4f(item0, step0, Q);
-        load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
-        load_1f(item0 + 8 * sizeof(float), step0, &Q[8]);
+        take_4f(item0, 0, 3, down0, across0, step0, Q);
+        take_4f(item0, 4, 3, down0, across0, step0, &Q[4]);
+        take_1f(item0, 8, 3, down0, across0, step0, &Q[8]);
         const floats q0 = 0.5f * (Q[7] - Q[5]);
         const floats q1 = 0.5f * (Q[2] - Q[6]);
         const floats q2 = 0.5f * (Q[3] - Q[1]);
         const floats q_0_value = 0.5f * (Q[8] + (Q[0] + Q[4]) - 1.0f);
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 3);
-        store_3f(item1, step1, q0, q1, q2);
+        give_3f(item1, 0, 3, down1, across1, step1, q0, q1, q2);
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 1);
         store_1f(item2, step2, q_0_value);
@@ -645,8 +693,12 @@ void CHASLES_LEVELED(chasles_natural_invariants_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(double));
     chasles_stream copied = *stream;
@@ -654,9 +706,9 @@ void CHASLES_LEVELED(chasles_natural_invariants_block)(
         doubles Q[9];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 9);
-        load_4(item0, step0, Q);
-        load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
-        load_1(item0 + 8 * sizeof(double), step0, &Q[8]);
+        take_4(item0, 0, 3, down0, across0, step0, Q);
+        take_4(item0, 4, 3, down0, across0, step0, &Q[4]);
+        take_1(item0, 8, 3, down0, across0, step0, &Q[8]);
         const doubles t1 = Q[2] + Q[6];
         const doubles t2 = Q[5] + Q[7];
         const doubles t3 = Q[8] + (Q[0] + Q[4]);
@@ -731,7 +783,7 @@ void CHASLES_LEVELED(chasles_natural_invariants_block)(
         const doubles phi_value = 2.0 * directions(t42 * (choose(t58, spread(0.0), t47) / t57), t60 * t68);
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 3);
-        store_3(item1, step1, e0, e1, e2);
+        give_3(item1, 0, 3, down1, across1, step1, e0, e1, e2);
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 1);
         store_1(item2, step2, phi_value);
@@ -747,8 +799,12 @@ void CHASLES_LEVELED(chasles_natural_invariants_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(float));
     chasles_stream copied = *stream;
@@ -756,9 +812,9 @@ void CHASLES_LEVELED(chasles_natural_invariants_blockf)(
         floats Q[9];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 9);
-        load_4f(item0, step0, Q);
-        load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
-        load_1f(item0 + 8 * sizeof(float), step0, &Q[8]);
+        take_4f(item0, 0, 3, down0, across0, step0, Q);
+        take_4f(item0, 4, 3, down0, across0, step0, &Q[4]);
+        take_1f(item0, 8, 3, down0, across0, step0, &Q[8]);
         const floats t1 = Q[2] + Q[6];
         const floats t2 = Q[5] + Q[7];
         const floats t3 = Q[8] + (Q[0] + Q[4]);
@@ -834,7 +890,7 @@ void CHASLES_LEVELED(chasles_natural_invariants_blockf)(
         const floats phi_value = 2.0f * t69;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 3);
-        store_3f(item1, step1, e0, e1, e2);
+        give_3f(item1, 0, 3, down1, across1, step1, e0, e1, e2);
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 1);
         store_1f(item2, step2, phi_value);
@@ -850,8 +906,12 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(double));
     chasles_stream copied = *stream;
@@ -859,9 +919,9 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_block)(
         doubles Q[9];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 9);
-        load_4(item0, step0, Q);
-        load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
-        load_1(item0 + 8 * sizeof(double), step0, &Q[8]);
+        take_4(item0, 0, 3, down0, across0, step0, Q);
+        take_4(item0, 4, 3, down0, across0, step0, &Q[4]);
+        take_1(item0, 8, 3, down0, across0, step0, &Q[8]);
         const doubles t1 = Q[2] + Q[6];
         const doubles t2 = Q[5] + Q[7];
         const doubles t3 = Q[8] + (Q[0] + Q[4]);
@@ -924,7 +984,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_block)(
         const doubles q_0_value = t48 * t56;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 3);
-        store_3(item1, step1, q0, q1, q2);
+        give_3(item1, 0, 3, down1, across1, step1, q0, q1, q2);
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 1);
         store_1(item2, step2, q_0_value);
@@ -940,8 +1000,12 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(float));
     chasles_stream copied = *stream;
@@ -949,9 +1013,9 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_blockf)(
         floats Q[9];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 9);
-        load_4f(item0, step0, Q);
-        load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
-        load_1f(item0 + 8 * sizeof(float), step0, &Q[8]);
+        take_4f(item0, 0, 3, down0, across0, step0, Q);
+        take_4f(item0, 4, 3, down0, across0, step0, &Q[4]);
+        take_1f(item0, 8, 3, down0, across0, step0, &Q[8]);
         const floats t1 = Q[2] + Q[6];
         const floats t2 = Q[5] + Q[7];
         const floats t3 = Q[8] + (Q[0] + Q[4]);
@@ -1014,7 +1078,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_blockf)(
         const floats q_0_value = t48 * t56;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 3);
-        store_3f(item1, step1, q0, q1, q2);
+        give_3f(item1, 0, 3, down1, across1, step1, q0, q1, q2);
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 1);
         store_1f(item2, step2, q_0_value);
@@ -1030,12 +1094,20 @@ void CHASLES_LEVELED(chasles_screw_of_motion_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(6, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(7, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(8, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(9, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(10, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(11, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(12, 6 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(13, 1 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at5 = at[5];
@@ -1045,17 +1117,17 @@ void CHASLES_LEVELED(chasles_screw_of_motion_block)(
         doubles Q[9];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 9);
-        load_4(item0, step0, Q);
-        load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
-        load_1(item0 + 8 * sizeof(double), step0, &Q[8]);
+        take_4(item0, 0, 3, down0, across0, step0, Q);
+        take_4(item0, 4, 3, down0, across0, step0, &Q[4]);
+        take_1(item0, 8, 3, down0, across0, step0, &Q[8]);
         doubles a[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        load_3(item1, step1, a);
+        take_3(item1, 0, 3, down1, across1, step1, a);
         doubles a_prime[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        load_3(item2, step2, a_prime);
+        take_3(item2, 0, 3, down2, across2, step2, a_prime);
         const doubles t1 = Q[2] + Q[6];
         const doubles t2 = Q[5] + Q[7];
         const doubles t3 = Q[8] + (Q[0] + Q[4]);
@@ -1149,8 +1221,8 @@ void CHASLES_LEVELED(chasles_screw_of_motion_block)(
         const doubles phi_value = 2.0 * directions(t42 * t61, t79);
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 6);
-        store_4(item3, step3, axis0, axis1, axis2, axis3);
-        store_2(item3 + 4 * sizeof(double), step3, axis4, axis5);
+        give_4(item3, 0, 6, down3, across3, step3, axis0, axis1, axis2, axis3);
+        give_2(item3, 4, 6, down3, across3, step3, axis4, axis5);
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 1);
         store_1(item4, step4, d_0_value);
@@ -1169,12 +1241,20 @@ void CHASLES_LEVELED(chasles_screw_of_motion_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(6, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(7, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(8, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(9, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(10, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(11, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(12, 6 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(13, 1 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at5 = at[5];
@@ -1184,17 +1264,17 @@ void CHASLES_LEVELED(chasles_screw_of_motion_blockf)(
         floats Q[9];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 9);
-        load_4f(item0, step0, Q);
-        load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
-        load_1f(item0 + 8 * sizeof(float), step0, &Q[8]);
+        take_4f(item0, 0, 3, down0, across0, step0, Q);
+        take_4f(item0, 4, 3, down0, across0, step0, &Q[4]);
+        take_1f(item0, 8, 3, down0, across0, step0, &Q[8]);
         floats a[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        load_3f(item1, step1, a);
+        take_3f(item1, 0, 3, down1, across1, step1, a);
         floats a_prime[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        load_3f(item2, step2, a_prime);
+        take_3f(item2, 0, 3, down2, across2, step2, a_prime);
         const floats t1 = Q[2] + Q[6];
         const floats t2 = Q[5] + Q[7];
         const floats t3 = Q[8] + (Q[0] + Q[4]);
@@ -1288,8 +1368,8 @@ void CHASLES_LEVELED(chasles_screw_of_motion_blockf)(
         const floats phi_value = 2.0f * directionsf(t42 * t61, t79);
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 6);
-        store_4f(item3, step3, axis0, axis1, axis2, axis3);
-        store_2f(item3 + 4 * sizeof(float), step3, axis4, axis5);
+        give_4f(item3, 0, 6, down3, across3, step3, axis0, axis1, axis2, axis3);
+        give_2f(item3, 4, 6, down3, across3, step3, axis4, axis5);
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 1);
         store_1f(item4, step4, d_0_value);
@@ -1308,12 +1388,20 @@ void CHASLES_LEVELED(chasles_instant_screw_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(7, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(8, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 1 * sizeof(double));
     chasles_stream copied = *stream;
@@ -1321,15 +1409,15 @@ void CHASLES_LEVELED(chasles_instant_screw_block)(
         doubles omega[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, omega);
+        take_3(item0, 0, 3, down0, across0, step0, omega);
         doubles a_dot[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        load_3(item1, step1, a_dot);
+        take_3(item1, 0, 3, down1, across1, step1, a_dot);
         doubles a[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        load_3(item2, step2, a);
+        take_3(item2, 0, 3, down2, across2, step2, a);
         const doubles t1 = choose(less(omega[0], spread(0.0)), -omega[0], omega[0]);
         const doubles t2 = choose(less(omega[1], spread(0.0)), -omega[1], omega[1]);
         const doubles t3 = choose(less(t1, t2), t2, t1);
@@ -1357,8 +1445,8 @@ void CHASLES_LEVELED(chasles_instant_screw_block)(
         const doubles pitch_value = (axis0 * t13 + axis1 * t14 + axis2 * t15) / t6;
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 6);
-        store_4(item3, step3, axis0, axis1, axis2, axis3);
-        store_2(item3 + 4 * sizeof(double), step3, axis4, axis5);
+        give_4(item3, 0, 6, down3, across3, step3, axis0, axis1, axis2, axis3);
+        give_2(item3, 4, 6, down3, across3, step3, axis4, axis5);
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 1);
         store_1(item4, step4, pitch_value);
@@ -1374,12 +1462,20 @@ void CHASLES_LEVELED(chasles_instant_screw_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(7, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(8, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 1 * sizeof(float));
     chasles_stream copied = *stream;
@@ -1387,15 +1483,15 @@ void CHASLES_LEVELED(chasles_instant_screw_blockf)(
         floats omega[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, omega);
+        take_3f(item0, 0, 3, down0, across0, step0, omega);
         floats a_dot[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        load_3f(item1, step1, a_dot);
+        take_3f(item1, 0, 3, down1, across1, step1, a_dot);
         floats a[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        load_3f(item2, step2, a);
+        take_3f(item2, 0, 3, down2, across2, step2, a);
         const floats t1 = choosef(lessf(omega[0], spreadf(0.0f)), -omega[0], omega[0]);
         const floats t2 = choosef(lessf(omega[1], spreadf(0.0f)), -omega[1], omega[1]);
         const floats t3 = choosef(lessf(t1, t2), t2, t1);
@@ -1423,8 +1519,8 @@ void CHASLES_LEVELED(chasles_instant_screw_blockf)(
         const floats pitch_value = (axis0 * t13 + axis1 * t14 + axis2 * t15) / t6;
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 6);
-        store_4f(item3, step3, axis0, axis1, axis2, axis3);
-        store_2f(item3 + 4 * sizeof(float), step3, axis4, axis5);
+        give_4f(item3, 0, 6, down3, across3, step3, axis0, axis1, axis2, axis3);
+        give_2f(item3, 4, 6, down3, across3, step3, axis4, axis5);
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 1);
         store_1f(item4, step4, pitch_value);
@@ -1440,10 +1536,14 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 4 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -1461,7 +1561,7 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, e);
+        take_3(item0, 0, 3, down0, across0, step0, e);
         const doubles sin_phi = sines[0][g];
         const doubles cos_phi = cosines[0][g];
         const doubles N_tilde3 = e[0];
@@ -1477,9 +1577,9 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_block)(
         const doubles N_tilde8 = -N_tilde2;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 12);
-        store_4(item2, step2, N_tilde0, N_tilde1, N_tilde2, N_tilde3);
-        store_4(item2 + 4 * sizeof(double), step2, N_tilde4, N_tilde0, N_tilde6, N_tilde7);
-        store_4(item2 + 8 * sizeof(double), step2, N_tilde8, N_tilde9, N_tilde0, N_tilde11);
+        give_4(item2, 0, 4, down2, across2, step2, N_tilde0, N_tilde1, N_tilde2, N_tilde3);
+        give_4(item2, 4, 4, down2, across2, step2, N_tilde4, N_tilde0, N_tilde6, N_tilde7);
+        give_4(item2, 8, 4, down2, across2, step2, N_tilde8, N_tilde9, N_tilde0, N_tilde11);
         stream_lines(&copied);
     }
 }
@@ -1492,10 +1592,14 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 4 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -1513,7 +1617,7 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, e);
+        take_3f(item0, 0, 3, down0, across0, step0, e);
         const floats sin_phi = sines[0][g];
         const floats cos_phi = cosines[0][g];
         const floats N_tilde3 = e[0];
@@ -1529,9 +1633,9 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_blockf)(
         const floats N_tilde8 = -N_tilde2;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 12);
-        store_4f(item2, step2, N_tilde0, N_tilde1, N_tilde2, N_tilde3);
-        store_4f(item2 + 4 * sizeof(float), step2, N_tilde4, N_tilde0, N_tilde6, N_tilde7);
-        store_4f(item2 + 8 * sizeof(float), step2, N_tilde8, N_tilde9, N_tilde0, N_tilde11);
+        give_4f(item2, 0, 4, down2, across2, step2, N_tilde0, N_tilde1, N_tilde2, N_tilde3);
+        give_4f(item2, 4, 4, down2, across2, step2, N_tilde4, N_tilde0, N_tilde6, N_tilde7);
+        give_4f(item2, 8, 4, down2, across2, step2, N_tilde8, N_tilde9, N_tilde0, N_tilde11);
         stream_lines(&copied);
     }
 }
@@ -1544,10 +1648,14 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 4 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -1565,7 +1673,7 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, e);
+        take_3(item0, 0, 3, down0, across0, step0, e);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t1 = choose(equal(cos_half_phi, spread(0.0)), spread(0.0), sin_half_phi);
@@ -1578,9 +1686,9 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_block)(
         const doubles L_tilde7 = -L_tilde2;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 12);
-        store_4(item2, step2, spread(1.0), L_tilde1, L_tilde2, L_tilde3);
-        store_4(item2 + 4 * sizeof(double), step2, L_tilde4, spread(1.0), L_tilde3, L_tilde7);
-        store_4(item2 + 8 * sizeof(double), step2, L_tilde7, L_tilde9, spread(1.0), L_tilde1);
+        give_4(item2, 0, 4, down2, across2, step2, spread(1.0), L_tilde1, L_tilde2, L_tilde3);
+        give_4(item2, 4, 4, down2, across2, step2, L_tilde4, spread(1.0), L_tilde3, L_tilde7);
+        give_4(item2, 8, 4, down2, across2, step2, L_tilde7, L_tilde9, spread(1.0), L_tilde1);
         stream_lines(&copied);
     }
 }
@@ -1593,10 +1701,14 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 4 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -1614,7 +1726,7 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, e);
+        take_3f(item0, 0, 3, down0, across0, step0, e);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const truthsf t1 = equalf(cos_half_phi, spreadf(0.0f));
@@ -1627,9 +1739,9 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_blockf)(
         const floats L_tilde7 = -L_tilde2;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 12);
-        store_4f(item2, step2, spreadf(1.0f), L_tilde1, L_tilde2, L_tilde3);
-        store_4f(item2 + 4 * sizeof(float), step2, L_tilde4, spreadf(1.0f), L_tilde3, L_tilde7);
-        store_4f(item2 + 8 * sizeof(float), step2, L_tilde7, L_tilde9, spreadf(1.0f), L_tilde1);
+        give_4f(item2, 0, 4, down2, across2, step2, spreadf(1.0f), L_tilde1, L_tilde2, L_tilde3);
+        give_4f(item2, 4, 4, down2, across2, step2, L_tilde4, spreadf(1.0f), L_tilde3, L_tilde7);
+        give_4f(item2, 8, 4, down2, across2, step2, L_tilde7, L_tilde9, spreadf(1.0f), L_tilde1);
         stream_lines(&copied);
     }
 }
@@ -1642,10 +1754,14 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 4 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -1663,7 +1779,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, e);
+        take_3(item0, 0, 3, down0, across0, step0, e);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles H_tilde0 = 2.0 * cos_half_phi;
@@ -1676,9 +1792,9 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_block)(
         const doubles H_tilde7 = -H_tilde2;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 12);
-        store_4(item2, step2, H_tilde0, H_tilde1, H_tilde2, H_tilde3);
-        store_4(item2 + 4 * sizeof(double), step2, H_tilde4, H_tilde0, H_tilde3, H_tilde7);
-        store_4(item2 + 8 * sizeof(double), step2, H_tilde7, H_tilde9, H_tilde0, H_tilde1);
+        give_4(item2, 0, 4, down2, across2, step2, H_tilde0, H_tilde1, H_tilde2, H_tilde3);
+        give_4(item2, 4, 4, down2, across2, step2, H_tilde4, H_tilde0, H_tilde3, H_tilde7);
+        give_4(item2, 8, 4, down2, across2, step2, H_tilde7, H_tilde9, H_tilde0, H_tilde1);
         stream_lines(&copied);
     }
 }
@@ -1691,10 +1807,14 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 4 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -1712,7 +1832,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, e);
+        take_3f(item0, 0, 3, down0, across0, step0, e);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats H_tilde0 = 2.0f * cos_half_phi;
@@ -1725,9 +1845,9 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_blockf)(
         const floats H_tilde7 = -H_tilde2;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 12);
-        store_4f(item2, step2, H_tilde0, H_tilde1, H_tilde2, H_tilde3);
-        store_4f(item2 + 4 * sizeof(float), step2, H_tilde4, H_tilde0, H_tilde3, H_tilde7);
-        store_4f(item2 + 8 * sizeof(float), step2, H_tilde7, H_tilde9, H_tilde0, H_tilde1);
+        give_4f(item2, 0, 4, down2, across2, step2, H_tilde0, H_tilde1, H_tilde2, H_tilde3);
+        give_4f(item2, 4, 4, down2, across2, step2, H_tilde4, H_tilde0, H_tilde3, H_tilde7);
+        give_4f(item2, 8, 4, down2, across2, step2, H_tilde7, H_tilde9, H_tilde0, H_tilde1);
         stream_lines(&copied);
     }
 }
@@ -1740,12 +1860,18 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 6 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 7 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -1763,12 +1889,12 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, e);
+        take_3(item0, 0, 3, down0, across0, step0, e);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
-        load_4(item2, step2, t);
-        load_2(item2 + 4 * sizeof(double), step2, &t[4]);
+        take_4(item2, 0, 6, down2, across2, step2, t);
+        take_2(item2, 4, 6, down2, across2, step2, &t[4]);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles s_dot4 = t[3];
@@ -1782,8 +1908,8 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_block)(
         const doubles s_dot2 = -(0.5 * (e[0] * t[1] - e[1] * t[0]) + (e[2] * s_dot3 - t[2]) * t2);
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 7);
-        store_4(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
-        store_3(item3 + 4 * sizeof(double), step3, s_dot4, s_dot5, s_dot6);
+        give_4(item3, 0, 7, down3, across3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
+        give_3(item3, 4, 7, down3, across3, step3, s_dot4, s_dot5, s_dot6);
         stream_lines(&copied);
     }
 }
@@ -1796,12 +1922,18 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 6 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 7 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -1819,12 +1951,12 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, e);
+        take_3f(item0, 0, 3, down0, across0, step0, e);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
-        load_4f(item2, step2, t);
-        load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
+        take_4f(item2, 0, 6, down2, across2, step2, t);
+        take_2f(item2, 4, 6, down2, across2, step2, &t[4]);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats s_dot4 = t[3];
@@ -1838,8 +1970,8 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_blockf)(
         const floats s_dot2 = -(0.5f * (e[0] * t[1] - e[1] * t[0]) + (e[2] * s_dot3 - t[2]) * t2);
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 7);
-        store_4f(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
-        store_3f(item3 + 4 * sizeof(float), step3, s_dot4, s_dot5, s_dot6);
+        give_4f(item3, 0, 7, down3, across3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
+        give_3f(item3, 4, 7, down3, across3, step3, s_dot4, s_dot5, s_dot6);
         stream_lines(&copied);
     }
 }
@@ -1852,12 +1984,18 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 6 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 7 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -1875,12 +2013,12 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, e);
+        take_3(item0, 0, 3, down0, across0, step0, e);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
-        load_4(item2, step2, t);
-        load_2(item2 + 4 * sizeof(double), step2, &t[4]);
+        take_4(item2, 0, 6, down2, across2, step2, t);
+        take_2(item2, 4, 6, down2, across2, step2, &t[4]);
         const doubles sin_phi = sines[0][g];
         const doubles cos_phi = cosines[0][g];
         const doubles s_dot4 = t[3];
@@ -1897,8 +2035,8 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_block)(
         const doubles s_dot3 = -(t3 + t[2] * (e[2] * sin_phi));
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 7);
-        store_4(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
-        store_3(item3 + 4 * sizeof(double), step3, s_dot4, s_dot5, s_dot6);
+        give_4(item3, 0, 7, down3, across3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
+        give_3(item3, 4, 7, down3, across3, step3, s_dot4, s_dot5, s_dot6);
         stream_lines(&copied);
     }
 }
@@ -1911,12 +2049,18 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 6 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 7 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -1934,12 +2078,12 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, e);
+        take_3f(item0, 0, 3, down0, across0, step0, e);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
-        load_4f(item2, step2, t);
-        load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
+        take_4f(item2, 0, 6, down2, across2, step2, t);
+        take_2f(item2, 4, 6, down2, across2, step2, &t[4]);
         const floats sin_phi = sines[0][g];
         const floats cos_phi = cosines[0][g];
         const floats s_dot4 = t[3];
@@ -1956,8 +2100,8 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_blockf)(
         const floats s_dot3 = -(t3 + t[2] * (e[2] * sin_phi));
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 7);
-        store_4f(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
-        store_3f(item3 + 4 * sizeof(float), step3, s_dot4, s_dot5, s_dot6);
+        give_4f(item3, 0, 7, down3, across3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
+        give_3f(item3, 4, 7, down3, across3, step3, s_dot4, s_dot5, s_dot6);
         stream_lines(&copied);
     }
 }
@@ -1970,12 +2114,18 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 6 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 7 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -1993,12 +2143,12 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, e);
+        take_3(item0, 0, 3, down0, across0, step0, e);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
-        load_4(item2, step2, t);
-        load_2(item2 + 4 * sizeof(double), step2, &t[4]);
+        take_4(item2, 0, 6, down2, across2, step2, t);
+        take_2(item2, 4, 6, down2, across2, step2, &t[4]);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles s_dot4 = t[3];
@@ -2015,8 +2165,8 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_block)(
         const doubles s_dot3 = -(t[0] * t1 + t[1] * t2 + t[2] * t3);
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 7);
-        store_4(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
-        store_3(item3 + 4 * sizeof(double), step3, s_dot4, s_dot5, s_dot6);
+        give_4(item3, 0, 7, down3, across3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
+        give_3(item3, 4, 7, down3, across3, step3, s_dot4, s_dot5, s_dot6);
         stream_lines(&copied);
     }
 }
@@ -2029,12 +2179,18 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 6 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 7 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -2052,12 +2208,12 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, e);
+        take_3f(item0, 0, 3, down0, across0, step0, e);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
-        load_4f(item2, step2, t);
-        load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
+        take_4f(item2, 0, 6, down2, across2, step2, t);
+        take_2f(item2, 4, 6, down2, across2, step2, &t[4]);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats s_dot4 = t[3];
@@ -2074,8 +2230,8 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_blockf)(
         const floats s_dot3 = -(t[0] * t1 + t[1] * t2 + t[2] * t3);
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 7);
-        store_4f(item3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
-        store_3f(item3 + 4 * sizeof(float), step3, s_dot4, s_dot5, s_dot6);
+        give_4f(item3, 0, 7, down3, across3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
+        give_3f(item3, 4, 7, down3, across3, step3, s_dot4, s_dot5, s_dot6);
         stream_lines(&copied);
     }
 }
@@ -2088,12 +2244,18 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 7 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -2111,12 +2273,12 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, e);
+        take_3(item0, 0, 3, down0, across0, step0, e);
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 7);
-        load_4(item2, step2, s_dot);
-        load_3(item2 + 4 * sizeof(double), step2, &s_dot[4]);
+        take_4(item2, 0, 7, down2, across2, step2, s_dot);
+        take_3(item2, 4, 7, down2, across2, step2, &s_dot[4]);
         const doubles sin_phi = sines[0][g];
         const doubles cos_phi = cosines[0][g];
         const doubles t3 = s_dot[4];
@@ -2131,8 +2293,8 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_block)(
         const doubles t2 = t9 + e[2] * s_dot[3];
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 6);
-        store_4(item3, step3, t0, t1, t2, t3);
-        store_2(item3 + 4 * sizeof(double), step3, t4, t5);
+        give_4(item3, 0, 6, down3, across3, step3, t0, t1, t2, t3);
+        give_2(item3, 4, 6, down3, across3, step3, t4, t5);
         stream_lines(&copied);
     }
 }
@@ -2145,12 +2307,18 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 7 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -2168,12 +2336,12 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, e);
+        take_3f(item0, 0, 3, down0, across0, step0, e);
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 7);
-        load_4f(item2, step2, s_dot);
-        load_3f(item2 + 4 * sizeof(float), step2, &s_dot[4]);
+        take_4f(item2, 0, 7, down2, across2, step2, s_dot);
+        take_3f(item2, 4, 7, down2, across2, step2, &s_dot[4]);
         const floats sin_phi = sines[0][g];
         const floats cos_phi = cosines[0][g];
         const floats t3 = s_dot[4];
@@ -2188,8 +2356,8 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_blockf)(
         const floats t2 = t9 + e[2] * s_dot[3];
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 6);
-        store_4f(item3, step3, t0, t1, t2, t3);
-        store_2f(item3 + 4 * sizeof(float), step3, t4, t5);
+        give_4f(item3, 0, 6, down3, across3, step3, t0, t1, t2, t3);
+        give_2f(item3, 4, 6, down3, across3, step3, t4, t5);
         stream_lines(&copied);
     }
 }
@@ -2202,12 +2370,18 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 7 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -2225,12 +2399,12 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, e);
+        take_3(item0, 0, 3, down0, across0, step0, e);
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 7);
-        load_4(item2, step2, s_dot);
-        load_3(item2 + 4 * sizeof(double), step2, &s_dot[4]);
+        take_4(item2, 0, 7, down2, across2, step2, s_dot);
+        take_3(item2, 4, 7, down2, across2, step2, &s_dot[4]);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t3 = s_dot[4];
@@ -2246,8 +2420,8 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_block)(
         const doubles t2 = s_dot[2] + (s_dot[1] * t8 - s_dot[0] * t9) - s_dot[3] * t10;
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 6);
-        store_4(item3, step3, t0, t1, t2, t3);
-        store_2(item3 + 4 * sizeof(double), step3, t4, t5);
+        give_4(item3, 0, 6, down3, across3, step3, t0, t1, t2, t3);
+        give_2(item3, 4, 6, down3, across3, step3, t4, t5);
         stream_lines(&copied);
     }
 }
@@ -2260,12 +2434,18 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 7 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -2283,12 +2463,12 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, e);
+        take_3f(item0, 0, 3, down0, across0, step0, e);
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 7);
-        load_4f(item2, step2, s_dot);
-        load_3f(item2 + 4 * sizeof(float), step2, &s_dot[4]);
+        take_4f(item2, 0, 7, down2, across2, step2, s_dot);
+        take_3f(item2, 4, 7, down2, across2, step2, &s_dot[4]);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats t3 = s_dot[4];
@@ -2304,8 +2484,8 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_blockf)(
         const floats t2 = s_dot[2] + (s_dot[1] * t8 - s_dot[0] * t9) - s_dot[3] * t10;
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 6);
-        store_4f(item3, step3, t0, t1, t2, t3);
-        store_2f(item3 + 4 * sizeof(float), step3, t4, t5);
+        give_4f(item3, 0, 6, down3, across3, step3, t0, t1, t2, t3);
+        give_2f(item3, 4, 6, down3, across3, step3, t4, t5);
         stream_lines(&copied);
     }
 }
@@ -2318,12 +2498,18 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 7 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -2341,12 +2527,12 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, e);
+        take_3(item0, 0, 3, down0, across0, step0, e);
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 7);
-        load_4(item2, step2, s_dot);
-        load_3(item2 + 4 * sizeof(double), step2, &s_dot[4]);
+        take_4(item2, 0, 7, down2, across2, step2, s_dot);
+        take_3(item2, 4, 7, down2, across2, step2, &s_dot[4]);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t3 = s_dot[4];
@@ -2362,8 +2548,8 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_block)(
         const doubles t2 = s_dot[1] * t8 - s_dot[0] * t9 + s_dot[2] * t6 - s_dot[3] * t10;
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 6);
-        store_4(item3, step3, t0, t1, t2, t3);
-        store_2(item3 + 4 * sizeof(double), step3, t4, t5);
+        give_4(item3, 0, 6, down3, across3, step3, t0, t1, t2, t3);
+        give_2(item3, 4, 6, down3, across3, step3, t4, t5);
         stream_lines(&copied);
     }
 }
@@ -2376,12 +2562,18 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 7 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -2399,12 +2591,12 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, e);
+        take_3f(item0, 0, 3, down0, across0, step0, e);
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 7);
-        load_4f(item2, step2, s_dot);
-        load_3f(item2 + 4 * sizeof(float), step2, &s_dot[4]);
+        take_4f(item2, 0, 7, down2, across2, step2, s_dot);
+        take_3f(item2, 4, 7, down2, across2, step2, &s_dot[4]);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats t3 = s_dot[4];
@@ -2420,8 +2612,8 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_blockf)(
         const floats t2 = s_dot[1] * t8 - s_dot[0] * t9 + s_dot[2] * t6 - s_dot[3] * t10;
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 6);
-        store_4f(item3, step3, t0, t1, t2, t3);
-        store_2f(item3 + 4 * sizeof(float), step3, t4, t5);
+        give_4f(item3, 0, 6, down3, across3, step3, t0, t1, t2, t3);
+        give_2f(item3, 4, 6, down3, across3, step3, t4, t5);
         stream_lines(&copied);
     }
 }
@@ -2434,27 +2626,35 @@ void CHASLES_LEVELED(chasles_twist_transfer_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 6 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(6, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(7, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles t_A[6];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 6);
-        load_4(item0, step0, t_A);
-        load_2(item0 + 4 * sizeof(double), step0, &t_A[4]);
+        take_4(item0, 0, 6, down0, across0, step0, t_A);
+        take_2(item0, 4, 6, down0, across0, step0, &t_A[4]);
         doubles a[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        load_3(item1, step1, a);
+        take_3(item1, 0, 3, down1, across1, step1, a);
         doubles p[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        load_3(item2, step2, p);
+        take_3(item2, 0, 3, down2, across2, step2, p);
         const doubles t_P0 = t_A[0];
         const doubles t_P1 = t_A[1];
         const doubles t_P2 = t_A[2];
@@ -2466,8 +2666,8 @@ void CHASLES_LEVELED(chasles_twist_transfer_block)(
         const doubles t_P5 = t_A[5] + (t_P1 * t1 - t_P0 * t2);
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 6);
-        store_4(item3, step3, t_P0, t_P1, t_P2, t_P3);
-        store_2(item3 + 4 * sizeof(double), step3, t_P4, t_P5);
+        give_4(item3, 0, 6, down3, across3, step3, t_P0, t_P1, t_P2, t_P3);
+        give_2(item3, 4, 6, down3, across3, step3, t_P4, t_P5);
         stream_lines(&copied);
     }
 }
@@ -2480,27 +2680,35 @@ void CHASLES_LEVELED(chasles_twist_transfer_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 6 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(6, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(7, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats t_A[6];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 6);
-        load_4f(item0, step0, t_A);
-        load_2f(item0 + 4 * sizeof(float), step0, &t_A[4]);
+        take_4f(item0, 0, 6, down0, across0, step0, t_A);
+        take_2f(item0, 4, 6, down0, across0, step0, &t_A[4]);
         floats a[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        load_3f(item1, step1, a);
+        take_3f(item1, 0, 3, down1, across1, step1, a);
         floats p[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        load_3f(item2, step2, p);
+        take_3f(item2, 0, 3, down2, across2, step2, p);
         const floats t_P0 = t_A[0];
         const floats t_P1 = t_A[1];
         const floats t_P2 = t_A[2];
@@ -2512,8 +2720,8 @@ void CHASLES_LEVELED(chasles_twist_transfer_blockf)(
         const floats t_P5 = t_A[5] + (t_P1 * t1 - t_P0 * t2);
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 6);
-        store_4f(item3, step3, t_P0, t_P1, t_P2, t_P3);
-        store_2f(item3 + 4 * sizeof(float), step3, t_P4, t_P5);
+        give_4f(item3, 0, 6, down3, across3, step3, t_P0, t_P1, t_P2, t_P3);
+        give_2f(item3, 4, 6, down3, across3, step3, t_P4, t_P5);
         stream_lines(&copied);
     }
 }

@@ -23,20 +23,26 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, omega);
+        take_3(item0, 0, 3, down0, across0, step0, omega);
         doubles omega_dot[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        load_3(item1, step1, omega_dot);
+        take_3(item1, 0, 3, down1, across1, step1, omega_dot);
         const doubles t1 = omega[0] * omega[0];
         const doubles t2 = omega[0] * omega[1];
         const doubles t3 = omega[0] * omega[2];
@@ -54,9 +60,9 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_block)(
         const doubles W7 = omega_dot[0] + t5;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 9);
-        store_4(item2, step2, W0, W1, W2, W3);
-        store_4(item2 + 4 * sizeof(double), step2, W4, W5, W6, W7);
-        store_1(item2 + 8 * sizeof(double), step2, W8);
+        give_4(item2, 0, 3, down2, across2, step2, W0, W1, W2, W3);
+        give_4(item2, 4, 3, down2, across2, step2, W4, W5, W6, W7);
+        give_1(item2, 8, 3, down2, across2, step2, W8);
         stream_lines(&copied);
     }
 }
@@ -69,20 +75,26 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, omega);
+        take_3f(item0, 0, 3, down0, across0, step0, omega);
         floats omega_dot[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        load_3f(item1, step1, omega_dot);
+        take_3f(item1, 0, 3, down1, across1, step1, omega_dot);
         const floats t1 = omega[0] * omega[0];
         const floats t2 = omega[0] * omega[1];
         const floats t3 = omega[0] * omega[2];
@@ -100,9 +112,9 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_blockf)(
         const floats W7 = omega_dot[0] + t5;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 9);
-        store_4f(item2, step2, W0, W1, W2, W3);
-        store_4f(item2 + 4 * sizeof(float), step2, W4, W5, W6, W7);
-        store_1f(item2 + 8 * sizeof(float), step2, W8);
+        give_4f(item2, 0, 3, down2, across2, step2, W0, W1, W2, W3);
+        give_4f(item2, 4, 3, down2, across2, step2, W4, W5, W6, W7);
+        give_1f(item2, 8, 3, down2, across2, step2, W8);
         stream_lines(&copied);
     }
 }
@@ -115,38 +127,50 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(6, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(7, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(8, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(9, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(10, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(11, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(12, 3 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(13, 1 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t down4 = CHASLES_STEP(14, 3 * sizeof(double));
+    const ptrdiff_t across4 = CHASLES_STEP(15, 1 * sizeof(double));
     char *const at5 = at[5];
     const ptrdiff_t step5 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t down5 = CHASLES_STEP(16, 3 * sizeof(double));
+    const ptrdiff_t across5 = CHASLES_STEP(17, 1 * sizeof(double));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, omega);
+        take_3(item0, 0, 3, down0, across0, step0, omega);
         doubles omega_dot[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        load_3(item1, step1, omega_dot);
+        take_3(item1, 0, 3, down1, across1, step1, omega_dot);
         doubles a_ddot[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        load_3(item2, step2, a_ddot);
+        take_3(item2, 0, 3, down2, across2, step2, a_ddot);
         doubles a[3];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 3);
-        load_3(item3, step3, a);
+        take_3(item3, 0, 3, down3, across3, step3, a);
         doubles p[3];
         const char *const item4 = at4 + g * LANES * step4;
         prefetch(item4, 3);
-        load_3(item4, step4, p);
+        take_3(item4, 0, 3, down4, across4, step4, p);
         const doubles t1 = p[0] - a[0];
         const doubles t2 = p[1] - a[1];
         const doubles t3 = p[2] - a[2];
@@ -161,7 +185,7 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_block)(
         const doubles p_ddot2 = t9 + (omega[0] * t5 - omega[1] * t4);
         char *const item5 = at5 + g * LANES * step5;
         prefetch_to_write(item5, 3);
-        store_3(item5, step5, p_ddot0, p_ddot1, p_ddot2);
+        give_3(item5, 0, 3, down5, across5, step5, p_ddot0, p_ddot1, p_ddot2);
         stream_lines(&copied);
     }
 }
@@ -174,38 +198,50 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(6, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(7, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(8, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(9, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(10, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(11, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(12, 3 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(13, 1 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t down4 = CHASLES_STEP(14, 3 * sizeof(float));
+    const ptrdiff_t across4 = CHASLES_STEP(15, 1 * sizeof(float));
     char *const at5 = at[5];
     const ptrdiff_t step5 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t down5 = CHASLES_STEP(16, 3 * sizeof(float));
+    const ptrdiff_t across5 = CHASLES_STEP(17, 1 * sizeof(float));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, omega);
+        take_3f(item0, 0, 3, down0, across0, step0, omega);
         floats omega_dot[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        load_3f(item1, step1, omega_dot);
+        take_3f(item1, 0, 3, down1, across1, step1, omega_dot);
         floats a_ddot[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        load_3f(item2, step2, a_ddot);
+        take_3f(item2, 0, 3, down2, across2, step2, a_ddot);
         floats a[3];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 3);
-        load_3f(item3, step3, a);
+        take_3f(item3, 0, 3, down3, across3, step3, a);
         floats p[3];
         const char *const item4 = at4 + g * LANESF * step4;
         prefetch(item4, 3);
-        load_3f(item4, step4, p);
+        take_3f(item4, 0, 3, down4, across4, step4, p);
         const floats t1 = p[0] - a[0];
         const floats t2 = p[1] - a[1];
         const floats t3 = p[2] - a[2];
@@ -220,7 +256,7 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_blockf)(
         const floats p_ddot2 = t9 + (omega[0] * t5 - omega[1] * t4);
         char *const item5 = at5 + g * LANESF * step5;
         prefetch_to_write(item5, 3);
-        store_3f(item5, step5, p_ddot0, p_ddot1, p_ddot2);
+        give_3f(item5, 0, 3, down5, across5, step5, p_ddot0, p_ddot1, p_ddot2);
         stream_lines(&copied);
     }
 }
@@ -233,12 +269,18 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 3 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -256,11 +298,11 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, e);
+        take_3(item0, 0, 3, down0, across0, step0, e);
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        load_3(item2, step2, omega);
+        take_3(item2, 0, 3, down2, across2, step2, omega);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t1 = choose(equal(sin_half_phi, spread(0.0)), spread(0.0), cos_half_phi);
@@ -297,9 +339,9 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_block)(
         const doubles N_dot8 = e[2] * t13 - t4;
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 12);
-        store_4(item3, step3, N_dot0, N_dot1, N_dot2, N_dot3);
-        store_4(item3 + 4 * sizeof(double), step3, N_dot4, N_dot5, N_dot6, N_dot7);
-        store_4(item3 + 8 * sizeof(double), step3, N_dot8, N_dot9, N_dot10, N_dot11);
+        give_4(item3, 0, 3, down3, across3, step3, N_dot0, N_dot1, N_dot2, N_dot3);
+        give_4(item3, 4, 3, down3, across3, step3, N_dot4, N_dot5, N_dot6, N_dot7);
+        give_4(item3, 8, 3, down3, across3, step3, N_dot8, N_dot9, N_dot10, N_dot11);
         stream_lines(&copied);
     }
 }
@@ -312,12 +354,18 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 3 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -335,11 +383,11 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, e);
+        take_3f(item0, 0, 3, down0, across0, step0, e);
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        load_3f(item2, step2, omega);
+        take_3f(item2, 0, 3, down2, across2, step2, omega);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const truthsf t1 = equalf(sin_half_phi, spreadf(0.0f));
@@ -376,9 +424,9 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_blockf)(
         const floats N_dot8 = e[2] * t13 - t4;
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 12);
-        store_4f(item3, step3, N_dot0, N_dot1, N_dot2, N_dot3);
-        store_4f(item3 + 4 * sizeof(float), step3, N_dot4, N_dot5, N_dot6, N_dot7);
-        store_4f(item3 + 8 * sizeof(float), step3, N_dot8, N_dot9, N_dot10, N_dot11);
+        give_4f(item3, 0, 3, down3, across3, step3, N_dot0, N_dot1, N_dot2, N_dot3);
+        give_4f(item3, 4, 3, down3, across3, step3, N_dot4, N_dot5, N_dot6, N_dot7);
+        give_4f(item3, 8, 3, down3, across3, step3, N_dot8, N_dot9, N_dot10, N_dot11);
         stream_lines(&copied);
     }
 }
@@ -391,12 +439,18 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 3 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -414,11 +468,11 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, e);
+        take_3(item0, 0, 3, down0, across0, step0, e);
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        load_3(item2, step2, omega);
+        take_3(item2, 0, 3, down2, across2, step2, omega);
         const doubles sin_phi = sines[0][g];
         const doubles cos_phi = cosines[0][g];
         const doubles t1 = e[0] * omega[0] + e[1] * omega[1] + e[2] * omega[2];
@@ -460,9 +514,9 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_block)(
         const doubles L_dot11 = -t14;
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 12);
-        store_4(item3, step3, L_dot0, L_dot1, L_dot2, L_dot3);
-        store_4(item3 + 4 * sizeof(double), step3, L_dot4, L_dot5, L_dot6, L_dot7);
-        store_4(item3 + 8 * sizeof(double), step3, L_dot8, L_dot9, L_dot10, L_dot11);
+        give_4(item3, 0, 3, down3, across3, step3, L_dot0, L_dot1, L_dot2, L_dot3);
+        give_4(item3, 4, 3, down3, across3, step3, L_dot4, L_dot5, L_dot6, L_dot7);
+        give_4(item3, 8, 3, down3, across3, step3, L_dot8, L_dot9, L_dot10, L_dot11);
         stream_lines(&copied);
     }
 }
@@ -475,12 +529,18 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 3 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -498,11 +558,11 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, e);
+        take_3f(item0, 0, 3, down0, across0, step0, e);
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        load_3f(item2, step2, omega);
+        take_3f(item2, 0, 3, down2, across2, step2, omega);
         const floats sin_phi = sines[0][g];
         const floats cos_phi = cosines[0][g];
         const floats t1 = e[0] * omega[0] + e[1] * omega[1] + e[2] * omega[2];
@@ -544,9 +604,9 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_blockf)(
         const floats L_dot11 = -t14;
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 12);
-        store_4f(item3, step3, L_dot0, L_dot1, L_dot2, L_dot3);
-        store_4f(item3 + 4 * sizeof(float), step3, L_dot4, L_dot5, L_dot6, L_dot7);
-        store_4f(item3 + 8 * sizeof(float), step3, L_dot8, L_dot9, L_dot10, L_dot11);
+        give_4f(item3, 0, 3, down3, across3, step3, L_dot0, L_dot1, L_dot2, L_dot3);
+        give_4f(item3, 4, 3, down3, across3, step3, L_dot4, L_dot5, L_dot6, L_dot7);
+        give_4f(item3, 8, 3, down3, across3, step3, L_dot8, L_dot9, L_dot10, L_dot11);
         stream_lines(&copied);
     }
 }
@@ -559,12 +619,18 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 3 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -582,11 +648,11 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, e);
+        take_3(item0, 0, 3, down0, across0, step0, e);
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        load_3(item2, step2, omega);
+        take_3(item2, 0, 3, down2, across2, step2, omega);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t1 = 0.25 * sin_half_phi;
@@ -603,9 +669,9 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_block)(
         const doubles H_dot3 = -H_dot1;
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 12);
-        store_4(item3, step3, H_dot0, H_dot1, H_dot2, H_dot3);
-        store_4(item3 + 4 * sizeof(double), step3, H_dot0, H_dot5, H_dot6, H_dot7);
-        store_4(item3 + 8 * sizeof(double), step3, H_dot0, H_dot7, H_dot2, H_dot3);
+        give_4(item3, 0, 3, down3, across3, step3, H_dot0, H_dot1, H_dot2, H_dot3);
+        give_4(item3, 4, 3, down3, across3, step3, H_dot0, H_dot5, H_dot6, H_dot7);
+        give_4(item3, 8, 3, down3, across3, step3, H_dot0, H_dot7, H_dot2, H_dot3);
         stream_lines(&copied);
     }
 }
@@ -618,12 +684,18 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 3 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -641,11 +713,11 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, e);
+        take_3f(item0, 0, 3, down0, across0, step0, e);
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        load_3f(item2, step2, omega);
+        take_3f(item2, 0, 3, down2, across2, step2, omega);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats t1 = 0.25f * sin_half_phi;
@@ -662,9 +734,9 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_blockf)(
         const floats H_dot3 = -H_dot1;
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 12);
-        store_4f(item3, step3, H_dot0, H_dot1, H_dot2, H_dot3);
-        store_4f(item3 + 4 * sizeof(float), step3, H_dot0, H_dot5, H_dot6, H_dot7);
-        store_4f(item3 + 8 * sizeof(float), step3, H_dot0, H_dot7, H_dot2, H_dot3);
+        give_4f(item3, 0, 3, down3, across3, step3, H_dot0, H_dot1, H_dot2, H_dot3);
+        give_4f(item3, 4, 3, down3, across3, step3, H_dot0, H_dot5, H_dot6, H_dot7);
+        give_4f(item3, 8, 3, down3, across3, step3, H_dot0, H_dot7, H_dot2, H_dot3);
         stream_lines(&copied);
     }
 }
@@ -677,12 +749,18 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 4 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -700,11 +778,11 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, e);
+        take_3(item0, 0, 3, down0, across0, step0, e);
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        load_3(item2, step2, omega);
+        take_3(item2, 0, 3, down2, across2, step2, omega);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t1 = e[0] * omega[0] + e[1] * omega[1] + e[2] * omega[2];
@@ -728,9 +806,9 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_block)(
         const doubles N_tilde_dot11 = -((e[2] * t1 - omega[2]) * t9 + 0.5 * t7);
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 12);
-        store_4(item3, step3, N_tilde_dot0, N_tilde_dot1, N_tilde_dot2, N_tilde_dot3);
-        store_4(item3 + 4 * sizeof(double), step3, N_tilde_dot4, N_tilde_dot0, N_tilde_dot6, N_tilde_dot7);
-        store_4(item3 + 8 * sizeof(double), step3, N_tilde_dot8, N_tilde_dot9, N_tilde_dot0, N_tilde_dot11);
+        give_4(item3, 0, 4, down3, across3, step3, N_tilde_dot0, N_tilde_dot1, N_tilde_dot2, N_tilde_dot3);
+        give_4(item3, 4, 4, down3, across3, step3, N_tilde_dot4, N_tilde_dot0, N_tilde_dot6, N_tilde_dot7);
+        give_4(item3, 8, 4, down3, across3, step3, N_tilde_dot8, N_tilde_dot9, N_tilde_dot0, N_tilde_dot11);
         stream_lines(&copied);
     }
 }
@@ -743,12 +821,18 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 4 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -766,11 +850,11 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, e);
+        take_3f(item0, 0, 3, down0, across0, step0, e);
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        load_3f(item2, step2, omega);
+        take_3f(item2, 0, 3, down2, across2, step2, omega);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats t1 = e[0] * omega[0] + e[1] * omega[1] + e[2] * omega[2];
@@ -794,9 +878,13 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_blockf)(
         const floats N_tilde_dot11 = -((e[2] * t1 - omega[2]) * t9 + 0.5f * t7);
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 12);
-        store_4f(item3, step3, N_tilde_dot0, N_tilde_dot1, N_tilde_dot2, N_tilde_dot3);
-        store_4f(item3 + 4 * sizeof(float), step3, N_tilde_dot4, N_tilde_dot0, N_tilde_dot6, N_tilde_dot7);
-        store_4f(item3 + 8 * sizeof(float), step3, N_tilde_dot8, N_tilde_dot9, N_tilde_dot0, N_tilde_dot11);
+        give_4f(item3, 0, 4, down3, across3, step3, N_tilde_dot0, N_tilde_dot1, N_tilde_dot2, N_tilde_dot3);
+        give_4f(item3, 4, 4, down3, across3, step3, N_tilde_dot4, N_tilde_dot0, N_tilde_dot6, N_tilde_dot7);
+        give_4f(item3, 8, 4, down3, across3, step3, 
+            N_tilde_dot8,
+            N_tilde_dot9,
+            N_tilde_dot0,
+            N_tilde_dot11);
         stream_lines(&copied);
     }
 }
@@ -809,12 +897,18 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 4 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -832,11 +926,11 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, e);
+        take_3(item0, 0, 3, down0, across0, step0, e);
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        load_3(item2, step2, omega);
+        take_3(item2, 0, 3, down2, across2, step2, omega);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t1 = choose(equal(cos_half_phi, spread(0.0)), spread(0.0), sin_half_phi);
@@ -853,9 +947,9 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_block)(
         const doubles L_tilde_dot7 = -L_tilde_dot2;
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 12);
-        store_4(item3, step3, spread(0.0), L_tilde_dot1, L_tilde_dot2, L_tilde_dot3);
-        store_4(item3 + 4 * sizeof(double), step3, L_tilde_dot4, spread(0.0), L_tilde_dot3, L_tilde_dot7);
-        store_4(item3 + 8 * sizeof(double), step3, L_tilde_dot7, L_tilde_dot9, spread(0.0), L_tilde_dot1);
+        give_4(item3, 0, 4, down3, across3, step3, spread(0.0), L_tilde_dot1, L_tilde_dot2, L_tilde_dot3);
+        give_4(item3, 4, 4, down3, across3, step3, L_tilde_dot4, spread(0.0), L_tilde_dot3, L_tilde_dot7);
+        give_4(item3, 8, 4, down3, across3, step3, L_tilde_dot7, L_tilde_dot9, spread(0.0), L_tilde_dot1);
         stream_lines(&copied);
     }
 }
@@ -868,12 +962,18 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 4 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -891,11 +991,11 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, e);
+        take_3f(item0, 0, 3, down0, across0, step0, e);
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        load_3f(item2, step2, omega);
+        take_3f(item2, 0, 3, down2, across2, step2, omega);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const truthsf t1 = equalf(cos_half_phi, spreadf(0.0f));
@@ -912,9 +1012,21 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_blockf)(
         const floats L_tilde_dot7 = -L_tilde_dot2;
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 12);
-        store_4f(item3, step3, spreadf(0.0f), L_tilde_dot1, L_tilde_dot2, L_tilde_dot3);
-        store_4f(item3 + 4 * sizeof(float), step3, L_tilde_dot4, spreadf(0.0f), L_tilde_dot3, L_tilde_dot7);
-        store_4f(item3 + 8 * sizeof(float), step3, L_tilde_dot7, L_tilde_dot9, spreadf(0.0f), L_tilde_dot1);
+        give_4f(item3, 0, 4, down3, across3, step3, 
+            spreadf(0.0f),
+            L_tilde_dot1,
+            L_tilde_dot2,
+            L_tilde_dot3);
+        give_4f(item3, 4, 4, down3, across3, step3, 
+            L_tilde_dot4,
+            spreadf(0.0f),
+            L_tilde_dot3,
+            L_tilde_dot7);
+        give_4f(item3, 8, 4, down3, across3, step3, 
+            L_tilde_dot7,
+            L_tilde_dot9,
+            spreadf(0.0f),
+            L_tilde_dot1);
         stream_lines(&copied);
     }
 }
@@ -927,12 +1039,18 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 4 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -950,11 +1068,11 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, e);
+        take_3(item0, 0, 3, down0, across0, step0, e);
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        load_3(item2, step2, omega);
+        take_3(item2, 0, 3, down2, across2, step2, omega);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t1 = e[0] * sin_half_phi;
@@ -969,9 +1087,9 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_block)(
         const doubles H_tilde_dot7 = -H_tilde_dot2;
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 12);
-        store_4(item3, step3, H_tilde_dot0, H_tilde_dot1, H_tilde_dot2, H_tilde_dot3);
-        store_4(item3 + 4 * sizeof(double), step3, H_tilde_dot4, H_tilde_dot0, H_tilde_dot3, H_tilde_dot7);
-        store_4(item3 + 8 * sizeof(double), step3, H_tilde_dot7, H_tilde_dot9, H_tilde_dot0, H_tilde_dot1);
+        give_4(item3, 0, 4, down3, across3, step3, H_tilde_dot0, H_tilde_dot1, H_tilde_dot2, H_tilde_dot3);
+        give_4(item3, 4, 4, down3, across3, step3, H_tilde_dot4, H_tilde_dot0, H_tilde_dot3, H_tilde_dot7);
+        give_4(item3, 8, 4, down3, across3, step3, H_tilde_dot7, H_tilde_dot9, H_tilde_dot0, H_tilde_dot1);
         stream_lines(&copied);
     }
 }
@@ -984,12 +1102,18 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 4 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -1007,11 +1131,11 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, e);
+        take_3f(item0, 0, 3, down0, across0, step0, e);
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        load_3f(item2, step2, omega);
+        take_3f(item2, 0, 3, down2, across2, step2, omega);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats t1 = e[0] * sin_half_phi;
@@ -1026,9 +1150,9 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_blockf)(
         const floats H_tilde_dot7 = -H_tilde_dot2;
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 12);
-        store_4f(item3, step3, H_tilde_dot0, H_tilde_dot1, H_tilde_dot2, H_tilde_dot3);
-        store_4f(item3 + 4 * sizeof(float), step3, H_tilde_dot4, H_tilde_dot0, H_tilde_dot3, H_tilde_dot7);
-        store_4f(item3 + 8 * sizeof(float), step3, H_tilde_dot7, H_tilde_dot9, H_tilde_dot0, H_tilde_dot1);
+        give_4f(item3, 0, 4, down3, across3, step3, H_tilde_dot0, H_tilde_dot1, H_tilde_dot2, H_tilde_dot3);
+        give_4f(item3, 4, 4, down3, across3, step3, H_tilde_dot4, H_tilde_dot0, H_tilde_dot3, H_tilde_dot7);
+        give_4f(item3, 8, 4, down3, across3, step3, H_tilde_dot7, H_tilde_dot9, H_tilde_dot0, H_tilde_dot1);
         stream_lines(&copied);
     }
 }
@@ -1041,14 +1165,22 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 6 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 7 * sizeof(double));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 7 * sizeof(double));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -1066,16 +1198,16 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, e);
+        take_3(item0, 0, 3, down0, across0, step0, e);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
-        load_3(item2, step2, t);
+        take_3(item2, 0, 6, down2, across2, step2, t);
         doubles t_dot[6];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 6);
-        load_4(item3, step3, t_dot);
-        load_2(item3 + 4 * sizeof(double), step3, &t_dot[4]);
+        take_4(item3, 0, 6, down3, across3, step3, t_dot);
+        take_2(item3, 4, 6, down3, across3, step3, &t_dot[4]);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles s_ddot4 = t_dot[3];
@@ -1101,8 +1233,8 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_block)(
         const doubles s_ddot2 = t6 * (t_dot[2] - e[2] * s_ddot3 + t1 * t9) + t4 * t11 - t14;
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 7);
-        store_4(item4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
-        store_3(item4 + 4 * sizeof(double), step4, s_ddot4, s_ddot5, s_ddot6);
+        give_4(item4, 0, 7, down4, across4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
+        give_3(item4, 4, 7, down4, across4, step4, s_ddot4, s_ddot5, s_ddot6);
         stream_lines(&copied);
     }
 }
@@ -1115,14 +1247,22 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 6 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 7 * sizeof(float));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 7 * sizeof(float));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -1140,16 +1280,16 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, e);
+        take_3f(item0, 0, 3, down0, across0, step0, e);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
-        load_3f(item2, step2, t);
+        take_3f(item2, 0, 6, down2, across2, step2, t);
         floats t_dot[6];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 6);
-        load_4f(item3, step3, t_dot);
-        load_2f(item3 + 4 * sizeof(float), step3, &t_dot[4]);
+        take_4f(item3, 0, 6, down3, across3, step3, t_dot);
+        take_2f(item3, 4, 6, down3, across3, step3, &t_dot[4]);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats s_ddot4 = t_dot[3];
@@ -1175,8 +1315,8 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_blockf)(
         const floats s_ddot2 = t6 * (t_dot[2] - e[2] * s_ddot3 + t1 * t9) + t4 * t11 - t14;
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 7);
-        store_4f(item4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
-        store_3f(item4 + 4 * sizeof(float), step4, s_ddot4, s_ddot5, s_ddot6);
+        give_4f(item4, 0, 7, down4, across4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
+        give_3f(item4, 4, 7, down4, across4, step4, s_ddot4, s_ddot5, s_ddot6);
         stream_lines(&copied);
     }
 }
@@ -1189,14 +1329,22 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 6 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 7 * sizeof(double));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 7 * sizeof(double));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -1214,16 +1362,16 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, e);
+        take_3(item0, 0, 3, down0, across0, step0, e);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
-        load_3(item2, step2, t);
+        take_3(item2, 0, 6, down2, across2, step2, t);
         doubles t_dot[6];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 6);
-        load_4(item3, step3, t_dot);
-        load_2(item3 + 4 * sizeof(double), step3, &t_dot[4]);
+        take_4(item3, 0, 6, down3, across3, step3, t_dot);
+        take_2(item3, 4, 6, down3, across3, step3, &t_dot[4]);
         const doubles sin_phi = sines[0][g];
         const doubles cos_phi = cosines[0][g];
         const doubles s_ddot4 = t_dot[3];
@@ -1248,8 +1396,8 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_block)(
         const doubles s_ddot3 = t2 * t8 - sin_phi * t9 - t1 * t10;
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 7);
-        store_4(item4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
-        store_3(item4 + 4 * sizeof(double), step4, s_ddot4, s_ddot5, s_ddot6);
+        give_4(item4, 0, 7, down4, across4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
+        give_3(item4, 4, 7, down4, across4, step4, s_ddot4, s_ddot5, s_ddot6);
         stream_lines(&copied);
     }
 }
@@ -1262,14 +1410,22 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 6 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 7 * sizeof(float));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 7 * sizeof(float));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -1287,16 +1443,16 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, e);
+        take_3f(item0, 0, 3, down0, across0, step0, e);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
-        load_3f(item2, step2, t);
+        take_3f(item2, 0, 6, down2, across2, step2, t);
         floats t_dot[6];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 6);
-        load_4f(item3, step3, t_dot);
-        load_2f(item3 + 4 * sizeof(float), step3, &t_dot[4]);
+        take_4f(item3, 0, 6, down3, across3, step3, t_dot);
+        take_2f(item3, 4, 6, down3, across3, step3, &t_dot[4]);
         const floats sin_phi = sines[0][g];
         const floats cos_phi = cosines[0][g];
         const floats s_ddot4 = t_dot[3];
@@ -1321,8 +1477,8 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_blockf)(
         const floats s_ddot3 = t2 * t8 - sin_phi * t9 - t1 * t10;
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 7);
-        store_4f(item4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
-        store_3f(item4 + 4 * sizeof(float), step4, s_ddot4, s_ddot5, s_ddot6);
+        give_4f(item4, 0, 7, down4, across4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
+        give_3f(item4, 4, 7, down4, across4, step4, s_ddot4, s_ddot5, s_ddot6);
         stream_lines(&copied);
     }
 }
@@ -1335,14 +1491,22 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 6 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 7 * sizeof(double));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 7 * sizeof(double));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -1360,16 +1524,16 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, e);
+        take_3(item0, 0, 3, down0, across0, step0, e);
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
-        load_3(item2, step2, t);
+        take_3(item2, 0, 6, down2, across2, step2, t);
         doubles t_dot[6];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 6);
-        load_4(item3, step3, t_dot);
-        load_2(item3 + 4 * sizeof(double), step3, &t_dot[4]);
+        take_4(item3, 0, 6, down3, across3, step3, t_dot);
+        take_2(item3, 4, 6, down3, across3, step3, &t_dot[4]);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles s_ddot4 = t_dot[3];
@@ -1390,8 +1554,8 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_block)(
         const doubles s_ddot3 = -(t9 + cos_half_phi * t4);
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 7);
-        store_4(item4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
-        store_3(item4 + 4 * sizeof(double), step4, s_ddot4, s_ddot5, s_ddot6);
+        give_4(item4, 0, 7, down4, across4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
+        give_3(item4, 4, 7, down4, across4, step4, s_ddot4, s_ddot5, s_ddot6);
         stream_lines(&copied);
     }
 }
@@ -1404,14 +1568,22 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 6 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 7 * sizeof(float));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 7 * sizeof(float));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -1429,16 +1601,16 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, e);
+        take_3f(item0, 0, 3, down0, across0, step0, e);
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
-        load_3f(item2, step2, t);
+        take_3f(item2, 0, 6, down2, across2, step2, t);
         floats t_dot[6];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 6);
-        load_4f(item3, step3, t_dot);
-        load_2f(item3 + 4 * sizeof(float), step3, &t_dot[4]);
+        take_4f(item3, 0, 6, down3, across3, step3, t_dot);
+        take_2f(item3, 4, 6, down3, across3, step3, &t_dot[4]);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats s_ddot4 = t_dot[3];
@@ -1459,8 +1631,8 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_blockf)(
         const floats s_ddot3 = -(t9 + cos_half_phi * t4);
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 7);
-        store_4f(item4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
-        store_3f(item4 + 4 * sizeof(float), step4, s_ddot4, s_ddot5, s_ddot6);
+        give_4f(item4, 0, 7, down4, across4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
+        give_3f(item4, 4, 7, down4, across4, step4, s_ddot4, s_ddot5, s_ddot6);
         stream_lines(&copied);
     }
 }
@@ -1473,14 +1645,22 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 7 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 7 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(double));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -1498,16 +1678,16 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, e);
+        take_3(item0, 0, 3, down0, across0, step0, e);
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 7);
-        load_4(item2, step2, s_dot);
+        take_4(item2, 0, 7, down2, across2, step2, s_dot);
         doubles s_ddot[7];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 7);
-        load_4(item3, step3, s_ddot);
-        load_3(item3 + 4 * sizeof(double), step3, &s_ddot[4]);
+        take_4(item3, 0, 7, down3, across3, step3, s_ddot);
+        take_3(item3, 4, 7, down3, across3, step3, &s_ddot[4]);
         const doubles sin_phi = sines[0][g];
         const doubles cos_phi = cosines[0][g];
         const doubles t_dot3 = s_ddot[4];
@@ -1527,8 +1707,8 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_block)(
         const doubles t_dot2 = t4 + e[2] * s_ddot[3] + t9;
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 6);
-        store_4(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
-        store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
+        give_4(item4, 0, 6, down4, across4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
+        give_2(item4, 4, 6, down4, across4, step4, t_dot4, t_dot5);
         stream_lines(&copied);
     }
 }
@@ -1541,14 +1721,22 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 7 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 7 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(float));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -1566,16 +1754,16 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, e);
+        take_3f(item0, 0, 3, down0, across0, step0, e);
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 7);
-        load_4f(item2, step2, s_dot);
+        take_4f(item2, 0, 7, down2, across2, step2, s_dot);
         floats s_ddot[7];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 7);
-        load_4f(item3, step3, s_ddot);
-        load_3f(item3 + 4 * sizeof(float), step3, &s_ddot[4]);
+        take_4f(item3, 0, 7, down3, across3, step3, s_ddot);
+        take_3f(item3, 4, 7, down3, across3, step3, &s_ddot[4]);
         const floats sin_phi = sines[0][g];
         const floats cos_phi = cosines[0][g];
         const floats t_dot3 = s_ddot[4];
@@ -1595,8 +1783,8 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_blockf)(
         const floats t_dot2 = t4 + e[2] * s_ddot[3] + t9;
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 6);
-        store_4f(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
-        store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
+        give_4f(item4, 0, 6, down4, across4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
+        give_2f(item4, 4, 6, down4, across4, step4, t_dot4, t_dot5);
         stream_lines(&copied);
     }
 }
@@ -1609,14 +1797,22 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 7 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 7 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(double));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -1634,16 +1830,16 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, e);
+        take_3(item0, 0, 3, down0, across0, step0, e);
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 7);
-        load_4(item2, step2, s_dot);
+        take_4(item2, 0, 7, down2, across2, step2, s_dot);
         doubles s_ddot[7];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 7);
-        load_4(item3, step3, s_ddot);
-        load_3(item3 + 4 * sizeof(double), step3, &s_ddot[4]);
+        take_4(item3, 0, 7, down3, across3, step3, s_ddot);
+        take_3(item3, 4, 7, down3, across3, step3, &s_ddot[4]);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t_dot3 = s_ddot[4];
@@ -1664,8 +1860,8 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_block)(
         const doubles t_dot2 = s_ddot[2] + (s_ddot[1] * t3 - s_ddot[0] * t4) - s_ddot[3] * t5 - t10;
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 6);
-        store_4(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
-        store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
+        give_4(item4, 0, 6, down4, across4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
+        give_2(item4, 4, 6, down4, across4, step4, t_dot4, t_dot5);
         stream_lines(&copied);
     }
 }
@@ -1678,14 +1874,22 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 7 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 7 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(float));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -1703,16 +1907,16 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, e);
+        take_3f(item0, 0, 3, down0, across0, step0, e);
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 7);
-        load_4f(item2, step2, s_dot);
+        take_4f(item2, 0, 7, down2, across2, step2, s_dot);
         floats s_ddot[7];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 7);
-        load_4f(item3, step3, s_ddot);
-        load_3f(item3 + 4 * sizeof(float), step3, &s_ddot[4]);
+        take_4f(item3, 0, 7, down3, across3, step3, s_ddot);
+        take_3f(item3, 4, 7, down3, across3, step3, &s_ddot[4]);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats t_dot3 = s_ddot[4];
@@ -1733,8 +1937,8 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_blockf)(
         const floats t_dot2 = s_ddot[2] + (s_ddot[1] * t3 - s_ddot[0] * t4) - s_ddot[3] * t5 - t10;
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 6);
-        store_4f(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
-        store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
+        give_4f(item4, 0, 6, down4, across4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
+        give_2f(item4, 4, 6, down4, across4, step4, t_dot4, t_dot5);
         stream_lines(&copied);
     }
 }
@@ -1747,12 +1951,18 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 7 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(double));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -1770,12 +1980,12 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, e);
+        take_3(item0, 0, 3, down0, across0, step0, e);
         doubles s_ddot[7];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 7);
-        load_4(item3, step3, s_ddot);
-        load_3(item3 + 4 * sizeof(double), step3, &s_ddot[4]);
+        take_4(item3, 0, 7, down3, across3, step3, s_ddot);
+        take_3(item3, 4, 7, down3, across3, step3, &s_ddot[4]);
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t_dot3 = s_ddot[4];
@@ -1791,8 +2001,8 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_block)(
         const doubles t_dot2 = s_ddot[1] * t3 - s_ddot[0] * t4 + s_ddot[2] * t1 - s_ddot[3] * t5;
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 6);
-        store_4(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
-        store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
+        give_4(item4, 0, 6, down4, across4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
+        give_2(item4, 4, 6, down4, across4, step4, t_dot4, t_dot5);
         stream_lines(&copied);
     }
 }
@@ -1805,12 +2015,18 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 7 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(float));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -1828,12 +2044,12 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, e);
+        take_3f(item0, 0, 3, down0, across0, step0, e);
         floats s_ddot[7];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 7);
-        load_4f(item3, step3, s_ddot);
-        load_3f(item3 + 4 * sizeof(float), step3, &s_ddot[4]);
+        take_4f(item3, 0, 7, down3, across3, step3, s_ddot);
+        take_3f(item3, 4, 7, down3, across3, step3, &s_ddot[4]);
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats t_dot3 = s_ddot[4];
@@ -1849,8 +2065,8 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_blockf)(
         const floats t_dot2 = s_ddot[1] * t3 - s_ddot[0] * t4 + s_ddot[2] * t1 - s_ddot[3] * t5;
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 6);
-        store_4f(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
-        store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
+        give_4f(item4, 0, 6, down4, across4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
+        give_2f(item4, 4, 6, down4, across4, step4, t_dot4, t_dot5);
         stream_lines(&copied);
     }
 }

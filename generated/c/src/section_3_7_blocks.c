@@ -23,12 +23,20 @@ void CHASLES_LEVELED(chasles_wrench_axis_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(7, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(8, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 1 * sizeof(double));
     chasles_stream copied = *stream;
@@ -36,15 +44,15 @@ void CHASLES_LEVELED(chasles_wrench_axis_block)(
         doubles f[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, f);
+        take_3(item0, 0, 3, down0, across0, step0, f);
         doubles n_A[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        load_3(item1, step1, n_A);
+        take_3(item1, 0, 3, down1, across1, step1, n_A);
         doubles a[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        load_3(item2, step2, a);
+        take_3(item2, 0, 3, down2, across2, step2, a);
         const doubles t1 = choose(less(f[0], spread(0.0)), -f[0], f[0]);
         const doubles t2 = choose(less(f[1], spread(0.0)), -f[1], f[1]);
         const doubles t3 = choose(less(t1, t2), t2, t1);
@@ -72,8 +80,8 @@ void CHASLES_LEVELED(chasles_wrench_axis_block)(
         const doubles pitch_value = (axis0 * t13 + axis1 * t14 + axis2 * t15) / t6;
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 6);
-        store_4(item3, step3, axis0, axis1, axis2, axis3);
-        store_2(item3 + 4 * sizeof(double), step3, axis4, axis5);
+        give_4(item3, 0, 6, down3, across3, step3, axis0, axis1, axis2, axis3);
+        give_2(item3, 4, 6, down3, across3, step3, axis4, axis5);
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 1);
         store_1(item4, step4, pitch_value);
@@ -89,12 +97,20 @@ void CHASLES_LEVELED(chasles_wrench_axis_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(7, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(8, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 1 * sizeof(float));
     chasles_stream copied = *stream;
@@ -102,15 +118,15 @@ void CHASLES_LEVELED(chasles_wrench_axis_blockf)(
         floats f[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, f);
+        take_3f(item0, 0, 3, down0, across0, step0, f);
         floats n_A[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        load_3f(item1, step1, n_A);
+        take_3f(item1, 0, 3, down1, across1, step1, n_A);
         floats a[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        load_3f(item2, step2, a);
+        take_3f(item2, 0, 3, down2, across2, step2, a);
         const floats t1 = choosef(lessf(f[0], spreadf(0.0f)), -f[0], f[0]);
         const floats t2 = choosef(lessf(f[1], spreadf(0.0f)), -f[1], f[1]);
         const floats t3 = choosef(lessf(t1, t2), t2, t1);
@@ -138,8 +154,8 @@ void CHASLES_LEVELED(chasles_wrench_axis_blockf)(
         const floats pitch_value = (axis0 * t13 + axis1 * t14 + axis2 * t15) / t6;
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 6);
-        store_4f(item3, step3, axis0, axis1, axis2, axis3);
-        store_2f(item3 + 4 * sizeof(float), step3, axis4, axis5);
+        give_4f(item3, 0, 6, down3, across3, step3, axis0, axis1, axis2, axis3);
+        give_2f(item3, 4, 6, down3, across3, step3, axis4, axis5);
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 1);
         store_1f(item4, step4, pitch_value);
@@ -155,8 +171,12 @@ void CHASLES_LEVELED(chasles_power_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 6 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 6 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 6 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(double));
     chasles_stream copied = *stream;
@@ -164,13 +184,13 @@ void CHASLES_LEVELED(chasles_power_block)(
         doubles t[6];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 6);
-        load_4(item0, step0, t);
-        load_2(item0 + 4 * sizeof(double), step0, &t[4]);
+        take_4(item0, 0, 6, down0, across0, step0, t);
+        take_2(item0, 4, 6, down0, across0, step0, &t[4]);
         doubles w[6];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 6);
-        load_4(item1, step1, w);
-        load_2(item1 + 4 * sizeof(double), step1, &w[4]);
+        take_4(item1, 0, 6, down1, across1, step1, w);
+        take_2(item1, 4, 6, down1, across1, step1, &w[4]);
         const doubles t1 = t[0] * w[0] + t[1] * w[1] + t[2] * w[2] + t[3] * w[3] + t[4] * w[4];
         const doubles Pi_value = t1 + t[5] * w[5];
         char *const item2 = at2 + g * LANES * step2;
@@ -188,8 +208,12 @@ void CHASLES_LEVELED(chasles_power_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 6 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 6 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 6 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(float));
     chasles_stream copied = *stream;
@@ -197,13 +221,13 @@ void CHASLES_LEVELED(chasles_power_blockf)(
         floats t[6];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 6);
-        load_4f(item0, step0, t);
-        load_2f(item0 + 4 * sizeof(float), step0, &t[4]);
+        take_4f(item0, 0, 6, down0, across0, step0, t);
+        take_2f(item0, 4, 6, down0, across0, step0, &t[4]);
         floats w[6];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 6);
-        load_4f(item1, step1, w);
-        load_2f(item1 + 4 * sizeof(float), step1, &w[4]);
+        take_4f(item1, 0, 6, down1, across1, step1, w);
+        take_2f(item1, 4, 6, down1, across1, step1, &w[4]);
         const floats t1 = t[0] * w[0] + t[1] * w[1] + t[2] * w[2] + t[3] * w[3] + t[4] * w[4];
         const floats Pi_value = t1 + t[5] * w[5];
         char *const item2 = at2 + g * LANESF * step2;
@@ -221,8 +245,12 @@ void CHASLES_LEVELED(chasles_reciprocal_product_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 6 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 6 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 6 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(double));
     chasles_stream copied = *stream;
@@ -230,13 +258,13 @@ void CHASLES_LEVELED(chasles_reciprocal_product_block)(
         doubles s_w[6];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 6);
-        load_4(item0, step0, s_w);
-        load_2(item0 + 4 * sizeof(double), step0, &s_w[4]);
+        take_4(item0, 0, 6, down0, across0, step0, s_w);
+        take_2(item0, 4, 6, down0, across0, step0, &s_w[4]);
         doubles s_t[6];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 6);
-        load_4(item1, step1, s_t);
-        load_2(item1 + 4 * sizeof(double), step1, &s_t[4]);
+        take_4(item1, 0, 6, down1, across1, step1, s_t);
+        take_2(item1, 4, 6, down1, across1, step1, &s_t[4]);
         const doubles t1 = s_w[0] * s_t[3] + s_w[1] * s_t[4] + s_w[2] * s_t[5] + s_w[3] * s_t[0];
         const doubles product_value = t1 + s_w[4] * s_t[1] + s_w[5] * s_t[2];
         char *const item2 = at2 + g * LANES * step2;
@@ -254,8 +282,12 @@ void CHASLES_LEVELED(chasles_reciprocal_product_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 6 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 6 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 6 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(float));
     chasles_stream copied = *stream;
@@ -263,13 +295,13 @@ void CHASLES_LEVELED(chasles_reciprocal_product_blockf)(
         floats s_w[6];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 6);
-        load_4f(item0, step0, s_w);
-        load_2f(item0 + 4 * sizeof(float), step0, &s_w[4]);
+        take_4f(item0, 0, 6, down0, across0, step0, s_w);
+        take_2f(item0, 4, 6, down0, across0, step0, &s_w[4]);
         floats s_t[6];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 6);
-        load_4f(item1, step1, s_t);
-        load_2f(item1 + 4 * sizeof(float), step1, &s_t[4]);
+        take_4f(item1, 0, 6, down1, across1, step1, s_t);
+        take_2f(item1, 4, 6, down1, across1, step1, &s_t[4]);
         const floats t1 = s_w[0] * s_t[3] + s_w[1] * s_t[4] + s_w[2] * s_t[5] + s_w[3] * s_t[0];
         const floats product_value = t1 + s_w[4] * s_t[1] + s_w[5] * s_t[2];
         char *const item2 = at2 + g * LANESF * step2;
@@ -287,27 +319,35 @@ void CHASLES_LEVELED(chasles_wrench_transfer_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 6 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(6, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(7, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles w_A[6];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 6);
-        load_4(item0, step0, w_A);
-        load_2(item0 + 4 * sizeof(double), step0, &w_A[4]);
+        take_4(item0, 0, 6, down0, across0, step0, w_A);
+        take_2(item0, 4, 6, down0, across0, step0, &w_A[4]);
         doubles a[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        load_3(item1, step1, a);
+        take_3(item1, 0, 3, down1, across1, step1, a);
         doubles p[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        load_3(item2, step2, p);
+        take_3(item2, 0, 3, down2, across2, step2, p);
         const doubles w_P3 = w_A[3];
         const doubles w_P4 = w_A[4];
         const doubles w_P5 = w_A[5];
@@ -319,8 +359,8 @@ void CHASLES_LEVELED(chasles_wrench_transfer_block)(
         const doubles w_P2 = w_A[2] + (w_P4 * t1 - w_P3 * t2);
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 6);
-        store_4(item3, step3, w_P0, w_P1, w_P2, w_P3);
-        store_2(item3 + 4 * sizeof(double), step3, w_P4, w_P5);
+        give_4(item3, 0, 6, down3, across3, step3, w_P0, w_P1, w_P2, w_P3);
+        give_2(item3, 4, 6, down3, across3, step3, w_P4, w_P5);
         stream_lines(&copied);
     }
 }
@@ -333,27 +373,35 @@ void CHASLES_LEVELED(chasles_wrench_transfer_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 6 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(6, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(7, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats w_A[6];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 6);
-        load_4f(item0, step0, w_A);
-        load_2f(item0 + 4 * sizeof(float), step0, &w_A[4]);
+        take_4f(item0, 0, 6, down0, across0, step0, w_A);
+        take_2f(item0, 4, 6, down0, across0, step0, &w_A[4]);
         floats a[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        load_3f(item1, step1, a);
+        take_3f(item1, 0, 3, down1, across1, step1, a);
         floats p[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        load_3f(item2, step2, p);
+        take_3f(item2, 0, 3, down2, across2, step2, p);
         const floats w_P3 = w_A[3];
         const floats w_P4 = w_A[4];
         const floats w_P5 = w_A[5];
@@ -365,8 +413,8 @@ void CHASLES_LEVELED(chasles_wrench_transfer_blockf)(
         const floats w_P2 = w_A[2] + (w_P4 * t1 - w_P3 * t2);
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 6);
-        store_4f(item3, step3, w_P0, w_P1, w_P2, w_P3);
-        store_2f(item3 + 4 * sizeof(float), step3, w_P4, w_P5);
+        give_4f(item3, 0, 6, down3, across3, step3, w_P0, w_P1, w_P2, w_P3);
+        give_2f(item3, 4, 6, down3, across3, step3, w_P4, w_P5);
         stream_lines(&copied);
     }
 }

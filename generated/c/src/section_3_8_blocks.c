@@ -23,22 +23,30 @@ void CHASLES_LEVELED(chasles_inertia_about_point_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 3 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 9 * sizeof(double));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 3 * sizeof(double));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 9);
-        load_4(item0, step0, I_C);
-        load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
-        load_1(item0 + 8 * sizeof(double), step0, &I_C[8]);
+        take_4(item0, 0, 3, down0, across0, step0, I_C);
+        take_4(item0, 4, 3, down0, across0, step0, &I_C[4]);
+        take_1(item0, 8, 3, down0, across0, step0, &I_C[8]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -46,11 +54,11 @@ void CHASLES_LEVELED(chasles_inertia_about_point_block)(
         doubles c[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        load_3(item2, step2, c);
+        take_3(item2, 0, 3, down2, across2, step2, c);
         doubles a[3];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 3);
-        load_3(item3, step3, a);
+        take_3(item3, 0, 3, down3, across3, step3, a);
         const doubles t1 = a[0] - c[0];
         const doubles t2 = a[1] - c[1];
         const doubles t3 = a[2] - c[2];
@@ -73,9 +81,9 @@ void CHASLES_LEVELED(chasles_inertia_about_point_block)(
         const doubles I_A8 = I_C[8] + (t6 + t9);
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 9);
-        store_4(item4, step4, I_A0, I_A1, I_A2, I_A3);
-        store_4(item4 + 4 * sizeof(double), step4, I_A4, I_A5, I_A6, I_A7);
-        store_1(item4 + 8 * sizeof(double), step4, I_A8);
+        give_4(item4, 0, 3, down4, across4, step4, I_A0, I_A1, I_A2, I_A3);
+        give_4(item4, 4, 3, down4, across4, step4, I_A4, I_A5, I_A6, I_A7);
+        give_1(item4, 8, 3, down4, across4, step4, I_A8);
         stream_lines(&copied);
     }
 }
@@ -88,22 +96,30 @@ void CHASLES_LEVELED(chasles_inertia_about_point_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 3 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 9 * sizeof(float));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 3 * sizeof(float));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 9);
-        load_4f(item0, step0, I_C);
-        load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
-        load_1f(item0 + 8 * sizeof(float), step0, &I_C[8]);
+        take_4f(item0, 0, 3, down0, across0, step0, I_C);
+        take_4f(item0, 4, 3, down0, across0, step0, &I_C[4]);
+        take_1f(item0, 8, 3, down0, across0, step0, &I_C[8]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -111,11 +127,11 @@ void CHASLES_LEVELED(chasles_inertia_about_point_blockf)(
         floats c[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        load_3f(item2, step2, c);
+        take_3f(item2, 0, 3, down2, across2, step2, c);
         floats a[3];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 3);
-        load_3f(item3, step3, a);
+        take_3f(item3, 0, 3, down3, across3, step3, a);
         const floats t1 = a[0] - c[0];
         const floats t2 = a[1] - c[1];
         const floats t3 = a[2] - c[2];
@@ -138,9 +154,9 @@ void CHASLES_LEVELED(chasles_inertia_about_point_blockf)(
         const floats I_A8 = I_C[8] + (t6 + t9);
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 9);
-        store_4f(item4, step4, I_A0, I_A1, I_A2, I_A3);
-        store_4f(item4 + 4 * sizeof(float), step4, I_A4, I_A5, I_A6, I_A7);
-        store_1f(item4 + 8 * sizeof(float), step4, I_A8);
+        give_4f(item4, 0, 3, down4, across4, step4, I_A0, I_A1, I_A2, I_A3);
+        give_4f(item4, 4, 3, down4, across4, step4, I_A4, I_A5, I_A6, I_A7);
+        give_1f(item4, 8, 3, down4, across4, step4, I_A8);
         stream_lines(&copied);
     }
 }
@@ -153,21 +169,29 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 6 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 3 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(double));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 6);
-        load_4(item0, step0, I_C);
-        load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
+        take_4(item0, 0, 6, down0, across0, step0, I_C);
+        take_2(item0, 4, 6, down0, across0, step0, &I_C[4]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -175,11 +199,11 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_block)(
         doubles c[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        load_3(item2, step2, c);
+        take_3(item2, 0, 3, down2, across2, step2, c);
         doubles a[3];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 3);
-        load_3(item3, step3, a);
+        take_3(item3, 0, 3, down3, across3, step3, a);
         const doubles t1 = a[0] - c[0];
         const doubles t2 = a[1] - c[1];
         const doubles t3 = a[2] - c[2];
@@ -196,8 +220,8 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_block)(
         const doubles I_A5 = I_C[5] + (t6 + t7);
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 6);
-        store_4(item4, step4, I_A0, I_A1, I_A2, I_A3);
-        store_2(item4 + 4 * sizeof(double), step4, I_A4, I_A5);
+        give_4(item4, 0, 6, down4, across4, step4, I_A0, I_A1, I_A2, I_A3);
+        give_2(item4, 4, 6, down4, across4, step4, I_A4, I_A5);
         stream_lines(&copied);
     }
 }
@@ -210,21 +234,29 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 6 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 3 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(float));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 6);
-        load_4f(item0, step0, I_C);
-        load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
+        take_4f(item0, 0, 6, down0, across0, step0, I_C);
+        take_2f(item0, 4, 6, down0, across0, step0, &I_C[4]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -232,11 +264,11 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_blockf)(
         floats c[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        load_3f(item2, step2, c);
+        take_3f(item2, 0, 3, down2, across2, step2, c);
         floats a[3];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 3);
-        load_3f(item3, step3, a);
+        take_3f(item3, 0, 3, down3, across3, step3, a);
         const floats t1 = a[0] - c[0];
         const floats t2 = a[1] - c[1];
         const floats t3 = a[2] - c[2];
@@ -253,8 +285,8 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_blockf)(
         const floats I_A5 = I_C[5] + (t6 + t7);
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 6);
-        store_4f(item4, step4, I_A0, I_A1, I_A2, I_A3);
-        store_2f(item4 + 4 * sizeof(float), step4, I_A4, I_A5);
+        give_4f(item4, 0, 6, down4, across4, step4, I_A0, I_A1, I_A2, I_A3);
+        give_2f(item4, 4, 6, down4, across4, step4, I_A4, I_A5);
         stream_lines(&copied);
     }
 }
@@ -267,20 +299,26 @@ void CHASLES_LEVELED(chasles_momentum_screw_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 6 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 9);
-        load_4(item0, step0, I_C);
-        load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
-        load_1(item0 + 8 * sizeof(double), step0, &I_C[8]);
+        take_4(item0, 0, 3, down0, across0, step0, I_C);
+        take_4(item0, 4, 3, down0, across0, step0, &I_C[4]);
+        take_1(item0, 8, 3, down0, across0, step0, &I_C[8]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -288,8 +326,8 @@ void CHASLES_LEVELED(chasles_momentum_screw_block)(
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
-        load_4(item2, step2, t);
-        load_2(item2 + 4 * sizeof(double), step2, &t[4]);
+        take_4(item2, 0, 6, down2, across2, step2, t);
+        take_2(item2, 4, 6, down2, across2, step2, &t[4]);
         const doubles mu0 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2];
         const doubles mu1 = I_C[3] * t[0] + I_C[4] * t[1] + I_C[5] * t[2];
         const doubles mu2 = I_C[6] * t[0] + I_C[7] * t[1] + I_C[8] * t[2];
@@ -298,8 +336,8 @@ void CHASLES_LEVELED(chasles_momentum_screw_block)(
         const doubles mu5 = m * t[5];
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 6);
-        store_4(item3, step3, mu0, mu1, mu2, mu3);
-        store_2(item3 + 4 * sizeof(double), step3, mu4, mu5);
+        give_4(item3, 0, 6, down3, across3, step3, mu0, mu1, mu2, mu3);
+        give_2(item3, 4, 6, down3, across3, step3, mu4, mu5);
         stream_lines(&copied);
     }
 }
@@ -312,20 +350,26 @@ void CHASLES_LEVELED(chasles_momentum_screw_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 6 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 9);
-        load_4f(item0, step0, I_C);
-        load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
-        load_1f(item0 + 8 * sizeof(float), step0, &I_C[8]);
+        take_4f(item0, 0, 3, down0, across0, step0, I_C);
+        take_4f(item0, 4, 3, down0, across0, step0, &I_C[4]);
+        take_1f(item0, 8, 3, down0, across0, step0, &I_C[8]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -333,8 +377,8 @@ void CHASLES_LEVELED(chasles_momentum_screw_blockf)(
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
-        load_4f(item2, step2, t);
-        load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
+        take_4f(item2, 0, 6, down2, across2, step2, t);
+        take_2f(item2, 4, 6, down2, across2, step2, &t[4]);
         const floats mu0 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2];
         const floats mu1 = I_C[3] * t[0] + I_C[4] * t[1] + I_C[5] * t[2];
         const floats mu2 = I_C[6] * t[0] + I_C[7] * t[1] + I_C[8] * t[2];
@@ -343,8 +387,8 @@ void CHASLES_LEVELED(chasles_momentum_screw_blockf)(
         const floats mu5 = m * t[5];
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 6);
-        store_4f(item3, step3, mu0, mu1, mu2, mu3);
-        store_2f(item3 + 4 * sizeof(float), step3, mu4, mu5);
+        give_4f(item3, 0, 6, down3, across3, step3, mu0, mu1, mu2, mu3);
+        give_2f(item3, 4, 6, down3, across3, step3, mu4, mu5);
         stream_lines(&copied);
     }
 }
@@ -357,19 +401,25 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 6 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 6 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 6);
-        load_4(item0, step0, I_C);
-        load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
+        take_4(item0, 0, 6, down0, across0, step0, I_C);
+        take_2(item0, 4, 6, down0, across0, step0, &I_C[4]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -377,8 +427,8 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_block)(
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
-        load_4(item2, step2, t);
-        load_2(item2 + 4 * sizeof(double), step2, &t[4]);
+        take_4(item2, 0, 6, down2, across2, step2, t);
+        take_2(item2, 4, 6, down2, across2, step2, &t[4]);
         const doubles mu0 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2];
         const doubles mu1 = I_C[1] * t[0] + I_C[3] * t[1] + I_C[4] * t[2];
         const doubles mu2 = I_C[2] * t[0] + I_C[4] * t[1] + I_C[5] * t[2];
@@ -387,8 +437,8 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_block)(
         const doubles mu5 = m * t[5];
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 6);
-        store_4(item3, step3, mu0, mu1, mu2, mu3);
-        store_2(item3 + 4 * sizeof(double), step3, mu4, mu5);
+        give_4(item3, 0, 6, down3, across3, step3, mu0, mu1, mu2, mu3);
+        give_2(item3, 4, 6, down3, across3, step3, mu4, mu5);
         stream_lines(&copied);
     }
 }
@@ -401,19 +451,25 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 6 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 6 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 6);
-        load_4f(item0, step0, I_C);
-        load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
+        take_4f(item0, 0, 6, down0, across0, step0, I_C);
+        take_2f(item0, 4, 6, down0, across0, step0, &I_C[4]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -421,8 +477,8 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_blockf)(
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
-        load_4f(item2, step2, t);
-        load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
+        take_4f(item2, 0, 6, down2, across2, step2, t);
+        take_2f(item2, 4, 6, down2, across2, step2, &t[4]);
         const floats mu0 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2];
         const floats mu1 = I_C[1] * t[0] + I_C[3] * t[1] + I_C[4] * t[2];
         const floats mu2 = I_C[2] * t[0] + I_C[4] * t[1] + I_C[5] * t[2];
@@ -431,8 +487,8 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_blockf)(
         const floats mu5 = m * t[5];
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 6);
-        store_4f(item3, step3, mu0, mu1, mu2, mu3);
-        store_2f(item3 + 4 * sizeof(float), step3, mu4, mu5);
+        give_4f(item3, 0, 6, down3, across3, step3, mu0, mu1, mu2, mu3);
+        give_2f(item3, 4, 6, down3, across3, step3, mu4, mu5);
         stream_lines(&copied);
     }
 }
@@ -445,10 +501,14 @@ void CHASLES_LEVELED(chasles_kinetic_energy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 6 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 1 * sizeof(double));
     chasles_stream copied = *stream;
@@ -456,9 +516,9 @@ void CHASLES_LEVELED(chasles_kinetic_energy_block)(
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 9);
-        load_4(item0, step0, I_C);
-        load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
-        load_1(item0 + 8 * sizeof(double), step0, &I_C[8]);
+        take_4(item0, 0, 3, down0, across0, step0, I_C);
+        take_4(item0, 4, 3, down0, across0, step0, &I_C[4]);
+        take_1(item0, 8, 3, down0, across0, step0, &I_C[8]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -466,8 +526,8 @@ void CHASLES_LEVELED(chasles_kinetic_energy_block)(
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
-        load_4(item2, step2, t);
-        load_2(item2 + 4 * sizeof(double), step2, &t[4]);
+        take_4(item2, 0, 6, down2, across2, step2, t);
+        take_2(item2, 4, 6, down2, across2, step2, &t[4]);
         const doubles t1 = (I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2]) * (0.5 * t[0]);
         const doubles t2 = t1 + (I_C[3] * t[0] + I_C[4] * t[1] + I_C[5] * t[2]) * (0.5 * t[1]);
         const doubles t3 = t2 + (I_C[6] * t[0] + I_C[7] * t[1] + I_C[8] * t[2]) * (0.5 * t[2]);
@@ -488,10 +548,14 @@ void CHASLES_LEVELED(chasles_kinetic_energy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 6 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 1 * sizeof(float));
     chasles_stream copied = *stream;
@@ -499,9 +563,9 @@ void CHASLES_LEVELED(chasles_kinetic_energy_blockf)(
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 9);
-        load_4f(item0, step0, I_C);
-        load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
-        load_1f(item0 + 8 * sizeof(float), step0, &I_C[8]);
+        take_4f(item0, 0, 3, down0, across0, step0, I_C);
+        take_4f(item0, 4, 3, down0, across0, step0, &I_C[4]);
+        take_1f(item0, 8, 3, down0, across0, step0, &I_C[8]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -509,8 +573,8 @@ void CHASLES_LEVELED(chasles_kinetic_energy_blockf)(
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
-        load_4f(item2, step2, t);
-        load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
+        take_4f(item2, 0, 6, down2, across2, step2, t);
+        take_2f(item2, 4, 6, down2, across2, step2, &t[4]);
         const floats t1 = (I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2]) * (0.5f * t[0]);
         const floats t2 = t1 + (I_C[3] * t[0] + I_C[4] * t[1] + I_C[5] * t[2]) * (0.5f * t[1]);
         const floats t3 = t2 + (I_C[6] * t[0] + I_C[7] * t[1] + I_C[8] * t[2]) * (0.5f * t[2]);
@@ -531,10 +595,14 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 6 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 6 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 1 * sizeof(double));
     chasles_stream copied = *stream;
@@ -542,8 +610,8 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_block)(
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 6);
-        load_4(item0, step0, I_C);
-        load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
+        take_4(item0, 0, 6, down0, across0, step0, I_C);
+        take_2(item0, 4, 6, down0, across0, step0, &I_C[4]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -551,8 +619,8 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_block)(
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
-        load_4(item2, step2, t);
-        load_2(item2 + 4 * sizeof(double), step2, &t[4]);
+        take_4(item2, 0, 6, down2, across2, step2, t);
+        take_2(item2, 4, 6, down2, across2, step2, &t[4]);
         const doubles t1 = (I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2]) * (0.5 * t[0]);
         const doubles t2 = t1 + (I_C[1] * t[0] + I_C[3] * t[1] + I_C[4] * t[2]) * (0.5 * t[1]);
         const doubles t3 = t2 + (I_C[2] * t[0] + I_C[4] * t[1] + I_C[5] * t[2]) * (0.5 * t[2]);
@@ -573,10 +641,14 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(4, 6 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(8, 6 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 1 * sizeof(float));
     chasles_stream copied = *stream;
@@ -584,8 +656,8 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_blockf)(
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 6);
-        load_4f(item0, step0, I_C);
-        load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
+        take_4f(item0, 0, 6, down0, across0, step0, I_C);
+        take_2f(item0, 4, 6, down0, across0, step0, &I_C[4]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -593,8 +665,8 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_blockf)(
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
-        load_4f(item2, step2, t);
-        load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
+        take_4f(item2, 0, 6, down2, across2, step2, t);
+        take_2f(item2, 4, 6, down2, across2, step2, &t[4]);
         const floats t1 = (I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2]) * (0.5f * t[0]);
         const floats t2 = t1 + (I_C[1] * t[0] + I_C[3] * t[1] + I_C[4] * t[2]) * (0.5f * t[1]);
         const floats t3 = t2 + (I_C[2] * t[0] + I_C[4] * t[1] + I_C[5] * t[2]) * (0.5f * t[2]);
@@ -615,22 +687,30 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 6 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(double));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 9);
-        load_4(item0, step0, I_C);
-        load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
-        load_1(item0 + 8 * sizeof(double), step0, &I_C[8]);
+        take_4(item0, 0, 3, down0, across0, step0, I_C);
+        take_4(item0, 4, 3, down0, across0, step0, &I_C[4]);
+        take_1(item0, 8, 3, down0, across0, step0, &I_C[8]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -638,12 +718,12 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_block)(
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
-        load_3(item2, step2, t);
+        take_3(item2, 0, 6, down2, across2, step2, t);
         doubles t_dot[6];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 6);
-        load_4(item3, step3, t_dot);
-        load_2(item3 + 4 * sizeof(double), step3, &t_dot[4]);
+        take_4(item3, 0, 6, down3, across3, step3, t_dot);
+        take_2(item3, 4, 6, down3, across3, step3, &t_dot[4]);
         const doubles w3 = m * t_dot[3];
         const doubles w4 = m * t_dot[4];
         const doubles w5 = m * t_dot[5];
@@ -658,8 +738,8 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_block)(
         const doubles w2 = t6 + (t[0] * t2 - t[1] * t1);
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 6);
-        store_4(item4, step4, w0, w1, w2, w3);
-        store_2(item4 + 4 * sizeof(double), step4, w4, w5);
+        give_4(item4, 0, 6, down4, across4, step4, w0, w1, w2, w3);
+        give_2(item4, 4, 6, down4, across4, step4, w4, w5);
         stream_lines(&copied);
     }
 }
@@ -672,22 +752,30 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 6 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(float));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 9);
-        load_4f(item0, step0, I_C);
-        load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
-        load_1f(item0 + 8 * sizeof(float), step0, &I_C[8]);
+        take_4f(item0, 0, 3, down0, across0, step0, I_C);
+        take_4f(item0, 4, 3, down0, across0, step0, &I_C[4]);
+        take_1f(item0, 8, 3, down0, across0, step0, &I_C[8]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -695,12 +783,12 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_blockf)(
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
-        load_3f(item2, step2, t);
+        take_3f(item2, 0, 6, down2, across2, step2, t);
         floats t_dot[6];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 6);
-        load_4f(item3, step3, t_dot);
-        load_2f(item3 + 4 * sizeof(float), step3, &t_dot[4]);
+        take_4f(item3, 0, 6, down3, across3, step3, t_dot);
+        take_2f(item3, 4, 6, down3, across3, step3, &t_dot[4]);
         const floats w3 = m * t_dot[3];
         const floats w4 = m * t_dot[4];
         const floats w5 = m * t_dot[5];
@@ -715,8 +803,8 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_blockf)(
         const floats w2 = t6 + (t[0] * t2 - t[1] * t1);
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 6);
-        store_4f(item4, step4, w0, w1, w2, w3);
-        store_2f(item4 + 4 * sizeof(float), step4, w4, w5);
+        give_4f(item4, 0, 6, down4, across4, step4, w0, w1, w2, w3);
+        give_2f(item4, 4, 6, down4, across4, step4, w4, w5);
         stream_lines(&copied);
     }
 }
@@ -729,21 +817,29 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 6 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 6 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(double));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 6);
-        load_4(item0, step0, I_C);
-        load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
+        take_4(item0, 0, 6, down0, across0, step0, I_C);
+        take_2(item0, 4, 6, down0, across0, step0, &I_C[4]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -751,12 +847,12 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_block)(
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
-        load_3(item2, step2, t);
+        take_3(item2, 0, 6, down2, across2, step2, t);
         doubles t_dot[6];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 6);
-        load_4(item3, step3, t_dot);
-        load_2(item3 + 4 * sizeof(double), step3, &t_dot[4]);
+        take_4(item3, 0, 6, down3, across3, step3, t_dot);
+        take_2(item3, 4, 6, down3, across3, step3, &t_dot[4]);
         const doubles w3 = m * t_dot[3];
         const doubles w4 = m * t_dot[4];
         const doubles w5 = m * t_dot[5];
@@ -771,8 +867,8 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_block)(
         const doubles w2 = t6 + (t[0] * t2 - t[1] * t1);
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 6);
-        store_4(item4, step4, w0, w1, w2, w3);
-        store_2(item4 + 4 * sizeof(double), step4, w4, w5);
+        give_4(item4, 0, 6, down4, across4, step4, w0, w1, w2, w3);
+        give_2(item4, 4, 6, down4, across4, step4, w4, w5);
         stream_lines(&copied);
     }
 }
@@ -785,21 +881,29 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 6 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 6 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(float));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 6);
-        load_4f(item0, step0, I_C);
-        load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
+        take_4f(item0, 0, 6, down0, across0, step0, I_C);
+        take_2f(item0, 4, 6, down0, across0, step0, &I_C[4]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -807,12 +911,12 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_blockf)(
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
-        load_3f(item2, step2, t);
+        take_3f(item2, 0, 6, down2, across2, step2, t);
         floats t_dot[6];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 6);
-        load_4f(item3, step3, t_dot);
-        load_2f(item3 + 4 * sizeof(float), step3, &t_dot[4]);
+        take_4f(item3, 0, 6, down3, across3, step3, t_dot);
+        take_2f(item3, 4, 6, down3, across3, step3, &t_dot[4]);
         const floats w3 = m * t_dot[3];
         const floats w4 = m * t_dot[4];
         const floats w5 = m * t_dot[5];
@@ -827,8 +931,8 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_blockf)(
         const floats w2 = t6 + (t[0] * t2 - t[1] * t1);
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 6);
-        store_4f(item4, step4, w0, w1, w2, w3);
-        store_2f(item4 + 4 * sizeof(float), step4, w4, w5);
+        give_4f(item4, 0, 6, down4, across4, step4, w0, w1, w2, w3);
+        give_2f(item4, 4, 6, down4, across4, step4, w4, w5);
         stream_lines(&copied);
     }
 }
@@ -841,22 +945,30 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 6 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(double));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 9);
-        load_4(item0, step0, I_C);
-        load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
-        load_1(item0 + 8 * sizeof(double), step0, &I_C[8]);
+        take_4(item0, 0, 3, down0, across0, step0, I_C);
+        take_4(item0, 4, 3, down0, across0, step0, &I_C[4]);
+        take_1(item0, 8, 3, down0, across0, step0, &I_C[8]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -864,12 +976,12 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_block)(
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
-        load_3(item2, step2, t);
+        take_3(item2, 0, 6, down2, across2, step2, t);
         doubles w[6];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 6);
-        load_4(item3, step3, w);
-        load_2(item3 + 4 * sizeof(double), step3, &w[4]);
+        take_4(item3, 0, 6, down3, across3, step3, w);
+        take_2(item3, 4, 6, down3, across3, step3, &w[4]);
         const doubles t1 = choose(less(I_C[0], spread(0.0)), -I_C[0], I_C[0]);
         const doubles t2 = choose(less(I_C[1], spread(0.0)), -I_C[1], I_C[1]);
         const doubles t3 = choose(less(t1, t2), t2, t1);
@@ -923,8 +1035,8 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_block)(
         const doubles t_dot2 = t41 * (t44 + t33 * (t19 * t23 - t20 * t22)) / t18;
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 6);
-        store_4(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
-        store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
+        give_4(item4, 0, 6, down4, across4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
+        give_2(item4, 4, 6, down4, across4, step4, t_dot4, t_dot5);
         stream_lines(&copied);
     }
 }
@@ -937,22 +1049,30 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 6 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(float));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 9);
-        load_4f(item0, step0, I_C);
-        load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
-        load_1f(item0 + 8 * sizeof(float), step0, &I_C[8]);
+        take_4f(item0, 0, 3, down0, across0, step0, I_C);
+        take_4f(item0, 4, 3, down0, across0, step0, &I_C[4]);
+        take_1f(item0, 8, 3, down0, across0, step0, &I_C[8]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -960,12 +1080,12 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_blockf)(
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
-        load_3f(item2, step2, t);
+        take_3f(item2, 0, 6, down2, across2, step2, t);
         floats w[6];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 6);
-        load_4f(item3, step3, w);
-        load_2f(item3 + 4 * sizeof(float), step3, &w[4]);
+        take_4f(item3, 0, 6, down3, across3, step3, w);
+        take_2f(item3, 4, 6, down3, across3, step3, &w[4]);
         const floats t1 = choosef(lessf(I_C[0], spreadf(0.0f)), -I_C[0], I_C[0]);
         const floats t2 = choosef(lessf(I_C[1], spreadf(0.0f)), -I_C[1], I_C[1]);
         const floats t3 = choosef(lessf(t1, t2), t2, t1);
@@ -1020,8 +1140,8 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_blockf)(
         const floats t_dot2 = t42 * (t45 + t33 * (t19 * t23 - t20 * t22)) / t18;
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 6);
-        store_4f(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
-        store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
+        give_4f(item4, 0, 6, down4, across4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
+        give_2f(item4, 4, 6, down4, across4, step4, t_dot4, t_dot5);
         stream_lines(&copied);
     }
 }
@@ -1034,21 +1154,29 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 6 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 6 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(double));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 6);
-        load_4(item0, step0, I_C);
-        load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
+        take_4(item0, 0, 6, down0, across0, step0, I_C);
+        take_2(item0, 4, 6, down0, across0, step0, &I_C[4]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -1056,12 +1184,12 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_block)(
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
-        load_3(item2, step2, t);
+        take_3(item2, 0, 6, down2, across2, step2, t);
         doubles w[6];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 6);
-        load_4(item3, step3, w);
-        load_2(item3 + 4 * sizeof(double), step3, &w[4]);
+        take_4(item3, 0, 6, down3, across3, step3, w);
+        take_2(item3, 4, 6, down3, across3, step3, &w[4]);
         const doubles t1 = choose(less(I_C[0], spread(0.0)), -I_C[0], I_C[0]);
         const doubles t2 = choose(less(I_C[1], spread(0.0)), -I_C[1], I_C[1]);
         const doubles t3 = choose(less(t1, t2), t2, t1);
@@ -1104,8 +1232,8 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_block)(
         const doubles t_dot2 = t33 * (t22 * t27 + t23 * t28 + t24 * (t13 * t16 - t14 * t14)) / t12;
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 6);
-        store_4(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
-        store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
+        give_4(item4, 0, 6, down4, across4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
+        give_2(item4, 4, 6, down4, across4, step4, t_dot4, t_dot5);
         stream_lines(&copied);
     }
 }
@@ -1118,21 +1246,29 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 6 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 6 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(float));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 6);
-        load_4f(item0, step0, I_C);
-        load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
+        take_4f(item0, 0, 6, down0, across0, step0, I_C);
+        take_2f(item0, 4, 6, down0, across0, step0, &I_C[4]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -1140,12 +1276,12 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_blockf)(
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
-        load_3f(item2, step2, t);
+        take_3f(item2, 0, 6, down2, across2, step2, t);
         floats w[6];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 6);
-        load_4f(item3, step3, w);
-        load_2f(item3 + 4 * sizeof(float), step3, &w[4]);
+        take_4f(item3, 0, 6, down3, across3, step3, w);
+        take_2f(item3, 4, 6, down3, across3, step3, &w[4]);
         const floats t1 = choosef(lessf(I_C[0], spreadf(0.0f)), -I_C[0], I_C[0]);
         const floats t2 = choosef(lessf(I_C[1], spreadf(0.0f)), -I_C[1], I_C[1]);
         const floats t3 = choosef(lessf(t1, t2), t2, t1);
@@ -1189,8 +1325,8 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_blockf)(
         const floats t_dot2 = t34 * (t22 * t27 + t23 * t28 + t24 * (t13 * t16 - t14 * t14)) / t12;
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 6);
-        store_4f(item4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
-        store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
+        give_4f(item4, 0, 6, down4, across4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
+        give_2f(item4, 4, 6, down4, across4, step4, t_dot4, t_dot5);
         stream_lines(&copied);
     }
 }
@@ -1203,22 +1339,30 @@ void CHASLES_LEVELED(chasles_inertia_dyad_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 3 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 36 * sizeof(double));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(double));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 9);
-        load_4(item0, step0, I_C);
-        load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
-        load_1(item0 + 8 * sizeof(double), step0, &I_C[8]);
+        take_4(item0, 0, 3, down0, across0, step0, I_C);
+        take_4(item0, 4, 3, down0, across0, step0, &I_C[4]);
+        take_1(item0, 8, 3, down0, across0, step0, &I_C[8]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -1226,11 +1370,11 @@ void CHASLES_LEVELED(chasles_inertia_dyad_block)(
         doubles c[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        load_3(item2, step2, c);
+        take_3(item2, 0, 3, down2, across2, step2, c);
         doubles a[3];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 3);
-        load_3(item3, step3, a);
+        take_3(item3, 0, 3, down3, across3, step3, a);
         const doubles M_A21 = m;
         const doubles t1 = a[0] - c[0];
         const doubles t2 = a[1] - c[1];
@@ -1258,15 +1402,15 @@ void CHASLES_LEVELED(chasles_inertia_dyad_block)(
         const doubles M_A14 = I_C[8] + (t4 + t7);
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 36);
-        store_4(item4, step4, M_A0, M_A1, M_A2, spread(0.0));
-        store_4(item4 + 4 * sizeof(double), step4, M_A4, M_A5, M_A6, M_A7);
-        store_4(item4 + 8 * sizeof(double), step4, M_A8, M_A9, spread(0.0), M_A11);
-        store_4(item4 + 12 * sizeof(double), step4, M_A12, M_A13, M_A14, M_A15);
-        store_4(item4 + 16 * sizeof(double), step4, M_A16, spread(0.0), spread(0.0), M_A9);
-        store_4(item4 + 20 * sizeof(double), step4, M_A15, M_A21, spread(0.0), spread(0.0));
-        store_4(item4 + 24 * sizeof(double), step4, M_A4, spread(0.0), M_A16, spread(0.0));
-        store_4(item4 + 28 * sizeof(double), step4, M_A21, spread(0.0), M_A5, M_A11);
-        store_4(item4 + 32 * sizeof(double), step4, spread(0.0), spread(0.0), spread(0.0), M_A21);
+        give_4(item4, 0, 6, down4, across4, step4, M_A0, M_A1, M_A2, spread(0.0));
+        give_4(item4, 4, 6, down4, across4, step4, M_A4, M_A5, M_A6, M_A7);
+        give_4(item4, 8, 6, down4, across4, step4, M_A8, M_A9, spread(0.0), M_A11);
+        give_4(item4, 12, 6, down4, across4, step4, M_A12, M_A13, M_A14, M_A15);
+        give_4(item4, 16, 6, down4, across4, step4, M_A16, spread(0.0), spread(0.0), M_A9);
+        give_4(item4, 20, 6, down4, across4, step4, M_A15, M_A21, spread(0.0), spread(0.0));
+        give_4(item4, 24, 6, down4, across4, step4, M_A4, spread(0.0), M_A16, spread(0.0));
+        give_4(item4, 28, 6, down4, across4, step4, M_A21, spread(0.0), M_A5, M_A11);
+        give_4(item4, 32, 6, down4, across4, step4, spread(0.0), spread(0.0), spread(0.0), M_A21);
         stream_lines(&copied);
     }
 }
@@ -1279,22 +1423,30 @@ void CHASLES_LEVELED(chasles_inertia_dyad_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 3 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 36 * sizeof(float));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(float));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 9);
-        load_4f(item0, step0, I_C);
-        load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
-        load_1f(item0 + 8 * sizeof(float), step0, &I_C[8]);
+        take_4f(item0, 0, 3, down0, across0, step0, I_C);
+        take_4f(item0, 4, 3, down0, across0, step0, &I_C[4]);
+        take_1f(item0, 8, 3, down0, across0, step0, &I_C[8]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -1302,11 +1454,11 @@ void CHASLES_LEVELED(chasles_inertia_dyad_blockf)(
         floats c[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        load_3f(item2, step2, c);
+        take_3f(item2, 0, 3, down2, across2, step2, c);
         floats a[3];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 3);
-        load_3f(item3, step3, a);
+        take_3f(item3, 0, 3, down3, across3, step3, a);
         const floats M_A21 = m;
         const floats t1 = a[0] - c[0];
         const floats t2 = a[1] - c[1];
@@ -1334,15 +1486,15 @@ void CHASLES_LEVELED(chasles_inertia_dyad_blockf)(
         const floats M_A14 = I_C[8] + (t4 + t7);
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 36);
-        store_4f(item4, step4, M_A0, M_A1, M_A2, spreadf(0.0f));
-        store_4f(item4 + 4 * sizeof(float), step4, M_A4, M_A5, M_A6, M_A7);
-        store_4f(item4 + 8 * sizeof(float), step4, M_A8, M_A9, spreadf(0.0f), M_A11);
-        store_4f(item4 + 12 * sizeof(float), step4, M_A12, M_A13, M_A14, M_A15);
-        store_4f(item4 + 16 * sizeof(float), step4, M_A16, spreadf(0.0f), spreadf(0.0f), M_A9);
-        store_4f(item4 + 20 * sizeof(float), step4, M_A15, M_A21, spreadf(0.0f), spreadf(0.0f));
-        store_4f(item4 + 24 * sizeof(float), step4, M_A4, spreadf(0.0f), M_A16, spreadf(0.0f));
-        store_4f(item4 + 28 * sizeof(float), step4, M_A21, spreadf(0.0f), M_A5, M_A11);
-        store_4f(item4 + 32 * sizeof(float), step4, spreadf(0.0f), spreadf(0.0f), spreadf(0.0f), M_A21);
+        give_4f(item4, 0, 6, down4, across4, step4, M_A0, M_A1, M_A2, spreadf(0.0f));
+        give_4f(item4, 4, 6, down4, across4, step4, M_A4, M_A5, M_A6, M_A7);
+        give_4f(item4, 8, 6, down4, across4, step4, M_A8, M_A9, spreadf(0.0f), M_A11);
+        give_4f(item4, 12, 6, down4, across4, step4, M_A12, M_A13, M_A14, M_A15);
+        give_4f(item4, 16, 6, down4, across4, step4, M_A16, spreadf(0.0f), spreadf(0.0f), M_A9);
+        give_4f(item4, 20, 6, down4, across4, step4, M_A15, M_A21, spreadf(0.0f), spreadf(0.0f));
+        give_4f(item4, 24, 6, down4, across4, step4, M_A4, spreadf(0.0f), M_A16, spreadf(0.0f));
+        give_4f(item4, 28, 6, down4, across4, step4, M_A21, spreadf(0.0f), M_A5, M_A11);
+        give_4f(item4, 32, 6, down4, across4, step4, spreadf(0.0f), spreadf(0.0f), spreadf(0.0f), M_A21);
         stream_lines(&copied);
     }
 }
@@ -1355,21 +1507,29 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 6 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 3 * sizeof(double));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 36 * sizeof(double));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(double));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 6);
-        load_4(item0, step0, I_C);
-        load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
+        take_4(item0, 0, 6, down0, across0, step0, I_C);
+        take_2(item0, 4, 6, down0, across0, step0, &I_C[4]);
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -1377,11 +1537,11 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_block)(
         doubles c[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        load_3(item2, step2, c);
+        take_3(item2, 0, 3, down2, across2, step2, c);
         doubles a[3];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 3);
-        load_3(item3, step3, a);
+        take_3(item3, 0, 3, down3, across3, step3, a);
         const doubles M_A21 = m;
         const doubles t1 = a[0] - c[0];
         const doubles t2 = a[1] - c[1];
@@ -1403,15 +1563,15 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_block)(
         const doubles M_A14 = I_C[5] + (t4 + t5);
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 36);
-        store_4(item4, step4, M_A0, M_A1, M_A2, spread(0.0));
-        store_4(item4 + 4 * sizeof(double), step4, M_A4, M_A5, M_A1, M_A7);
-        store_4(item4 + 8 * sizeof(double), step4, M_A8, M_A9, spread(0.0), M_A11);
-        store_4(item4 + 12 * sizeof(double), step4, M_A2, M_A8, M_A14, M_A15);
-        store_4(item4 + 16 * sizeof(double), step4, M_A16, spread(0.0), spread(0.0), M_A9);
-        store_4(item4 + 20 * sizeof(double), step4, M_A15, M_A21, spread(0.0), spread(0.0));
-        store_4(item4 + 24 * sizeof(double), step4, M_A4, spread(0.0), M_A16, spread(0.0));
-        store_4(item4 + 28 * sizeof(double), step4, M_A21, spread(0.0), M_A5, M_A11);
-        store_4(item4 + 32 * sizeof(double), step4, spread(0.0), spread(0.0), spread(0.0), M_A21);
+        give_4(item4, 0, 6, down4, across4, step4, M_A0, M_A1, M_A2, spread(0.0));
+        give_4(item4, 4, 6, down4, across4, step4, M_A4, M_A5, M_A1, M_A7);
+        give_4(item4, 8, 6, down4, across4, step4, M_A8, M_A9, spread(0.0), M_A11);
+        give_4(item4, 12, 6, down4, across4, step4, M_A2, M_A8, M_A14, M_A15);
+        give_4(item4, 16, 6, down4, across4, step4, M_A16, spread(0.0), spread(0.0), M_A9);
+        give_4(item4, 20, 6, down4, across4, step4, M_A15, M_A21, spread(0.0), spread(0.0));
+        give_4(item4, 24, 6, down4, across4, step4, M_A4, spread(0.0), M_A16, spread(0.0));
+        give_4(item4, 28, 6, down4, across4, step4, M_A21, spread(0.0), M_A5, M_A11);
+        give_4(item4, 32, 6, down4, across4, step4, spread(0.0), spread(0.0), spread(0.0), M_A21);
         stream_lines(&copied);
     }
 }
@@ -1424,21 +1584,29 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(5, 6 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t down3 = CHASLES_STEP(11, 3 * sizeof(float));
+    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 36 * sizeof(float));
+    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(float));
+    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 6);
-        load_4f(item0, step0, I_C);
-        load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
+        take_4f(item0, 0, 6, down0, across0, step0, I_C);
+        take_2f(item0, 4, 6, down0, across0, step0, &I_C[4]);
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -1446,11 +1614,11 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_blockf)(
         floats c[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        load_3f(item2, step2, c);
+        take_3f(item2, 0, 3, down2, across2, step2, c);
         floats a[3];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 3);
-        load_3f(item3, step3, a);
+        take_3f(item3, 0, 3, down3, across3, step3, a);
         const floats M_A21 = m;
         const floats t1 = a[0] - c[0];
         const floats t2 = a[1] - c[1];
@@ -1472,15 +1640,15 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_blockf)(
         const floats M_A14 = I_C[5] + (t4 + t5);
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 36);
-        store_4f(item4, step4, M_A0, M_A1, M_A2, spreadf(0.0f));
-        store_4f(item4 + 4 * sizeof(float), step4, M_A4, M_A5, M_A1, M_A7);
-        store_4f(item4 + 8 * sizeof(float), step4, M_A8, M_A9, spreadf(0.0f), M_A11);
-        store_4f(item4 + 12 * sizeof(float), step4, M_A2, M_A8, M_A14, M_A15);
-        store_4f(item4 + 16 * sizeof(float), step4, M_A16, spreadf(0.0f), spreadf(0.0f), M_A9);
-        store_4f(item4 + 20 * sizeof(float), step4, M_A15, M_A21, spreadf(0.0f), spreadf(0.0f));
-        store_4f(item4 + 24 * sizeof(float), step4, M_A4, spreadf(0.0f), M_A16, spreadf(0.0f));
-        store_4f(item4 + 28 * sizeof(float), step4, M_A21, spreadf(0.0f), M_A5, M_A11);
-        store_4f(item4 + 32 * sizeof(float), step4, spreadf(0.0f), spreadf(0.0f), spreadf(0.0f), M_A21);
+        give_4f(item4, 0, 6, down4, across4, step4, M_A0, M_A1, M_A2, spreadf(0.0f));
+        give_4f(item4, 4, 6, down4, across4, step4, M_A4, M_A5, M_A1, M_A7);
+        give_4f(item4, 8, 6, down4, across4, step4, M_A8, M_A9, spreadf(0.0f), M_A11);
+        give_4f(item4, 12, 6, down4, across4, step4, M_A2, M_A8, M_A14, M_A15);
+        give_4f(item4, 16, 6, down4, across4, step4, M_A16, spreadf(0.0f), spreadf(0.0f), M_A9);
+        give_4f(item4, 20, 6, down4, across4, step4, M_A15, M_A21, spreadf(0.0f), spreadf(0.0f));
+        give_4f(item4, 24, 6, down4, across4, step4, M_A4, spreadf(0.0f), M_A16, spreadf(0.0f));
+        give_4f(item4, 28, 6, down4, across4, step4, M_A21, spreadf(0.0f), M_A5, M_A11);
+        give_4f(item4, 32, 6, down4, across4, step4, spreadf(0.0f), spreadf(0.0f), spreadf(0.0f), M_A21);
         stream_lines(&copied);
     }
 }

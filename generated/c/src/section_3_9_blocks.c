@@ -23,8 +23,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
@@ -33,7 +37,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, angles_);
+        take_3(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -62,9 +66,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_block)(
         const doubles Q8 = t2 * cos_angles_2 - sin_angles_0 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, Q0, Q1, Q2, Q3);
-        store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
-        store_1(item1 + 8 * sizeof(double), step1, Q8);
+        give_4(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
+        give_4(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
+        give_1(item1, 8, 3, down1, across1, step1, Q8);
         stream_lines(&copied);
     }
 }
@@ -77,8 +81,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
@@ -87,7 +95,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, angles_);
+        take_3f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -116,9 +124,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_blockf)(
         const floats Q8 = t2 * cos_angles_2 - sin_angles_0 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, Q0, Q1, Q2, Q3);
-        store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
-        store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        give_4f(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
+        give_4f(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
+        give_1f(item1, 8, 3, down1, across1, step1, Q8);
         stream_lines(&copied);
     }
 }
@@ -131,8 +139,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -141,7 +153,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0, step0, angles_);
+        take_2(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -160,9 +172,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_block)(
         const doubles W8 = -(W4 * sin_angles_1);
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, spread(1.0), spread(0.0), W2, spread(0.0));
-        store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(0.0), W7);
-        store_1(item1 + 8 * sizeof(double), step1, W8);
+        give_4(item1, 0, 3, down1, across1, step1, spread(1.0), spread(0.0), W2, spread(0.0));
+        give_4(item1, 4, 3, down1, across1, step1, W4, W5, spread(0.0), W7);
+        give_1(item1, 8, 3, down1, across1, step1, W8);
         stream_lines(&copied);
     }
 }
@@ -175,8 +187,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -185,7 +201,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0, step0, angles_);
+        take_2f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -204,9 +220,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_blockf)(
         const floats W8 = -(W4 * sin_angles_1);
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
-        store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(0.0f), W7);
-        store_1f(item1 + 8 * sizeof(float), step1, W8);
+        give_4f(item1, 0, 3, down1, across1, step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
+        give_4f(item1, 4, 3, down1, across1, step1, W4, W5, spreadf(0.0f), W7);
+        give_1f(item1, 8, 3, down1, across1, step1, W8);
         stream_lines(&copied);
     }
 }
@@ -219,8 +235,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -229,7 +249,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
+        take_2(item0, 1, 3, down0, across0, step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -248,9 +268,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_block)(
         const doubles W_body6 = sin_angles_1 * W_body4;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, W_body0, spread(0.0), spread(1.0), W_body3);
-        store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, W_body7);
-        store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
+        give_4(item1, 0, 3, down1, across1, step1, W_body0, spread(0.0), spread(1.0), W_body3);
+        give_4(item1, 4, 3, down1, across1, step1, W_body4, spread(0.0), W_body6, W_body7);
+        give_1(item1, 8, 3, down1, across1, step1, spread(0.0));
         stream_lines(&copied);
     }
 }
@@ -263,8 +283,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -273,7 +297,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
+        take_2f(item0, 1, 3, down0, across0, step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -292,9 +316,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_blockf)(
         const floats W_body6 = sin_angles_1 * W_body4;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
-        store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, W_body7);
-        store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
+        give_4f(item1, 0, 3, down1, across1, step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
+        give_4f(item1, 4, 3, down1, across1, step1, W_body4, spreadf(0.0f), W_body6, W_body7);
+        give_1f(item1, 8, 3, down1, across1, step1, spreadf(0.0f));
         stream_lines(&copied);
     }
 }
@@ -307,10 +331,16 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -319,7 +349,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0, step0, angles_);
+        take_2(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -330,7 +360,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_block)(
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        load_3(item1, step1, omega);
+        take_3(item1, 0, 3, down1, across1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -341,7 +371,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_block)(
         const doubles theta_dot1 = omega[1] * cos_angles_0 + omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 3);
-        store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        give_3(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
 }
@@ -354,10 +384,16 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -366,7 +402,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0, step0, angles_);
+        take_2f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -377,7 +413,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_blockf)(
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        load_3f(item1, step1, omega);
+        take_3f(item1, 0, 3, down1, across1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -389,7 +425,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_blockf)(
         const floats theta_dot1 = omega[1] * cos_angles_0 + omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 3);
-        store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        give_3f(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
 }
@@ -402,8 +438,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
@@ -412,7 +452,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, angles_);
+        take_3(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -441,9 +481,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_block)(
         const doubles Q7 = t2 * sin_angles_2 + sin_angles_0 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, Q0, Q1, Q2, Q3);
-        store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
-        store_1(item1 + 8 * sizeof(double), step1, Q8);
+        give_4(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
+        give_4(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
+        give_1(item1, 8, 3, down1, across1, step1, Q8);
         stream_lines(&copied);
     }
 }
@@ -456,8 +496,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
@@ -466,7 +510,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, angles_);
+        take_3f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -495,9 +539,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_blockf)(
         const floats Q7 = t2 * sin_angles_2 + sin_angles_0 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, Q0, Q1, Q2, Q3);
-        store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
-        store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        give_4f(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
+        give_4f(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
+        give_1f(item1, 8, 3, down1, across1, step1, Q8);
         stream_lines(&copied);
     }
 }
@@ -510,8 +554,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -520,7 +568,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0, step0, angles_);
+        take_2(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -539,9 +587,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_block)(
         const doubles W8 = W4 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, spread(1.0), spread(0.0), W2, spread(0.0));
-        store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(0.0), W7);
-        store_1(item1 + 8 * sizeof(double), step1, W8);
+        give_4(item1, 0, 3, down1, across1, step1, spread(1.0), spread(0.0), W2, spread(0.0));
+        give_4(item1, 4, 3, down1, across1, step1, W4, W5, spread(0.0), W7);
+        give_1(item1, 8, 3, down1, across1, step1, W8);
         stream_lines(&copied);
     }
 }
@@ -554,8 +602,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -564,7 +616,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0, step0, angles_);
+        take_2f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -583,9 +635,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_blockf)(
         const floats W8 = W4 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
-        store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(0.0f), W7);
-        store_1f(item1 + 8 * sizeof(float), step1, W8);
+        give_4f(item1, 0, 3, down1, across1, step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
+        give_4f(item1, 4, 3, down1, across1, step1, W4, W5, spreadf(0.0f), W7);
+        give_1f(item1, 8, 3, down1, across1, step1, W8);
         stream_lines(&copied);
     }
 }
@@ -598,8 +650,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -608,7 +664,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
+        take_2(item0, 1, 3, down0, across0, step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -627,9 +683,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_block)(
         const doubles W_body3 = -(cos_angles_1 * W_body1);
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
-        store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, spread(0.0));
-        store_1(item1 + 8 * sizeof(double), step1, spread(1.0));
+        give_4(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spread(0.0), W_body3);
+        give_4(item1, 4, 3, down1, across1, step1, W_body4, spread(0.0), W_body6, spread(0.0));
+        give_1(item1, 8, 3, down1, across1, step1, spread(1.0));
         stream_lines(&copied);
     }
 }
@@ -642,8 +698,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -652,7 +712,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
+        take_2f(item0, 1, 3, down0, across0, step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -671,9 +731,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_blockf)(
         const floats W_body3 = -(cos_angles_1 * W_body1);
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
-        store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
-        store_1f(item1 + 8 * sizeof(float), step1, spreadf(1.0f));
+        give_4f(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
+        give_4f(item1, 4, 3, down1, across1, step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
+        give_1f(item1, 8, 3, down1, across1, step1, spreadf(1.0f));
         stream_lines(&copied);
     }
 }
@@ -686,10 +746,16 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -698,7 +764,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0, step0, angles_);
+        take_2(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -709,7 +775,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_block)(
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        load_3(item1, step1, omega);
+        take_3(item1, 0, 3, down1, across1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -720,7 +786,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_block)(
         const doubles theta_dot1 = omega[1] * cos_angles_0 + omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 3);
-        store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        give_3(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
 }
@@ -733,10 +799,16 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -745,7 +817,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0, step0, angles_);
+        take_2f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -756,7 +828,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_blockf)(
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        load_3f(item1, step1, omega);
+        take_3f(item1, 0, 3, down1, across1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -768,7 +840,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_blockf)(
         const floats theta_dot1 = omega[1] * cos_angles_0 + omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 3);
-        store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        give_3f(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
 }
@@ -781,8 +853,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
@@ -791,7 +867,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, angles_);
+        take_3(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -820,9 +896,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_block)(
         const doubles Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, Q0, Q1, Q2, Q3);
-        store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
-        store_1(item1 + 8 * sizeof(double), step1, Q8);
+        give_4(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
+        give_4(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
+        give_1(item1, 8, 3, down1, across1, step1, Q8);
         stream_lines(&copied);
     }
 }
@@ -835,8 +911,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
@@ -845,7 +925,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, angles_);
+        take_3f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -874,9 +954,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_blockf)(
         const floats Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, Q0, Q1, Q2, Q3);
-        store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
-        store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        give_4f(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
+        give_4f(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
+        give_1f(item1, 8, 3, down1, across1, step1, Q8);
         stream_lines(&copied);
     }
 }
@@ -889,8 +969,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -899,7 +983,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0, step0, angles_);
+        take_2(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -918,9 +1002,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_block)(
         const doubles W8 = sin_angles_0 * sin_angles_1;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, spread(1.0), spread(0.0), W2, spread(0.0));
-        store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(0.0), W7);
-        store_1(item1 + 8 * sizeof(double), step1, W8);
+        give_4(item1, 0, 3, down1, across1, step1, spread(1.0), spread(0.0), W2, spread(0.0));
+        give_4(item1, 4, 3, down1, across1, step1, W4, W5, spread(0.0), W7);
+        give_1(item1, 8, 3, down1, across1, step1, W8);
         stream_lines(&copied);
     }
 }
@@ -933,8 +1017,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -943,7 +1031,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0, step0, angles_);
+        take_2f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -962,9 +1050,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_blockf)(
         const floats W8 = sin_angles_0 * sin_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
-        store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(0.0f), W7);
-        store_1f(item1 + 8 * sizeof(float), step1, W8);
+        give_4f(item1, 0, 3, down1, across1, step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
+        give_4f(item1, 4, 3, down1, across1, step1, W4, W5, spreadf(0.0f), W7);
+        give_1f(item1, 8, 3, down1, across1, step1, W8);
         stream_lines(&copied);
     }
 }
@@ -977,8 +1065,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -987,7 +1079,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
+        take_2(item0, 1, 3, down0, across0, step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -1006,9 +1098,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_block)(
         const doubles W_body6 = sin_angles_1 * W_body4;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, W_body0, spread(0.0), spread(1.0), W_body3);
-        store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, W_body7);
-        store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
+        give_4(item1, 0, 3, down1, across1, step1, W_body0, spread(0.0), spread(1.0), W_body3);
+        give_4(item1, 4, 3, down1, across1, step1, W_body4, spread(0.0), W_body6, W_body7);
+        give_1(item1, 8, 3, down1, across1, step1, spread(0.0));
         stream_lines(&copied);
     }
 }
@@ -1021,8 +1113,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -1031,7 +1127,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
+        take_2f(item0, 1, 3, down0, across0, step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -1050,9 +1146,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_blockf)(
         const floats W_body6 = sin_angles_1 * W_body4;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
-        store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, W_body7);
-        store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
+        give_4f(item1, 0, 3, down1, across1, step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
+        give_4f(item1, 4, 3, down1, across1, step1, W_body4, spreadf(0.0f), W_body6, W_body7);
+        give_1f(item1, 8, 3, down1, across1, step1, spreadf(0.0f));
         stream_lines(&copied);
     }
 }
@@ -1065,10 +1161,16 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -1077,7 +1179,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0, step0, angles_);
+        take_2(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -1088,7 +1190,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_block)(
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        load_3(item1, step1, omega);
+        take_3(item1, 0, 3, down1, across1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -1099,7 +1201,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_block)(
         const doubles theta_dot1 = omega[2] * cos_angles_0 - omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 3);
-        store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        give_3(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
 }
@@ -1112,10 +1214,16 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -1124,7 +1232,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0, step0, angles_);
+        take_2f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -1135,7 +1243,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_blockf)(
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        load_3f(item1, step1, omega);
+        take_3f(item1, 0, 3, down1, across1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -1147,7 +1255,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_blockf)(
         const floats theta_dot1 = omega[2] * cos_angles_0 - omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 3);
-        store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        give_3f(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
 }
@@ -1160,8 +1268,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
@@ -1170,7 +1282,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, angles_);
+        take_3(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -1199,9 +1311,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_block)(
         const doubles Q8 = t2 * sin_angles_2 + cos_angles_0 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, Q0, Q1, Q2, Q3);
-        store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
-        store_1(item1 + 8 * sizeof(double), step1, Q8);
+        give_4(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
+        give_4(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
+        give_1(item1, 8, 3, down1, across1, step1, Q8);
         stream_lines(&copied);
     }
 }
@@ -1214,8 +1326,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
@@ -1224,7 +1340,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, angles_);
+        take_3f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -1253,9 +1369,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_blockf)(
         const floats Q8 = t2 * sin_angles_2 + cos_angles_0 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, Q0, Q1, Q2, Q3);
-        store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
-        store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        give_4f(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
+        give_4f(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
+        give_1f(item1, 8, 3, down1, across1, step1, Q8);
         stream_lines(&copied);
     }
 }
@@ -1268,8 +1384,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -1278,7 +1398,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0, step0, angles_);
+        take_2(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -1297,9 +1417,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_block)(
         const doubles W8 = sin_angles_0 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, spread(1.0), spread(0.0), W2, spread(0.0));
-        store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(0.0), W7);
-        store_1(item1 + 8 * sizeof(double), step1, W8);
+        give_4(item1, 0, 3, down1, across1, step1, spread(1.0), spread(0.0), W2, spread(0.0));
+        give_4(item1, 4, 3, down1, across1, step1, W4, W5, spread(0.0), W7);
+        give_1(item1, 8, 3, down1, across1, step1, W8);
         stream_lines(&copied);
     }
 }
@@ -1312,8 +1432,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -1322,7 +1446,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0, step0, angles_);
+        take_2f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -1341,9 +1465,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_blockf)(
         const floats W8 = sin_angles_0 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
-        store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(0.0f), W7);
-        store_1f(item1 + 8 * sizeof(float), step1, W8);
+        give_4f(item1, 0, 3, down1, across1, step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
+        give_4f(item1, 4, 3, down1, across1, step1, W4, W5, spreadf(0.0f), W7);
+        give_1f(item1, 8, 3, down1, across1, step1, W8);
         stream_lines(&copied);
     }
 }
@@ -1356,8 +1480,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -1366,7 +1494,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
+        take_2(item0, 1, 3, down0, across0, step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -1385,9 +1513,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_block)(
         const doubles W_body6 = cos_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
-        store_4(item1 + 4 * sizeof(double), step1, spread(0.0), spread(1.0), W_body6, W_body7);
-        store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
+        give_4(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spread(0.0), W_body3);
+        give_4(item1, 4, 3, down1, across1, step1, spread(0.0), spread(1.0), W_body6, W_body7);
+        give_1(item1, 8, 3, down1, across1, step1, spread(0.0));
         stream_lines(&copied);
     }
 }
@@ -1400,8 +1528,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -1410,7 +1542,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
+        take_2f(item0, 1, 3, down0, across0, step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -1429,9 +1561,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_blockf)(
         const floats W_body6 = cos_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
-        store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
-        store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
+        give_4f(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
+        give_4f(item1, 4, 3, down1, across1, step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
+        give_1f(item1, 8, 3, down1, across1, step1, spreadf(0.0f));
         stream_lines(&copied);
     }
 }
@@ -1444,10 +1576,16 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -1456,7 +1594,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0, step0, angles_);
+        take_2(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -1467,7 +1605,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_block)(
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        load_3(item1, step1, omega);
+        take_3(item1, 0, 3, down1, across1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -1478,7 +1616,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_block)(
         const doubles theta_dot1 = omega[2] * cos_angles_0 - omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 3);
-        store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        give_3(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
 }
@@ -1491,10 +1629,16 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -1503,7 +1647,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0, step0, angles_);
+        take_2f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -1514,7 +1658,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_blockf)(
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        load_3f(item1, step1, omega);
+        take_3f(item1, 0, 3, down1, across1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -1526,7 +1670,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_blockf)(
         const floats theta_dot1 = omega[2] * cos_angles_0 - omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 3);
-        store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        give_3f(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
 }
@@ -1539,8 +1683,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
@@ -1549,7 +1697,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, angles_);
+        take_3(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -1578,9 +1726,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_block)(
         const doubles Q8 = t2 * cos_angles_2 - sin_angles_0 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, Q0, Q1, Q2, Q3);
-        store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
-        store_1(item1 + 8 * sizeof(double), step1, Q8);
+        give_4(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
+        give_4(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
+        give_1(item1, 8, 3, down1, across1, step1, Q8);
         stream_lines(&copied);
     }
 }
@@ -1593,8 +1741,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
@@ -1603,7 +1755,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, angles_);
+        take_3f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -1632,9 +1784,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_blockf)(
         const floats Q8 = t2 * cos_angles_2 - sin_angles_0 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, Q0, Q1, Q2, Q3);
-        store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
-        store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        give_4f(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
+        give_4f(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
+        give_1f(item1, 8, 3, down1, across1, step1, Q8);
         stream_lines(&copied);
     }
 }
@@ -1647,8 +1799,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -1657,7 +1813,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0, step0, angles_);
+        take_2(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -1676,9 +1832,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_block)(
         const doubles W8 = W1 * sin_angles_1;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, spread(0.0), W1, W2, spread(1.0));
-        store_4(item1 + 4 * sizeof(double), step1, spread(0.0), W5, spread(0.0), W7);
-        store_1(item1 + 8 * sizeof(double), step1, W8);
+        give_4(item1, 0, 3, down1, across1, step1, spread(0.0), W1, W2, spread(1.0));
+        give_4(item1, 4, 3, down1, across1, step1, spread(0.0), W5, spread(0.0), W7);
+        give_1(item1, 8, 3, down1, across1, step1, W8);
         stream_lines(&copied);
     }
 }
@@ -1691,8 +1847,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -1701,7 +1861,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0, step0, angles_);
+        take_2f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -1720,9 +1880,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_blockf)(
         const floats W8 = W1 * sin_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
-        store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
-        store_1f(item1 + 8 * sizeof(float), step1, W8);
+        give_4f(item1, 0, 3, down1, across1, step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
+        give_4f(item1, 4, 3, down1, across1, step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
+        give_1f(item1, 8, 3, down1, across1, step1, W8);
         stream_lines(&copied);
     }
 }
@@ -1735,8 +1895,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -1745,7 +1909,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
+        take_2(item0, 1, 3, down0, across0, step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -1764,9 +1928,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_block)(
         const doubles W_body6 = -(sin_angles_1 * W_body1);
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
-        store_4(item1 + 4 * sizeof(double), step1, spread(0.0), spread(1.0), W_body6, W_body7);
-        store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
+        give_4(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spread(0.0), W_body3);
+        give_4(item1, 4, 3, down1, across1, step1, spread(0.0), spread(1.0), W_body6, W_body7);
+        give_1(item1, 8, 3, down1, across1, step1, spread(0.0));
         stream_lines(&copied);
     }
 }
@@ -1779,8 +1943,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -1789,7 +1957,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
+        take_2f(item0, 1, 3, down0, across0, step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -1808,9 +1976,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_blockf)(
         const floats W_body6 = -(sin_angles_1 * W_body1);
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
-        store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
-        store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
+        give_4f(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
+        give_4f(item1, 4, 3, down1, across1, step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
+        give_1f(item1, 8, 3, down1, across1, step1, spreadf(0.0f));
         stream_lines(&copied);
     }
 }
@@ -1823,10 +1991,16 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -1835,7 +2009,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0, step0, angles_);
+        take_2(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -1846,7 +2020,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_block)(
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        load_3(item1, step1, omega);
+        take_3(item1, 0, 3, down1, across1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -1857,7 +2031,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_block)(
         const doubles theta_dot1 = omega[0] * cos_angles_0 - omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 3);
-        store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        give_3(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
 }
@@ -1870,10 +2044,16 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -1882,7 +2062,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0, step0, angles_);
+        take_2f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -1893,7 +2073,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_blockf)(
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        load_3f(item1, step1, omega);
+        take_3f(item1, 0, 3, down1, across1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -1905,7 +2085,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_blockf)(
         const floats theta_dot1 = omega[0] * cos_angles_0 - omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 3);
-        store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        give_3f(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
 }
@@ -1918,8 +2098,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
@@ -1928,7 +2112,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, angles_);
+        take_3(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -1957,9 +2141,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_block)(
         const doubles Q7 = sin_angles_0 * sin_angles_2 + t2 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, Q0, Q1, Q2, Q3);
-        store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
-        store_1(item1 + 8 * sizeof(double), step1, Q8);
+        give_4(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
+        give_4(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
+        give_1(item1, 8, 3, down1, across1, step1, Q8);
         stream_lines(&copied);
     }
 }
@@ -1972,8 +2156,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
@@ -1982,7 +2170,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, angles_);
+        take_3f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -2011,9 +2199,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_blockf)(
         const floats Q7 = sin_angles_0 * sin_angles_2 + t2 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, Q0, Q1, Q2, Q3);
-        store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
-        store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        give_4f(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
+        give_4f(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
+        give_1f(item1, 8, 3, down1, across1, step1, Q8);
         stream_lines(&copied);
     }
 }
@@ -2026,8 +2214,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -2036,7 +2228,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0, step0, angles_);
+        take_2(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -2055,9 +2247,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_block)(
         const doubles W8 = W1 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, spread(0.0), W1, W2, spread(1.0));
-        store_4(item1 + 4 * sizeof(double), step1, spread(0.0), W5, spread(0.0), W7);
-        store_1(item1 + 8 * sizeof(double), step1, W8);
+        give_4(item1, 0, 3, down1, across1, step1, spread(0.0), W1, W2, spread(1.0));
+        give_4(item1, 4, 3, down1, across1, step1, spread(0.0), W5, spread(0.0), W7);
+        give_1(item1, 8, 3, down1, across1, step1, W8);
         stream_lines(&copied);
     }
 }
@@ -2070,8 +2262,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -2080,7 +2276,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0, step0, angles_);
+        take_2f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -2099,9 +2295,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_blockf)(
         const floats W8 = W1 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
-        store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
-        store_1f(item1 + 8 * sizeof(float), step1, W8);
+        give_4f(item1, 0, 3, down1, across1, step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
+        give_4f(item1, 4, 3, down1, across1, step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
+        give_1f(item1, 8, 3, down1, across1, step1, W8);
         stream_lines(&copied);
     }
 }
@@ -2114,8 +2310,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -2124,7 +2324,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
+        take_2(item0, 1, 3, down0, across0, step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -2143,9 +2343,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_block)(
         const doubles W_body3 = cos_angles_1 * W_body1;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
-        store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, spread(0.0));
-        store_1(item1 + 8 * sizeof(double), step1, spread(1.0));
+        give_4(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spread(0.0), W_body3);
+        give_4(item1, 4, 3, down1, across1, step1, W_body4, spread(0.0), W_body6, spread(0.0));
+        give_1(item1, 8, 3, down1, across1, step1, spread(1.0));
         stream_lines(&copied);
     }
 }
@@ -2158,8 +2358,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -2168,7 +2372,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
+        take_2f(item0, 1, 3, down0, across0, step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -2187,9 +2391,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_blockf)(
         const floats W_body3 = cos_angles_1 * W_body1;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
-        store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
-        store_1f(item1 + 8 * sizeof(float), step1, spreadf(1.0f));
+        give_4f(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
+        give_4f(item1, 4, 3, down1, across1, step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
+        give_1f(item1, 8, 3, down1, across1, step1, spreadf(1.0f));
         stream_lines(&copied);
     }
 }
@@ -2202,10 +2406,16 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -2214,7 +2424,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0, step0, angles_);
+        take_2(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -2225,7 +2435,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_block)(
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        load_3(item1, step1, omega);
+        take_3(item1, 0, 3, down1, across1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -2236,7 +2446,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_block)(
         const doubles theta_dot1 = omega[0] * cos_angles_0 - omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 3);
-        store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        give_3(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
 }
@@ -2249,10 +2459,16 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -2261,7 +2477,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0, step0, angles_);
+        take_2f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -2272,7 +2488,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_blockf)(
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        load_3f(item1, step1, omega);
+        take_3f(item1, 0, 3, down1, across1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -2284,7 +2500,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_blockf)(
         const floats theta_dot1 = omega[0] * cos_angles_0 - omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 3);
-        store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        give_3f(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
 }
@@ -2297,8 +2513,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
@@ -2307,7 +2527,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, angles_);
+        take_3(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -2336,9 +2556,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_block)(
         const doubles Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, Q0, Q1, Q2, Q3);
-        store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
-        store_1(item1 + 8 * sizeof(double), step1, Q8);
+        give_4(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
+        give_4(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
+        give_1(item1, 8, 3, down1, across1, step1, Q8);
         stream_lines(&copied);
     }
 }
@@ -2351,8 +2571,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
@@ -2361,7 +2585,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, angles_);
+        take_3f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -2390,9 +2614,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_blockf)(
         const floats Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, Q0, Q1, Q2, Q3);
-        store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
-        store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        give_4f(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
+        give_4f(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
+        give_1f(item1, 8, 3, down1, across1, step1, Q8);
         stream_lines(&copied);
     }
 }
@@ -2405,8 +2629,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -2415,7 +2643,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0, step0, angles_);
+        take_2(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -2434,9 +2662,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_block)(
         const doubles W8 = -(W1 * cos_angles_1);
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, spread(0.0), W1, W2, spread(1.0));
-        store_4(item1 + 4 * sizeof(double), step1, spread(0.0), W5, spread(0.0), W7);
-        store_1(item1 + 8 * sizeof(double), step1, W8);
+        give_4(item1, 0, 3, down1, across1, step1, spread(0.0), W1, W2, spread(1.0));
+        give_4(item1, 4, 3, down1, across1, step1, spread(0.0), W5, spread(0.0), W7);
+        give_1(item1, 8, 3, down1, across1, step1, W8);
         stream_lines(&copied);
     }
 }
@@ -2449,8 +2677,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -2459,7 +2691,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0, step0, angles_);
+        take_2f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -2478,9 +2710,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_blockf)(
         const floats W8 = -(W1 * cos_angles_1);
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
-        store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
-        store_1f(item1 + 8 * sizeof(float), step1, W8);
+        give_4f(item1, 0, 3, down1, across1, step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
+        give_4f(item1, 4, 3, down1, across1, step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
+        give_1f(item1, 8, 3, down1, across1, step1, W8);
         stream_lines(&copied);
     }
 }
@@ -2493,8 +2725,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -2503,7 +2739,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
+        take_2(item0, 1, 3, down0, across0, step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -2522,9 +2758,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_block)(
         const doubles W_body6 = -(cos_angles_1 * W_body4);
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, W_body0, spread(0.0), spread(1.0), W_body3);
-        store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, W_body7);
-        store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
+        give_4(item1, 0, 3, down1, across1, step1, W_body0, spread(0.0), spread(1.0), W_body3);
+        give_4(item1, 4, 3, down1, across1, step1, W_body4, spread(0.0), W_body6, W_body7);
+        give_1(item1, 8, 3, down1, across1, step1, spread(0.0));
         stream_lines(&copied);
     }
 }
@@ -2537,8 +2773,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -2547,7 +2787,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
+        take_2f(item0, 1, 3, down0, across0, step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -2566,9 +2806,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_blockf)(
         const floats W_body6 = -(cos_angles_1 * W_body4);
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
-        store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, W_body7);
-        store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
+        give_4f(item1, 0, 3, down1, across1, step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
+        give_4f(item1, 4, 3, down1, across1, step1, W_body4, spreadf(0.0f), W_body6, W_body7);
+        give_1f(item1, 8, 3, down1, across1, step1, spreadf(0.0f));
         stream_lines(&copied);
     }
 }
@@ -2581,10 +2821,16 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -2593,7 +2839,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0, step0, angles_);
+        take_2(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -2604,7 +2850,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_block)(
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        load_3(item1, step1, omega);
+        take_3(item1, 0, 3, down1, across1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -2615,7 +2861,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_block)(
         const doubles theta_dot1 = omega[0] * sin_angles_0 + omega[2] * cos_angles_0;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 3);
-        store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        give_3(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
 }
@@ -2628,10 +2874,16 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -2640,7 +2892,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0, step0, angles_);
+        take_2f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -2651,7 +2903,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_blockf)(
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        load_3f(item1, step1, omega);
+        take_3f(item1, 0, 3, down1, across1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -2663,7 +2915,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_blockf)(
         const floats theta_dot1 = omega[0] * sin_angles_0 + omega[2] * cos_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 3);
-        store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        give_3f(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
 }
@@ -2676,8 +2928,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
@@ -2686,7 +2942,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, angles_);
+        take_3(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -2715,9 +2971,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_block)(
         const doubles Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, Q0, Q1, Q2, Q3);
-        store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
-        store_1(item1 + 8 * sizeof(double), step1, Q8);
+        give_4(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
+        give_4(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
+        give_1(item1, 8, 3, down1, across1, step1, Q8);
         stream_lines(&copied);
     }
 }
@@ -2730,8 +2986,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
@@ -2740,7 +3000,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, angles_);
+        take_3f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -2769,9 +3029,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_blockf)(
         const floats Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, Q0, Q1, Q2, Q3);
-        store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
-        store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        give_4f(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
+        give_4f(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
+        give_1f(item1, 8, 3, down1, across1, step1, Q8);
         stream_lines(&copied);
     }
 }
@@ -2784,8 +3044,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -2794,7 +3058,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0, step0, angles_);
+        take_2(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -2813,9 +3077,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_block)(
         const doubles W8 = W1 * sin_angles_1;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, spread(0.0), W1, W2, spread(1.0));
-        store_4(item1 + 4 * sizeof(double), step1, spread(0.0), W5, spread(0.0), W7);
-        store_1(item1 + 8 * sizeof(double), step1, W8);
+        give_4(item1, 0, 3, down1, across1, step1, spread(0.0), W1, W2, spread(1.0));
+        give_4(item1, 4, 3, down1, across1, step1, spread(0.0), W5, spread(0.0), W7);
+        give_1(item1, 8, 3, down1, across1, step1, W8);
         stream_lines(&copied);
     }
 }
@@ -2828,8 +3092,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -2838,7 +3106,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0, step0, angles_);
+        take_2f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -2857,9 +3125,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_blockf)(
         const floats W8 = W1 * sin_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
-        store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
-        store_1f(item1 + 8 * sizeof(float), step1, W8);
+        give_4f(item1, 0, 3, down1, across1, step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
+        give_4f(item1, 4, 3, down1, across1, step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
+        give_1f(item1, 8, 3, down1, across1, step1, W8);
         stream_lines(&copied);
     }
 }
@@ -2872,8 +3140,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -2882,7 +3154,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
+        take_2(item0, 1, 3, down0, across0, step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -2901,9 +3173,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_block)(
         const doubles W_body6 = sin_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
-        store_4(item1 + 4 * sizeof(double), step1, spread(0.0), spread(1.0), W_body6, W_body7);
-        store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
+        give_4(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spread(0.0), W_body3);
+        give_4(item1, 4, 3, down1, across1, step1, spread(0.0), spread(1.0), W_body6, W_body7);
+        give_1(item1, 8, 3, down1, across1, step1, spread(0.0));
         stream_lines(&copied);
     }
 }
@@ -2916,8 +3188,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -2926,7 +3202,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
+        take_2f(item0, 1, 3, down0, across0, step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -2945,9 +3221,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_blockf)(
         const floats W_body6 = sin_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
-        store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
-        store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
+        give_4f(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
+        give_4f(item1, 4, 3, down1, across1, step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
+        give_1f(item1, 8, 3, down1, across1, step1, spreadf(0.0f));
         stream_lines(&copied);
     }
 }
@@ -2960,10 +3236,16 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -2972,7 +3254,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0, step0, angles_);
+        take_2(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -2983,7 +3265,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_block)(
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        load_3(item1, step1, omega);
+        take_3(item1, 0, 3, down1, across1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -2994,7 +3276,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_block)(
         const doubles theta_dot1 = omega[0] * sin_angles_0 + omega[2] * cos_angles_0;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 3);
-        store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        give_3(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
 }
@@ -3007,10 +3289,16 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -3019,7 +3307,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0, step0, angles_);
+        take_2f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -3030,7 +3318,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_blockf)(
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        load_3f(item1, step1, omega);
+        take_3f(item1, 0, 3, down1, across1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -3042,7 +3330,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_blockf)(
         const floats theta_dot1 = omega[0] * sin_angles_0 + omega[2] * cos_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 3);
-        store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        give_3f(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
 }
@@ -3055,8 +3343,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
@@ -3065,7 +3357,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, angles_);
+        take_3(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -3094,9 +3386,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_block)(
         const doubles Q8 = cos_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, Q0, Q1, Q2, Q3);
-        store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
-        store_1(item1 + 8 * sizeof(double), step1, Q8);
+        give_4(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
+        give_4(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
+        give_1(item1, 8, 3, down1, across1, step1, Q8);
         stream_lines(&copied);
     }
 }
@@ -3109,8 +3401,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
@@ -3119,7 +3415,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, angles_);
+        take_3f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -3148,9 +3444,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_blockf)(
         const floats Q8 = cos_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, Q0, Q1, Q2, Q3);
-        store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
-        store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        give_4f(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
+        give_4f(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
+        give_1f(item1, 8, 3, down1, across1, step1, Q8);
         stream_lines(&copied);
     }
 }
@@ -3163,8 +3459,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -3173,7 +3473,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0, step0, angles_);
+        take_2(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -3192,9 +3492,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_block)(
         const doubles W5 = W1 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, spread(0.0), W1, W2, spread(0.0));
-        store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(1.0), spread(0.0));
-        store_1(item1 + 8 * sizeof(double), step1, W8);
+        give_4(item1, 0, 3, down1, across1, step1, spread(0.0), W1, W2, spread(0.0));
+        give_4(item1, 4, 3, down1, across1, step1, W4, W5, spread(1.0), spread(0.0));
+        give_1(item1, 8, 3, down1, across1, step1, W8);
         stream_lines(&copied);
     }
 }
@@ -3207,8 +3507,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -3217,7 +3521,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0, step0, angles_);
+        take_2f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -3236,9 +3540,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_blockf)(
         const floats W5 = W1 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
-        store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
-        store_1f(item1 + 8 * sizeof(float), step1, W8);
+        give_4f(item1, 0, 3, down1, across1, step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
+        give_4f(item1, 4, 3, down1, across1, step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
+        give_1f(item1, 8, 3, down1, across1, step1, W8);
         stream_lines(&copied);
     }
 }
@@ -3251,8 +3555,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -3261,7 +3569,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
+        take_2(item0, 1, 3, down0, across0, step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -3280,9 +3588,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_block)(
         const doubles W_body6 = cos_angles_1 * W_body1;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
-        store_4(item1 + 4 * sizeof(double), step1, spread(0.0), spread(1.0), W_body6, W_body7);
-        store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
+        give_4(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spread(0.0), W_body3);
+        give_4(item1, 4, 3, down1, across1, step1, spread(0.0), spread(1.0), W_body6, W_body7);
+        give_1(item1, 8, 3, down1, across1, step1, spread(0.0));
         stream_lines(&copied);
     }
 }
@@ -3295,8 +3603,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -3305,7 +3617,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
+        take_2f(item0, 1, 3, down0, across0, step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -3324,9 +3636,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_blockf)(
         const floats W_body6 = cos_angles_1 * W_body1;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
-        store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
-        store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
+        give_4f(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
+        give_4f(item1, 4, 3, down1, across1, step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
+        give_1f(item1, 8, 3, down1, across1, step1, spreadf(0.0f));
         stream_lines(&copied);
     }
 }
@@ -3339,10 +3651,16 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -3351,7 +3669,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0, step0, angles_);
+        take_2(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -3362,7 +3680,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_block)(
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        load_3(item1, step1, omega);
+        take_3(item1, 0, 3, down1, across1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -3373,7 +3691,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_block)(
         const doubles theta_dot1 = omega[0] * cos_angles_0 + omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 3);
-        store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        give_3(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
 }
@@ -3386,10 +3704,16 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -3398,7 +3722,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0, step0, angles_);
+        take_2f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -3409,7 +3733,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_blockf)(
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        load_3f(item1, step1, omega);
+        take_3f(item1, 0, 3, down1, across1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -3421,7 +3745,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_blockf)(
         const floats theta_dot1 = omega[0] * cos_angles_0 + omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 3);
-        store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        give_3f(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
 }
@@ -3434,8 +3758,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
@@ -3444,7 +3772,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, angles_);
+        take_3(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -3473,9 +3801,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_block)(
         const doubles Q7 = sin_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, Q0, Q1, Q2, Q3);
-        store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
-        store_1(item1 + 8 * sizeof(double), step1, Q8);
+        give_4(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
+        give_4(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
+        give_1(item1, 8, 3, down1, across1, step1, Q8);
         stream_lines(&copied);
     }
 }
@@ -3488,8 +3816,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
@@ -3498,7 +3830,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, angles_);
+        take_3f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -3527,9 +3859,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_blockf)(
         const floats Q7 = sin_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, Q0, Q1, Q2, Q3);
-        store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
-        store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        give_4f(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
+        give_4f(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
+        give_1f(item1, 8, 3, down1, across1, step1, Q8);
         stream_lines(&copied);
     }
 }
@@ -3542,8 +3874,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -3552,7 +3888,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0, step0, angles_);
+        take_2(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -3571,9 +3907,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_block)(
         const doubles W5 = -(W1 * sin_angles_1);
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, spread(0.0), W1, W2, spread(0.0));
-        store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(1.0), spread(0.0));
-        store_1(item1 + 8 * sizeof(double), step1, W8);
+        give_4(item1, 0, 3, down1, across1, step1, spread(0.0), W1, W2, spread(0.0));
+        give_4(item1, 4, 3, down1, across1, step1, W4, W5, spread(1.0), spread(0.0));
+        give_1(item1, 8, 3, down1, across1, step1, W8);
         stream_lines(&copied);
     }
 }
@@ -3586,8 +3922,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -3596,7 +3936,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0, step0, angles_);
+        take_2f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -3615,9 +3955,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_blockf)(
         const floats W5 = -(W1 * sin_angles_1);
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
-        store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
-        store_1f(item1 + 8 * sizeof(float), step1, W8);
+        give_4f(item1, 0, 3, down1, across1, step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
+        give_4f(item1, 4, 3, down1, across1, step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
+        give_1f(item1, 8, 3, down1, across1, step1, W8);
         stream_lines(&copied);
     }
 }
@@ -3630,8 +3970,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -3640,7 +3984,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
+        take_2(item0, 1, 3, down0, across0, step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -3659,9 +4003,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_block)(
         const doubles W_body3 = sin_angles_1 * W_body1;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
-        store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, spread(0.0));
-        store_1(item1 + 8 * sizeof(double), step1, spread(1.0));
+        give_4(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spread(0.0), W_body3);
+        give_4(item1, 4, 3, down1, across1, step1, W_body4, spread(0.0), W_body6, spread(0.0));
+        give_1(item1, 8, 3, down1, across1, step1, spread(1.0));
         stream_lines(&copied);
     }
 }
@@ -3674,8 +4018,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -3684,7 +4032,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
+        take_2f(item0, 1, 3, down0, across0, step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -3703,9 +4051,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_blockf)(
         const floats W_body3 = sin_angles_1 * W_body1;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
-        store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
-        store_1f(item1 + 8 * sizeof(float), step1, spreadf(1.0f));
+        give_4f(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
+        give_4f(item1, 4, 3, down1, across1, step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
+        give_1f(item1, 8, 3, down1, across1, step1, spreadf(1.0f));
         stream_lines(&copied);
     }
 }
@@ -3718,10 +4066,16 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -3730,7 +4084,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0, step0, angles_);
+        take_2(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -3741,7 +4095,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_block)(
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        load_3(item1, step1, omega);
+        take_3(item1, 0, 3, down1, across1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -3752,7 +4106,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_block)(
         const doubles theta_dot1 = omega[0] * cos_angles_0 + omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 3);
-        store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        give_3(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
 }
@@ -3765,10 +4119,16 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -3777,7 +4137,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0, step0, angles_);
+        take_2f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -3788,7 +4148,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_blockf)(
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        load_3f(item1, step1, omega);
+        take_3f(item1, 0, 3, down1, across1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -3800,7 +4160,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_blockf)(
         const floats theta_dot1 = omega[0] * cos_angles_0 + omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 3);
-        store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        give_3f(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
 }
@@ -3813,8 +4173,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
@@ -3823,7 +4187,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, angles_);
+        take_3(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -3852,9 +4216,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_block)(
         const doubles Q8 = cos_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, Q0, Q1, Q2, Q3);
-        store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
-        store_1(item1 + 8 * sizeof(double), step1, Q8);
+        give_4(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
+        give_4(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
+        give_1(item1, 8, 3, down1, across1, step1, Q8);
         stream_lines(&copied);
     }
 }
@@ -3867,8 +4231,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
@@ -3877,7 +4245,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, angles_);
+        take_3f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -3906,9 +4274,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_blockf)(
         const floats Q8 = cos_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, Q0, Q1, Q2, Q3);
-        store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
-        store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        give_4f(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
+        give_4f(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
+        give_1f(item1, 8, 3, down1, across1, step1, Q8);
         stream_lines(&copied);
     }
 }
@@ -3921,8 +4289,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -3931,7 +4303,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0, step0, angles_);
+        take_2(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -3950,9 +4322,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_block)(
         const doubles W5 = sin_angles_0 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, spread(0.0), W1, W2, spread(0.0));
-        store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(1.0), spread(0.0));
-        store_1(item1 + 8 * sizeof(double), step1, W8);
+        give_4(item1, 0, 3, down1, across1, step1, spread(0.0), W1, W2, spread(0.0));
+        give_4(item1, 4, 3, down1, across1, step1, W4, W5, spread(1.0), spread(0.0));
+        give_1(item1, 8, 3, down1, across1, step1, W8);
         stream_lines(&copied);
     }
 }
@@ -3965,8 +4337,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -3975,7 +4351,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0, step0, angles_);
+        take_2f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -3994,9 +4370,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_blockf)(
         const floats W5 = sin_angles_0 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
-        store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
-        store_1f(item1 + 8 * sizeof(float), step1, W8);
+        give_4f(item1, 0, 3, down1, across1, step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
+        give_4f(item1, 4, 3, down1, across1, step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
+        give_1f(item1, 8, 3, down1, across1, step1, W8);
         stream_lines(&copied);
     }
 }
@@ -4009,8 +4385,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -4019,7 +4399,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
+        take_2(item0, 1, 3, down0, across0, step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -4038,9 +4418,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_block)(
         const doubles W_body6 = cos_angles_1 * W_body4;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, W_body0, spread(0.0), spread(1.0), W_body3);
-        store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, W_body7);
-        store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
+        give_4(item1, 0, 3, down1, across1, step1, W_body0, spread(0.0), spread(1.0), W_body3);
+        give_4(item1, 4, 3, down1, across1, step1, W_body4, spread(0.0), W_body6, W_body7);
+        give_1(item1, 8, 3, down1, across1, step1, spread(0.0));
         stream_lines(&copied);
     }
 }
@@ -4053,8 +4433,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -4063,7 +4447,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
+        take_2f(item0, 1, 3, down0, across0, step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -4082,9 +4466,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_blockf)(
         const floats W_body6 = cos_angles_1 * W_body4;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
-        store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, W_body7);
-        store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
+        give_4f(item1, 0, 3, down1, across1, step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
+        give_4f(item1, 4, 3, down1, across1, step1, W_body4, spreadf(0.0f), W_body6, W_body7);
+        give_1f(item1, 8, 3, down1, across1, step1, spreadf(0.0f));
         stream_lines(&copied);
     }
 }
@@ -4097,10 +4481,16 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -4109,7 +4499,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0, step0, angles_);
+        take_2(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -4120,7 +4510,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_block)(
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        load_3(item1, step1, omega);
+        take_3(item1, 0, 3, down1, across1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -4131,7 +4521,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_block)(
         const doubles theta_dot1 = omega[1] * cos_angles_0 - omega[0] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 3);
-        store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        give_3(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
 }
@@ -4144,10 +4534,16 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -4156,7 +4552,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0, step0, angles_);
+        take_2f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -4167,7 +4563,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_blockf)(
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        load_3f(item1, step1, omega);
+        take_3f(item1, 0, 3, down1, across1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -4179,7 +4575,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_blockf)(
         const floats theta_dot1 = omega[1] * cos_angles_0 - omega[0] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 3);
-        store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        give_3f(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
 }
@@ -4192,8 +4588,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
@@ -4202,7 +4602,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_3(item0, step0, angles_);
+        take_3(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -4231,9 +4631,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_block)(
         const doubles Q7 = sin_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, Q0, Q1, Q2, Q3);
-        store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
-        store_1(item1 + 8 * sizeof(double), step1, Q8);
+        give_4(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
+        give_4(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
+        give_1(item1, 8, 3, down1, across1, step1, Q8);
         stream_lines(&copied);
     }
 }
@@ -4246,8 +4646,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
@@ -4256,7 +4660,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_3f(item0, step0, angles_);
+        take_3f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -4285,9 +4689,9 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_blockf)(
         const floats Q7 = sin_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, Q0, Q1, Q2, Q3);
-        store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
-        store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        give_4f(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
+        give_4f(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
+        give_1f(item1, 8, 3, down1, across1, step1, Q8);
         stream_lines(&copied);
     }
 }
@@ -4300,8 +4704,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -4310,7 +4718,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0, step0, angles_);
+        take_2(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -4329,9 +4737,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_block)(
         const doubles W5 = sin_angles_0 * sin_angles_1;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, spread(0.0), W1, W2, spread(0.0));
-        store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(1.0), spread(0.0));
-        store_1(item1 + 8 * sizeof(double), step1, W8);
+        give_4(item1, 0, 3, down1, across1, step1, spread(0.0), W1, W2, spread(0.0));
+        give_4(item1, 4, 3, down1, across1, step1, W4, W5, spread(1.0), spread(0.0));
+        give_1(item1, 8, 3, down1, across1, step1, W8);
         stream_lines(&copied);
     }
 }
@@ -4344,8 +4752,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -4354,7 +4766,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0, step0, angles_);
+        take_2f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -4373,9 +4785,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_blockf)(
         const floats W5 = sin_angles_0 * sin_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
-        store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
-        store_1f(item1 + 8 * sizeof(float), step1, W8);
+        give_4f(item1, 0, 3, down1, across1, step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
+        give_4f(item1, 4, 3, down1, across1, step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
+        give_1f(item1, 8, 3, down1, across1, step1, W8);
         stream_lines(&copied);
     }
 }
@@ -4388,8 +4800,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -4398,7 +4814,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
+        take_2(item0, 1, 3, down0, across0, step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -4417,9 +4833,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_block)(
         const doubles W_body3 = sin_angles_1 * W_body1;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        store_4(item1, step1, W_body0, W_body1, spread(0.0), W_body3);
-        store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, spread(0.0));
-        store_1(item1 + 8 * sizeof(double), step1, spread(1.0));
+        give_4(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spread(0.0), W_body3);
+        give_4(item1, 4, 3, down1, across1, step1, W_body4, spread(0.0), W_body6, spread(0.0));
+        give_1(item1, 8, 3, down1, across1, step1, spread(1.0));
         stream_lines(&copied);
     }
 }
@@ -4432,8 +4848,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -4442,7 +4862,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
+        take_2f(item0, 1, 3, down0, across0, step0, &angles_[1]);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -4461,9 +4881,9 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_blockf)(
         const floats W_body3 = sin_angles_1 * W_body1;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        store_4f(item1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
-        store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
-        store_1f(item1 + 8 * sizeof(float), step1, spreadf(1.0f));
+        give_4f(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
+        give_4f(item1, 4, 3, down1, across1, step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
+        give_1f(item1, 8, 3, down1, across1, step1, spreadf(1.0f));
         stream_lines(&copied);
     }
 }
@@ -4476,10 +4896,16 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -4488,7 +4914,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        load_2(item0, step0, angles_);
+        take_2(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -4499,7 +4925,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_block)(
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        load_3(item1, step1, omega);
+        take_3(item1, 0, 3, down1, across1, step1, omega);
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -4510,7 +4936,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_block)(
         const doubles theta_dot1 = omega[1] * cos_angles_0 - omega[0] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 3);
-        store_3(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        give_3(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
 }
@@ -4523,10 +4949,16 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
+    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
+    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
+    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
+    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
+    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
+    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -4535,7 +4967,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        load_2f(item0, step0, angles_);
+        take_2f(item0, 0, 3, down0, across0, step0, angles_);
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -4546,7 +4978,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_blockf)(
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        load_3f(item1, step1, omega);
+        take_3f(item1, 0, 3, down1, across1, step1, omega);
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -4558,7 +4990,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_blockf)(
         const floats theta_dot1 = omega[1] * cos_angles_0 - omega[0] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 3);
-        store_3f(item2, step2, theta_dot0, theta_dot1, theta_dot2);
+        give_3f(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
         stream_lines(&copied);
     }
 }

@@ -225,17 +225,17 @@ CHASLES_INLINE floats rowf(const char *at, ptrdiff_t step, int first)
     return (floats)row(at, step, first, 4);
 }
 
-#if CHASLES_REGISTER == 64
 /* A register of numbers that lie one after the other in memory. */
-typedef double packed_doubles __attribute__((vector_size(64), aligned(sizeof(double)), may_alias));
+typedef double packed_doubles
+    __attribute__((vector_size(CHASLES_REGISTER), aligned(sizeof(double)), may_alias));
 
-#define PACKED(at, k) (*(packed_doubles *)((at) + 64 * (k)))
-#define PACKED_IN(at, k) (*(const packed_doubles *)((at) + 64 * (k)))
-typedef float packed_floats __attribute__((vector_size(64), aligned(sizeof(float)), may_alias));
+#define PACKED(at, k) (*(packed_doubles *)((at) + CHASLES_REGISTER * (k)))
+#define PACKED_IN(at, k) (*(const packed_doubles *)((at) + CHASLES_REGISTER * (k)))
+typedef float packed_floats
+    __attribute__((vector_size(CHASLES_REGISTER), aligned(sizeof(float)), may_alias));
 
-#define PACKEDF(at, k) (*(packed_floats *)((at) + 64 * (k)))
-#define PACKEDF_IN(at, k) (*(const packed_floats *)((at) + 64 * (k)))
-#endif
+#define PACKEDF(at, k) (*(packed_floats *)((at) + CHASLES_REGISTER * (k)))
+#define PACKEDF_IN(at, k) (*(const packed_floats *)((at) + CHASLES_REGISTER * (k)))
 
 /* Asks for so many registers that are soon read, and for memory that is soon written, as if there were no gaps. */
 CHASLES_INLINE void prefetch(const char *at, ptrdiff_t registers)
@@ -281,6 +281,10 @@ CHASLES_INLINE void stream_lines(chasles_stream *stream)
 /* One to four numbers that lie side by side in each item. */
 CHASLES_INLINE void load_1(const char *at, ptrdiff_t step, doubles *to)
 {
+    if (step == 0) {
+        to[0] = spread(*(const double *)at);
+        return;
+    }
 #if CHASLES_REGISTER == 64
     if (step == sizeof(double)) {
         to[0] = PACKED_IN(at, 0);
@@ -308,6 +312,10 @@ CHASLES_INLINE void store_1(char *at, ptrdiff_t step, doubles x)
 
 CHASLES_INLINE void load_1f(const char *at, ptrdiff_t step, floats *to)
 {
+    if (step == 0) {
+        to[0] = spreadf(*(const float *)at);
+        return;
+    }
 #if CHASLES_REGISTER == 64
     if (step == sizeof(float)) {
         to[0] = PACKEDF_IN(at, 0);
@@ -519,6 +527,305 @@ CHASLES_INLINE void store_4f(char *at, ptrdiff_t step, floats x, floats y, float
     put_row(at, step, 1, 4, UPPER(xy, zw));
     put_row(at, step, 2, 4, LOWER(xy_, zw_));
     put_row(at, step, 3, 4, UPPER(xy_, zw_));
+}
+
+/* Numbers of each item, from its number `first` on, in rows of `columns`: side by side, or else each in the place that
+ * steps down and across say, one item after the other. Without a step all items are one. */
+#define ENTRY(at, k) ((at) + (first + (k)) / columns * down + (first + (k)) % columns * across)
+CHASLES_INLINE void take_1(
+    const char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
+    doubles *to)
+{
+    if (across == sizeof(double) && step != 0) {
+        load_1(at + first * across, step, to);
+        return;
+    }
+    for (int k = 0; k < 1; k++) {
+        if (step == 0) {
+            to[k] = spread(*(const double *)ENTRY(at, k));
+            continue;
+        }
+        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE);
+        to[k] = PACKED_IN(ENTRY(at, k), 0);
+    }
+}
+
+CHASLES_INLINE void give_1(
+    char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
+    doubles x)
+{
+    if (across == sizeof(double) && step != 0) {
+        store_1(at + first * across, step, x);
+        return;
+    }
+    const doubles all[] = {x};
+    for (int k = 0; k < 1; k++) {
+        if (step == 0) {
+            *(double *)ENTRY(at, k) = all[k][0];
+            continue;
+        }
+        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE, 1);
+        PACKED(ENTRY(at, k), 0) = all[k];
+    }
+}
+
+CHASLES_INLINE void take_2(
+    const char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
+    doubles *to)
+{
+    if (across == sizeof(double) && step != 0) {
+        load_2(at + first * across, step, to);
+        return;
+    }
+    for (int k = 0; k < 2; k++) {
+        if (step == 0) {
+            to[k] = spread(*(const double *)ENTRY(at, k));
+            continue;
+        }
+        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE);
+        to[k] = PACKED_IN(ENTRY(at, k), 0);
+    }
+}
+
+CHASLES_INLINE void give_2(
+    char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
+    doubles x, doubles y)
+{
+    if (across == sizeof(double) && step != 0) {
+        store_2(at + first * across, step, x, y);
+        return;
+    }
+    const doubles all[] = {x, y};
+    for (int k = 0; k < 2; k++) {
+        if (step == 0) {
+            *(double *)ENTRY(at, k) = all[k][0];
+            continue;
+        }
+        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE, 1);
+        PACKED(ENTRY(at, k), 0) = all[k];
+    }
+}
+
+CHASLES_INLINE void take_3(
+    const char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
+    doubles *to)
+{
+    if (across == sizeof(double) && step != 0) {
+        load_3(at + first * across, step, to);
+        return;
+    }
+    for (int k = 0; k < 3; k++) {
+        if (step == 0) {
+            to[k] = spread(*(const double *)ENTRY(at, k));
+            continue;
+        }
+        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE);
+        to[k] = PACKED_IN(ENTRY(at, k), 0);
+    }
+}
+
+CHASLES_INLINE void give_3(
+    char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
+    doubles x, doubles y, doubles z)
+{
+    if (across == sizeof(double) && step != 0) {
+        store_3(at + first * across, step, x, y, z);
+        return;
+    }
+    const doubles all[] = {x, y, z};
+    for (int k = 0; k < 3; k++) {
+        if (step == 0) {
+            *(double *)ENTRY(at, k) = all[k][0];
+            continue;
+        }
+        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE, 1);
+        PACKED(ENTRY(at, k), 0) = all[k];
+    }
+}
+
+CHASLES_INLINE void take_4(
+    const char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
+    doubles *to)
+{
+    if (across == sizeof(double) && step != 0) {
+        load_4(at + first * across, step, to);
+        return;
+    }
+    for (int k = 0; k < 4; k++) {
+        if (step == 0) {
+            to[k] = spread(*(const double *)ENTRY(at, k));
+            continue;
+        }
+        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE);
+        to[k] = PACKED_IN(ENTRY(at, k), 0);
+    }
+}
+
+CHASLES_INLINE void give_4(
+    char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
+    doubles x, doubles y, doubles z, doubles w)
+{
+    if (across == sizeof(double) && step != 0) {
+        store_4(at + first * across, step, x, y, z, w);
+        return;
+    }
+    const doubles all[] = {x, y, z, w};
+    for (int k = 0; k < 4; k++) {
+        if (step == 0) {
+            *(double *)ENTRY(at, k) = all[k][0];
+            continue;
+        }
+        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE, 1);
+        PACKED(ENTRY(at, k), 0) = all[k];
+    }
+}
+
+CHASLES_INLINE void take_1f(
+    const char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
+    floats *to)
+{
+    if (across == sizeof(float) && step != 0) {
+        load_1f(at + first * across, step, to);
+        return;
+    }
+    for (int k = 0; k < 1; k++) {
+        if (step == 0) {
+            to[k] = spreadf(*(const float *)ENTRY(at, k));
+            continue;
+        }
+        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE);
+        to[k] = PACKEDF_IN(ENTRY(at, k), 0);
+    }
+}
+
+CHASLES_INLINE void give_1f(
+    char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
+    floats x)
+{
+    if (across == sizeof(float) && step != 0) {
+        store_1f(at + first * across, step, x);
+        return;
+    }
+    const floats all[] = {x};
+    for (int k = 0; k < 1; k++) {
+        if (step == 0) {
+            *(float *)ENTRY(at, k) = all[k][0];
+            continue;
+        }
+        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE, 1);
+        PACKEDF(ENTRY(at, k), 0) = all[k];
+    }
+}
+
+CHASLES_INLINE void take_2f(
+    const char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
+    floats *to)
+{
+    if (across == sizeof(float) && step != 0) {
+        load_2f(at + first * across, step, to);
+        return;
+    }
+    for (int k = 0; k < 2; k++) {
+        if (step == 0) {
+            to[k] = spreadf(*(const float *)ENTRY(at, k));
+            continue;
+        }
+        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE);
+        to[k] = PACKEDF_IN(ENTRY(at, k), 0);
+    }
+}
+
+CHASLES_INLINE void give_2f(
+    char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
+    floats x, floats y)
+{
+    if (across == sizeof(float) && step != 0) {
+        store_2f(at + first * across, step, x, y);
+        return;
+    }
+    const floats all[] = {x, y};
+    for (int k = 0; k < 2; k++) {
+        if (step == 0) {
+            *(float *)ENTRY(at, k) = all[k][0];
+            continue;
+        }
+        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE, 1);
+        PACKEDF(ENTRY(at, k), 0) = all[k];
+    }
+}
+
+CHASLES_INLINE void take_3f(
+    const char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
+    floats *to)
+{
+    if (across == sizeof(float) && step != 0) {
+        load_3f(at + first * across, step, to);
+        return;
+    }
+    for (int k = 0; k < 3; k++) {
+        if (step == 0) {
+            to[k] = spreadf(*(const float *)ENTRY(at, k));
+            continue;
+        }
+        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE);
+        to[k] = PACKEDF_IN(ENTRY(at, k), 0);
+    }
+}
+
+CHASLES_INLINE void give_3f(
+    char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
+    floats x, floats y, floats z)
+{
+    if (across == sizeof(float) && step != 0) {
+        store_3f(at + first * across, step, x, y, z);
+        return;
+    }
+    const floats all[] = {x, y, z};
+    for (int k = 0; k < 3; k++) {
+        if (step == 0) {
+            *(float *)ENTRY(at, k) = all[k][0];
+            continue;
+        }
+        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE, 1);
+        PACKEDF(ENTRY(at, k), 0) = all[k];
+    }
+}
+
+CHASLES_INLINE void take_4f(
+    const char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
+    floats *to)
+{
+    if (across == sizeof(float) && step != 0) {
+        load_4f(at + first * across, step, to);
+        return;
+    }
+    for (int k = 0; k < 4; k++) {
+        if (step == 0) {
+            to[k] = spreadf(*(const float *)ENTRY(at, k));
+            continue;
+        }
+        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE);
+        to[k] = PACKEDF_IN(ENTRY(at, k), 0);
+    }
+}
+
+CHASLES_INLINE void give_4f(
+    char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
+    floats x, floats y, floats z, floats w)
+{
+    if (across == sizeof(float) && step != 0) {
+        store_4f(at + first * across, step, x, y, z, w);
+        return;
+    }
+    const floats all[] = {x, y, z, w};
+    for (int k = 0; k < 4; k++) {
+        if (step == 0) {
+            *(float *)ENTRY(at, k) = all[k][0];
+            continue;
+        }
+        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE, 1);
+        PACKEDF(ENTRY(at, k), 0) = all[k];
+    }
 }
 
 #ifdef __cplusplus

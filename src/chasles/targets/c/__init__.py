@@ -8,7 +8,8 @@ of instructions (a level) and one of the results is taken when the program runs;
   load as they lie (core axes with gaps, a few items, outputs over inputs) it copies to a small store and back, so that
   a block has one path and an item's result never depends on where the item lies.
 - A block (`blocks.py`) loads the items of a register's lanes and transposes them between registers, since items are
-  arrays of structures and memory is the bottleneck; it computes, transposes and stores. Before that it finds the sines
+  arrays of structures and memory is the bottleneck; it computes, transposes and stores. What lies the other way, each
+  number of all items side by side, as in Fortran order, it loads and stores without. Before that it finds the sines
   and cosines of all 64 items (`sincos.py`), in a loop of their own.
 - A program of many steps is cut into parts (`parts.py`), functions that leave what others need in an array.
 - `trigonometry_blocks.c` holds those: no branch for angles below 1.6e6, libm beyond. In single precision they are
@@ -18,8 +19,9 @@ of instructions (a level) and one of the results is taken when the program runs;
   each block whether `invalid` came up, and only then at the numbers: it is raised if a result is NaN and no input was.
 - The blocks of x86-64-v4 take items that lie one after the other and nothing else, whatever else comes goes to those of
   x86-64-v3, which give the same bits. So their strides are constants: with others the addresses of 8 items fill more
-  registers than there are, and half of what registers of 64 bytes win is lost. They ask for memory ahead of time, also
-  for what they will write: a third is won by that as soon as a batch is not in the innermost cache.
+  registers than there are, and up to half of what registers of 64 bytes win is lost. Compiled alone, for an expression,
+  they take all, so that a compiler has half to do. They ask for memory ahead of time, also for what they will write: a
+  third is won by that as soon as a batch is not in the innermost cache.
 - Results too many for the cache, if more is written than read, go around it. A block writes them to one half of the
   store; with each group of the next block, in both its loops, a few lines go to their place. So memory is never idle
   while something is computed, nor the other way round.
@@ -30,6 +32,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from pathlib import Path
+from typing import Any
 
 from chasles.lowering.program import MOST_OPERANDS
 from chasles.targets.c.alone import alone
@@ -94,10 +97,18 @@ def _batches(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
         yield Page(f"src/{name}", f"{name}.jinja", values)
 
 
-def _words(precision: Precision) -> dict[str, str]:
-    """How the two precisions differ in what is said once of both."""
-    suffix = precision.suffix
-    return {"name": precision.name, "suffix": suffix, "mark": suffix.upper()}
+def _words(precision: Precision) -> dict[str, Any]:
+    """How the two precisions differ in what is said once of both, and one to four numbers of each."""
+    suffix, lists = precision.suffix, ("x", "x, y", "x, y, z", "x, y, z, w")
+    several = [
+        {
+            "count": count,
+            "numbers": numbers,
+            "parameters": ", ".join(f"{precision.name}s {name}" for name in numbers.split(", ")),
+        }
+        for count, numbers in enumerate(lists, 1)
+    ]
+    return {"name": precision.name, "suffix": suffix, "mark": suffix.upper(), "several": several}
 
 
 def _functions(kernel: TargetKernel) -> tuple[Function, ...]:

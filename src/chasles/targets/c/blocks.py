@@ -84,8 +84,12 @@ def _on_registers(program: Program, precision: Precision) -> Iterator[str]:
         if place < inputs and place not in read:
             continue
         yield f"char *const at{place} = at[{place}];"
-        size = math.prod(program.parameters[place].shape)
-        yield f"const ptrdiff_t step{place} = CHASLES_STEP({place}, {size} * sizeof({precision.name}));"
+        shape, first = program.parameters[place].shape, len(program.parameters) + 2 * place
+        said = [("step", place, math.prod(shape))]
+        if shape:
+            said += [("down", first, shape[-1]), ("across", first + 1, 1)]
+        for name, k, numbers in said:
+            yield f"const ptrdiff_t {name}{place} = CHASLES_STEP({k}, {numbers} * sizeof({precision.name}));"
     yield "chasles_stream copied = *stream;"
     if parts.angles is not None:
         yield from _sines_and_cosines(parts.angles, precision)
@@ -97,27 +101,32 @@ def _on_registers(program: Program, precision: Precision) -> Iterator[str]:
     for place, entries in enumerate(text.entries, start=inputs):
         yield f"    {_item(place, 'char', precision)}"
         yield f"    prefetch_to_write(item{place}, {len(entries)});"
-        yield from _indented(_stores(place, entries, precision))
+        yield from _indented(_stores(place, program.parameters[place].shape, entries, precision))
     yield "    stream_lines(&copied);"
     yield "}"
 
 
 def _copied(program: Program, parts: CutProgram, precision: Precision, calls: Sequence[str]) -> Iterator[str]:
     """The calls, between loops that load all entries of the inputs and store those of the results."""
-    suffix, number, inputs = precision.suffix, f"sizeof({precision.name})", len(program.arguments)
+    suffix, inputs = precision.suffix, len(program.arguments)
     lanes = f"LANES{suffix.upper()}"
     for place, (item, start) in enumerate(zip(program.parameters, parts.places, strict=True)):
         size, loads = math.prod(item.shape), place < inputs
         if place == inputs:
             yield from calls
-        kind, verb = ("const char", "load") if loads else ("char", "store")
+        kind, verb = ("const char", "take") if loads else ("char", "give")
         yield f"{kind} *const item{place} = at[{place}] + g * {lanes} * steps[{place}];"
+        if not item.shape:
+            call, number = ("load_1", f"{KEPT} + {start}") if loads else ("store_1", f"{KEPT}[{start}]")
+            yield f"{call}{suffix}(item{place}, steps[{place}], {number});"
+            continue
+        down = len(program.parameters) + 2 * place
+        where = f"item{place}, k, {item.shape[-1]}, steps[{down}], steps[{down + 1}], steps[{place}]"
         for first, width, count in ((0, 4, size // 4), (size - size % 4, size % 4, min(size % 4, 1))):
-            from_, where = f"{KEPT} + {start + first} + k", f"item{place} + ({first} + k) * (ptrdiff_t){number}"
-            values = from_ if loads else ", ".join(f"{KEPT}[{start + first + n} + k]" for n in range(width))
             if count:
-                yield f"for (ptrdiff_t k = 0; k < {count * width}; k += {width}) {{"
-                yield f"    {verb}_{width}{suffix}({where}, steps[{place}], {values});"
+                yield f"for (ptrdiff_t k = {first}; k < {first + count * width}; k += {width}) {{"
+                numbers = ", ".join(f"{KEPT}[{start + n} + k]" for n in range(width))
+                yield f"    {verb}_{width}{suffix}({where}, {f'{KEPT} + {start} + k' if loads else numbers});"
                 yield "}"
 
 
@@ -184,7 +193,7 @@ def _loads(program: Program, text: Spelled, inputs: int, precision: Precision) -
         for number, width in _runs(wanted):
             entry = wanted[number]
             target = name if item.shape and not entry else f"&{name}[{entry}]" if item.shape else f"&{name}"
-            yield f"load_{width}{precision.suffix}({_place(place, entry, precision)}, step{place}, {target});"
+            yield f"{_moved('take', 'load', width, place, entry, item.shape, precision)}, {target});"
 
 
 def _taken(program: Program, text: Spelled, further: int, precision: Precision, group: str) -> Iterator[str]:
@@ -196,22 +205,27 @@ def _taken(program: Program, text: Spelled, further: int, precision: Precision, 
             yield f"const {register(precision)} {name} = {room}[{place // 2}][{group}];"
 
 
-def _stores(place: int, entries: Sequence[str], precision: Precision) -> Iterator[str]:
+def _stores(place: int, shape: tuple[int, ...], entries: Sequence[str], precision: Precision) -> Iterator[str]:
     """The entries of a result, once all of them are known."""
     for entry, width in _runs(range(len(entries))):
         values = [spread(value, precision) for value in entries[entry : entry + width]]
-        start = f"store_{width}{precision.suffix}("
-        yield from listed(start, [_place(place, entry, precision), f"step{place}", *values], ");")
+        start = _moved("give", "store", width, place, entry, shape, precision)
+        yield from listed(f"{start}, ", values, ");")
+
+
+def _moved(
+    several: str, alone: str, width: int, place: int, entry: int, shape: tuple[int, ...], precision: Precision
+) -> str:
+    """The call that moves some entries of the item at hand, up to the numbers: it says where these lie in each item."""
+    if not shape:
+        return f"{alone}_1{precision.suffix}(item{place}, step{place}"
+    where = f"item{place}, {entry}, {shape[-1]}, down{place}, across{place}, step{place}"
+    return f"{several}_{width}{precision.suffix}({where}"
 
 
 def _item(place: int, kind: str, precision: Precision) -> str:
     """Where the first item of a group lies."""
     return f"{kind} *const item{place} = at{place} + g * LANES{precision.suffix.upper()} * step{place};"
-
-
-def _place(place: int, entry: int, precision: Precision) -> str:
-    """Where an entry of the item at hand lies."""
-    return f"item{place} + {entry} * sizeof({precision.name})" if entry else f"item{place}"
 
 
 def _runs(entries: Sequence[int]) -> Iterator[tuple[int, int]]:
