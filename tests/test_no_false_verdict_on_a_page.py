@@ -102,3 +102,69 @@ def test_inverse_functions_brackets_of_two_and_mixed_numbers_are_not_read_as_wha
 )
 def test_the_numbers_that_an_index_runs_through_are_factors(claim: str, verdict: str) -> None:
     assert verdicts(claim) == [verdict]
+
+
+@pytest.mark.parametrize("nabla", [r"\nabla", r"\boldsymbol{\nabla}", r"\vec{\nabla}", r"\bm\nabla"])
+@pytest.mark.parametrize(
+    "claim",
+    [
+        r"N \cdot (f \mathbf{a}) = f N \cdot \mathbf{a}",
+        r"N (f g) = f N g",
+        r"N \cdot (\mathbf{a} \times \mathbf{b}) = \mathbf{a} \cdot (N \times \mathbf{b})",
+        r"(\mathbf{a} \cdot N) (f \mathbf{b}) = f (\mathbf{a} \cdot N) \mathbf{b}",
+        r"\frac{1}{2} N f^2 = f^2 N",
+    ],
+)
+def test_a_nabla_is_no_vector(nabla: str, claim: str) -> None:
+    assert not {*verdicts_as_proposed(claim.replace("N", nabla + " "))} & DECIDED
+
+
+@pytest.mark.parametrize(
+    "sign", ["D_t", r"\mathrm{D}_x", r"\partial_t", r"\mathcal{L}", r"\operatorname{Re}", r"\mathbb{E}"]
+)
+def test_what_is_put_before_brackets_and_letters_may_be_no_factor(sign: str) -> None:
+    assert not {*verdicts_as_proposed(f"{sign} (u v) = u {sign} v", f"{sign} (2 u v) = v {sign} (2 u)")} & DECIDED
+
+
+@pytest.mark.parametrize("function", [r"\sin", r"\cos", r"\cosh", r"\ln", r"\sqrt"])
+@pytest.mark.parametrize("letter", ["M", "v"])
+def test_functions_of_numbers_may_be_of_matrices_and_of_the_entries_of_columns(function: str, letter: str) -> None:
+    letters = {"symbols": {"M": {"is": "matrix", "shape": [2, 2]}, "v": "vector", "t": "scalar"}}
+    page = rf"\[ {function}{{({letter} t)}} = t {function}{{({letter})}} \]"
+    assert not {each.verdict for each in chasles.read(page, letters, "tex").equations} & DECIDED
+
+
+@pytest.mark.parametrize(
+    "claims",
+    [
+        (r"\mathbf{P} \mathbf{P} = \mathbf{P}",),
+        ("q q = q",),
+        ("p = (s - 1) r", r"\rho = \frac{p}{R T}", r"\rho = \frac{p_o}{R T}"),
+        (r"\begin{aligned} \text{top: } & F = x \\ \text{bottom: } & F = -x \end{aligned}",),
+        (r"F = x \quad (z > 0), \qquad F = -x \quad (z < 0)",),
+        (r"x = y \quad \text{if } y > 0, \quad x = -y \quad \text{otherwise}",),
+    ],
+)
+def test_conditions_new_letters_and_cases_are_no_slips(claims: tuple[str, ...]) -> None:
+    assert not {*verdicts_as_proposed(*claims)} & DECIDED
+
+
+def test_rows_that_say_several_things_of_one_letter_are_cases_but_other_displays_are_not() -> None:
+    rows = r"\begin{align} \text{top} &: & F &= x \\ \text{bottom} &: & F &= -x \end{align}"
+    found = chasles.read(rows, {"symbols": LETTERS}, "tex").equations
+    assert [each.verdict for each in found] == ["defined", "open"]
+    assert verdicts("F = x", "F = -x") == ["defined", "fails"]
+
+
+def test_what_print_has_a_sign_for_but_no_word_is_read_and_nothing_is_claimed_of_it() -> None:
+    read = (r"\langle x y \rangle = x \langle y \rangle", r"F = \binom{x}{y} z!", r"F = \{x, y, z\}", "x^{f} = x y")
+    vdots = r"F = \begin{bmatrix} x \\ \vdots \\ y \end{bmatrix}"
+    assert not {*verdicts(*read, vdots)} & {*DECIDED, "unread"}
+    assert verdicts(r"x^{1/2} x^{1/2} = x", r"y^{\frac{1}{2}} = z") == ["holds", "defined"]
+
+
+def test_the_square_of_a_root_of_a_quotient_may_be_written_with_its_divisor() -> None:
+    share = r"B = \frac{n^2 - s^2}{f^2 - s^2}"
+    said = verdicts_as_proposed(share, r"\tan p = \sqrt{\frac{B}{1-B}}", r"\tan p = \sqrt{\frac{n^2 - s^2}{f^2 - n^2}}")
+    assert said[0] == "defined"
+    assert "fails" not in said

@@ -62,6 +62,7 @@ class Deduction:
     may_follow: dict[str, bool | None] = field(default_factory=dict)
     _foretold: dict[tuple[str, int], PageFinding] = field(default_factory=dict)
     _derivatives: UnsaidDerivatives = field(default_factory=UnsaidDerivatives)
+    _said_here: tuple[int, dict[Quantity, Node]] = (0, {})
 
     @cached_property
     def consequences(self) -> Consequences:
@@ -71,13 +72,18 @@ class Deduction:
     def fork(self) -> Deduction:
         """A deduction that goes on from here by itself."""
         other = Deduction(self.premises.copy(), self.session, self.is_proposed, self.may_follow, dict(self._foretold))
-        other._derivatives = self._derivatives.copy()
+        other._derivatives, other._said_here = self._derivatives.copy(), (self._said_here[0], dict(self._said_here[1]))
         other.consequences = self.consequences
         return other
 
     @contextmanager
-    def where(self, number: str, given: Iterable[Part]) -> Iterator[None]:
-        """What is said within is said for the case that the relations hold; those that are no equations are left."""
+    def where(self, number: str, given: Iterable[Part], display: int = 0) -> Iterator[None]:
+        """What is said within is said for the case that the relations hold; those that are no equations are left.
+
+        What one display says of a symbol in several ways may be cases, too.
+        """
+        if display != self._said_here[0]:
+            self._said_here = display, {}
         before = len(self.premises.posed)
         for part in given:
             if part.sign == "=" and not part.fault:
@@ -131,6 +137,8 @@ class Deduction:
             claim = self._as_said(Claim(number, left, right, part=part, sign=sign, sic=True))
             finding = self._found(claim, note, tuple(ahead))
         self.premises.spoken.update(q for side in (left, right) for q in quantities(side))
+        if self._said_here[0] and (key := quantity(left)) is not None:
+            self._said_here[1].setdefault(key, right)
         return finding
 
     def _found(self, claim: Claim, note: EquationNote, ahead: tuple[Claim, ...]) -> PageFinding:
@@ -153,6 +161,7 @@ class Deduction:
         if role == "definition":
             return with_fields(self._posed(claim, False, Defined()), role=role)
         finding = self._proof(claim)
+        key = quantity(claim.left)
         if finding is None and self._foretell(claim, ahead):
             finding = self._proof(claim)
         if finding is None:
@@ -164,7 +173,8 @@ class Deduction:
                 told=role == "claim",
                 may_define=meant is not None,
             )
-        if not finding.open:
+        is_case = key is not None and self._said_here[1].get(key, claim.right) != claim.right
+        if not finding.open and not (is_case and isinstance(finding.verdict, Fails)):
             return finding
         return self._defined(claim, *meant) if meant else self._posed(claim, True, finding.verdict)
 

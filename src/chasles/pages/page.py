@@ -202,11 +202,12 @@ def _decided(
     news = [deduction.strange(reading) for reading in equation.readings]
     taken, *others = [each for each, new in zip(equation.readings, news, strict=True) if new == min(news)]
     forks = [(other, deduction.fork()) for other in others[: MOST_READINGS - 1]]
-    findings = list(_said(taken, number, first, notes, deduction, ahead))
+    display = equation.printed.display
+    findings = list(_said(taken, number, first, notes, deduction, ahead, display))
     usual = [_verdict(finding) for _, finding in findings]
     told = []
     for other, fork in () if _is_meant(usual) else forks:
-        verdicts = [_verdict(finding) for _, finding in _said(other, number, first, notes, fork, ahead)]
+        verdicts = [_verdict(finding) for _, finding in _said(other, number, first, notes, fork, ahead, display)]
         if verdicts != usual:
             told.append((", ".join(verdicts), _in_latex(other)))
     for place, (part, finding) in enumerate(findings, first):
@@ -219,10 +220,16 @@ def _is_meant(verdicts: list[str]) -> bool:
 
 
 def _said(
-    reading: Reading, number: str, first: int, notes: Notes, deduction: Deduction, ahead: tuple[Claim, ...]
+    reading: Reading,
+    number: str,
+    first: int,
+    notes: Notes,
+    deduction: Deduction,
+    ahead: tuple[Claim, ...],
+    display: int,
 ) -> Iterator[tuple[Part, PageFinding]]:
     claims = _relations(reading, number, first)
-    with deduction.where(number, reading.given):
+    with deduction.where(number, reading.given, display):
         for place, (part, claim) in enumerate(zip(reading.parts, claims, strict=True), 1):
             following = (*(each for each in claims[place:] if each.sign in ("=", *DEFINING)), *ahead)
             note = notes.get((number, claim.part), NOTHING)

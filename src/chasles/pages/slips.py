@@ -5,8 +5,9 @@ Only that shows it to be a slip. Where no such equation is near, it may as well 
 
 from __future__ import annotations
 
+import re
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import replace as with_fields
 from fractions import Fraction
 from itertools import count, islice
@@ -21,8 +22,23 @@ from chasles.pages.quantities import quantities, quantity
 from chasles.repairs.repair import Repair
 from chasles.statements import Claim
 from chasles.verdict import Holds, HoldsUnder
-from chasles.vocabulary import Group, Negative, Node, Number, Sum, Symbol, Zero, walk
+from chasles.vocabulary import (
+    Contract,
+    Group,
+    Negative,
+    Node,
+    Number,
+    Power,
+    Scale,
+    Sum,
+    Symbol,
+    Transpose,
+    Zero,
+    plain,
+    walk,
+)
 
+MARKS = re.compile(r"[_'^]")
 MOST_EDITS = 12
 """So many changes of one mark are proved or refuted; what does not agree at a random motion is no proof's matter."""
 MOST_UNKNOWN = 4
@@ -50,7 +66,9 @@ def true_but_for_a_slip(
     agreeing = (edit for edit in found if edit[-1] is not False)
     for left, right, said, likely in islice(agreeing, MOST_EDITS):
         meant = with_fields(claim, left=left, right=right, sic=True)
-        if meant.fault or _cancels(claim, (left, right)) or (likely is None and next(unknown) >= MOST_UNKNOWN):
+        if meant.fault or _cancels(claim, (left, right)) or _is_one_product(left, right):
+            continue
+        if likely is None and next(unknown) >= MOST_UNKNOWN:
             continue
         for chosen in (consequences.least(left, right, *known), known) if likely else (known,):
             verdict = proof_of(with_premises(meant, premises, *chosen), session, bool(likely))
@@ -63,7 +81,7 @@ def _is_slip(claim: Claim, sides: tuple[Node, Node], premises: Premises) -> bool
     """Whether what is changed is a mark; or one letter, in what is said of a quantity that is known.
 
     Another letter, or another term, may make any condition true; of a side that is one product of two letters it leaves
-    too little to say that this was meant.
+    too little to say that this was meant. A new letter was not meant for one that differs from it by its marks alone.
     """
     before, after = _symbols(claim.printed), _symbols(sides)
     if before == after:
@@ -72,7 +90,11 @@ def _is_slip(claim: Claim, sides: tuple[Node, Node], premises: Premises) -> bool
     is_one_letter = (before - after).total() == (after - before).total() == 1
     if is_one_letter and min(_symbols((side,)).total() for side in claim.printed) == 1 and before.total() < 4:
         return False
-    said = {symbol for symbol, _ in known}
+    spoken, said = ({symbol for symbol, _ in each} for each in (premises.spoken, known))
+    if is_one_letter:
+        (new,), (old,) = before - after, after - before
+        if new not in spoken and MARKS.split(plain(new))[0] == MARKS.split(plain(old))[0]:
+            return False
     is_about_known = any(quantity(side) in known for side in claim.printed) or all(
         symbol in said or premises.facts(symbol) for side in claim.printed for symbol, _ in quantities(side)
     )
@@ -82,6 +104,27 @@ def _is_slip(claim: Claim, sides: tuple[Node, Node], premises: Premises) -> bool
 def _cancels(claim: Claim, sides: tuple[Node, Node]) -> bool:
     """Whether the change makes terms cancel that did not: what was printed says more than what would be meant."""
     return sum(map(_cancelling, sides)) > sum(map(_cancelling, claim.printed))
+
+
+def _is_one_product(left: Node, right: Node) -> bool:
+    """Whether the sides are the same product, written otherwise: that says nothing, hence nothing of what was meant."""
+    one, other = (tuple(_factors(side)) for side in (left, right))
+    in_order = [[each for each in side if not each.is_scalar] for side in (one, other)]
+    return Counter(one) == Counter(other) and in_order[0] == in_order[1]
+
+
+def _factors(side: Node) -> Iterator[Node]:
+    match side:
+        case Negative(of):
+            yield from (Number(Fraction(-1)), *_factors(of))
+        case Power(base, exponent):
+            yield from (*_factors(base),) * exponent
+        case Group() | Scale() | Contract():
+            yield from (factor for part in side.below for factor in _factors(part))
+        case Transpose(of) if of.is_scalar:
+            yield from _factors(of)
+        case _:
+            yield side
 
 
 def _cancelling(side: Node) -> int:

@@ -13,6 +13,7 @@ from chasles.reading.grammar import Atom
 from chasles.reading.spellings import Make
 from chasles.vocabulary import (
     NO_DIMENSION,
+    Call,
     Dot,
     Node,
     Power,
@@ -27,12 +28,11 @@ from chasles.vocabulary.parts import component, part
 from chasles.vocabulary.rotation_vectors import RotationByVector
 from chasles.vocabulary.spelling import Precedence
 
-OF_MATRICES = ("exp", "log", "sqrt")
-"""What is of numbers alone here, but has a meaning for matrices, too."""
 BACKSLASH = "\\"
 
 EXPONENT = re.compile(r"- \S+|\S+")
 EVALUATED = "| _ "
+HALF = ("1 / 2", r"\frac 1 2")
 PLACES = {"x": 1, "y": 2, "z": 3}
 
 
@@ -55,15 +55,22 @@ def _raised(fits: list[Fit], sup: str, rest: Glyph, ctx: FittingContext) -> list
     words = " ".join(rest.loose.sups) if sup == rest.sups[0] else sup
     if words.isdigit():
         makes: tuple[Make, ...] = (lambda of: Power(of, int(words)) if of.is_scalar or int(words) != 2 else square(of),)
+    elif words in HALF:
+        makes = tuple(ctx.notation.spellings.names[r"\sqrt"])
     elif words.startswith(EVALUATED):
         makes = (lambda of: _taken_at(of, words.removeprefix(EVALUATED), ctx.notation.home),)
     else:
         makes = tuple(ctx.notation.spellings.scripts.get(words, ()))
-    if not makes and len(parts := EXPONENT.findall(words)) > 1:
+    parts = EXPONENT.findall(words)
+    if not makes and len(parts) > 1 and all(part.isdigit() or part in ctx.notation.spellings.scripts for part in parts):
         for word in parts:
             fits = _raised(fits, word, Glyph("", sups=(word,), place=rest.place), ctx)
         return fits
-    return applied(makes, fits, ctx, rest, f"^{{{words}}}")
+    found = applied(makes, fits, ctx, rest, f"^{{{words}}}")
+    if found or not ctx.level or words.isdigit():
+        return found
+    said = dict.fromkeys(latex(fit.sample) for fit in fits if fit.sample is not None)
+    return [fit for each in said for fit in ctx.of_its_own(f"{{{each}}}^{{{in_latex(words)}}}")]
 
 
 def square(of: Node) -> Node:
@@ -162,9 +169,11 @@ def of_matrix(function: str, nodes: Sequence[Node], ctx: FittingContext) -> Node
 
 
 def _of_matrices(node: Node) -> str:
-    """The name of a function that has a meaning for what it has no word for."""
-    if isinstance(node, FunctionOf):
-        return node.function if node.function in OF_MATRICES else ""
+    """The name of a function that may have a meaning for what it has no word for."""
+    if isinstance(node, Power):
+        return f"{name}^{node.exponent}" if (name := _of_matrices(node.base)) else ""
+    if isinstance(node, FunctionOf | Call):
+        return node.function
     return "operatorname{Exp}" if isinstance(node, RotationByVector | MotionByVector) else ""
 
 

@@ -8,11 +8,12 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 
-from chasles.reading.fits import Fit, Said, Shape, made
+from chasles.reading.fits import UNUSUAL, Fit, Said, Shape, made, own_quantity
 from chasles.reading.grammar import Atom, Terms
 from chasles.reading.grouping import Unread
 from chasles.reading.page_notation import PageNotation
-from chasles.vocabulary import Group, Node
+from chasles.vocabulary import NO_DIMENSION, Group, Node, uniform
+from chasles.vocabulary.dimension import has_units
 from chasles.vocabulary.spelling import Piece, Precedence, spell
 from chasles.vocabulary.typesetting import BRACKETS, Latex
 
@@ -89,6 +90,12 @@ class FittingContext:
         said = (*says[0], *((sign,) * bool(sign)), *says[1])
         usual = left.usual if left.node is None else right.usual
         return Fit(None, said, left.cost + right.cost, sized=sized, usual=usual)
+
+    def of_its_own(self, text: str) -> list[Fit]:
+        """What no word says: a quantity of its own, of whatever shape; nothing where units are checked."""
+        home = self.notation.home
+        sized = lambda shape: own_quantity(text, uniform(shape, NO_DIMENSION), home)  # noqa: E731
+        return [] if has_units(home) else [Fit(None, tokens_of(text), UNUSUAL, sized=sized)]
 
     def is_as_printed(self, fit: Fit) -> bool:
         """Whether the word prints the tokens that it was read from."""

@@ -10,10 +10,12 @@ from functools import partial
 
 from chasles.reading.context import FittingContext
 from chasles.reading.fits import Fit, Shape, made, own_quantity
-from chasles.reading.glyphs import in_latex, letter_of, said_of, text_of_atom
+from chasles.reading.glyphs import in_latex, letter_of, said_of, text_of_atom, text_of_row
 from chasles.reading.grammar import Atom, FlatRow
 from chasles.reading.lexemes import Token
+from chasles.reading.page_notation import PageNotation
 from chasles.reading.quotients import of_tokens
+from chasles.reading.spellings import called
 from chasles.vocabulary import NO_DIMENSION, Node, Norm, Number, Power, Symbol, latex, symbols_of, uniform
 from chasles.vocabulary.dimension import has_units
 from chasles.vocabulary.expansions import Limit, UpTo
@@ -84,8 +86,20 @@ def limits(sign: Atom, terms: Sequence[Node], ctx: FittingContext) -> list[Fit]:
     return [Fit(word, ctx.said(word)) for word in words if word is not None]
 
 
+def is_nabla(atom: Atom, notation: PageNotation) -> bool:
+    """Whether it is a nabla, in whatever typeface, of which the notation says nothing: it makes a quantity of its own.
+
+    What it is taken of ends where the product does.
+    """
+    letter = letter_of(atom)
+    is_known = called(atom) in notation.spellings.names or next(notation.letters.meanings(letter), None) is not None
+    return letter.loose.base == r"\nabla" and not is_known
+
+
 def totals(sign: Atom, inside: Pieces, read: Callable[[Pieces], list[Fit]], ctx: FittingContext) -> list[Fit]:
     """The sum or integral of all that stands inside, differentials included; none, and a note why, if it is none."""
+    if is_nabla(sign, ctx.notation) and any(isinstance(piece, Atom) for piece in inside):
+        return ctx.of_its_own(in_latex(text_of_row(FlatRow((sign, *inside)))))
     end = len(inside) - 2 * (sign.text not in OPEN)
     tail = [piece for piece in inside[max(end, 0) :] if isinstance(piece, Atom)]
     if end < 0 or not inside or (tail and has_units(ctx.notation.home)):
@@ -106,7 +120,7 @@ def totals(sign: Atom, inside: Pieces, read: Callable[[Pieces], list[Fit]], ctx:
 
 def end_of_total(sign: Atom, inside: Pieces) -> int:
     """Where what the sign is put before ends: behind the last differential, or at the end of a sum."""
-    if sign.text in OPEN:
+    if sign.text in OPEN or letter_of(sign).loose.base == r"\nabla":
         return len(inside)
     return max((k + 2 for k in range(len(inside) - 1) if _is_differential(inside[k], inside[k + 1])), default=0)
 

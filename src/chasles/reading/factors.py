@@ -9,7 +9,16 @@ from functools import partial
 from chasles.reading.applying import applied, made_of, with_marks
 from chasles.reading.context import FittingContext
 from chasles.reading.fits import UNUSUAL, Fit, made, own_quantity
-from chasles.reading.glyphs import Glyph, letter_of, said_of, spelled, with_arguments
+from chasles.reading.glyphs import (
+    Glyph,
+    in_latex,
+    is_operator,
+    letter_of,
+    said_of,
+    spelled,
+    text_of_atom,
+    with_arguments,
+)
 from chasles.reading.grammar import Atom
 from chasles.reading.marks import atom_fits, letter_fits
 from chasles.reading.page_functions import lists_letters, makes_difference
@@ -54,6 +63,9 @@ def factors(items: tuple[Atom, ...], start: int, ctx: FittingContext) -> Iterato
             yield end, list(made_of(operators, inner, None, ctx))
         return
     behind = items[start + 1] if start + 1 < len(items) else None
+    if behind is not None and behind.text == "!":
+        yield start + 2, with_marks(ctx.of_its_own(in_latex(f"{text_of_atom(atom)} !")), letter_of(behind), ctx)
+        return
     if behind is not None and makes_difference(atom, behind, ctx.notation.alone) and not _is_function(behind, ctx):
         if lists_letters(behind) and (value := _value_fits(atom, behind, ctx)):
             yield start + 2, value
@@ -71,7 +83,8 @@ def factors(items: tuple[Atom, ...], start: int, ctx: FittingContext) -> Iterato
     fits = atom_fits(atom, ctx)
     if behind is not None and (value := _value_fits(atom, behind, ctx)):
         yield start + 2, with_marks(value, replace(letter_of(behind), accents=(), base=""), ctx)
-        fits = [replace(fit, cost=fit.cost + (UNUSUAL if lists_letters(behind) else UNUSUAL - 1)) for fit in fits]
+        less = not (lists_letters(behind) or is_operator(letter_of(atom)))
+        fits = [replace(fit, cost=fit.cost + UNUSUAL - less) for fit in fits]
     elif start + 1 < len(items) and _is_argument(items[start + 1]):
         nodes = [(fit, made(At, fit.node, "t")) for fit in fits if fit.node is not None]
         at = [Fit(node, ctx.said(node), fit.cost) for fit, node in nodes if node is not None]

@@ -95,10 +95,11 @@ def _text(atom: Atom) -> str:
 
 def text_of(terms: Terms) -> str:
     """The terms as one text."""
-    return " ".join(f"{sign} {_text_of_row(row)}" for sign, row in zip(terms.signs, terms.rows, strict=True)).strip()
+    return " ".join(f"{sign} {text_of_row(row)}" for sign, row in zip(terms.signs, terms.rows, strict=True)).strip()
 
 
-def _text_of_row(row: FlatRow) -> str:
+def text_of_row(row: FlatRow) -> str:
+    """The pieces of a row as one text."""
     return " ".join(piece.text if isinstance(piece, Token) else text_of_atom(piece) for piece in row.pieces)
 
 

@@ -70,6 +70,8 @@ class _PieceShapes:
         pieces = row.pieces
         if len(pieces) == 1 and isinstance(pieces[0], Atom) and pieces[0].text in ("0", "1"):
             return None
+        if any(isinstance(piece, Atom) and letter_of(piece).loose.base in (r"\nabla", "!") for piece in pieces):
+            return None
         parts: list[list[Atom]] = [[]]
         for piece in pieces:
             parts = [*parts, []] if isinstance(piece, Token) else [*parts[:-1], [*parts[-1], piece]]

@@ -201,7 +201,7 @@ def _is_derivative(terms: Terms | None, within: str) -> bool:
 def parted(letter: Glyph, operators: Sequence[str]) -> tuple[Glyph, tuple[str, ...]]:
     """The letter with all that is part of its name, and the accents and superscripts that are not."""
     plain = {re.sub(r"\\math\w+ ", "", sup): sup for sup in letter.sups}
-    scripts = tuple(sup for sup in plain if sup in WORDS or sup.isdigit() or sup.startswith(EVALUATED))
+    scripts = tuple(sup for sup in plain if sup in WORDS or (sup.isdigit() and sup != "0") or sup.startswith(EVALUATED))
     accents = tuple(accent for accent in letter.accents if accent not in operators)
     own = tuple(sup for said, sup in plain.items() if said not in scripts)
     made = tuple(accent for accent in letter.accents if accent in operators and accent not in RATES)
@@ -218,7 +218,7 @@ def is_declared(letter: Glyph, bare: frozenset[str]) -> bool:
     """Whether it is a letter of the page, and not one that has a meaning everywhere."""
     is_bare = letter.base in bare and (letter.base != "e" or bool(letter.sups))
     is_bare = is_bare and (not letter.sub or bool(SIZE.fullmatch(letter.sub))) and not {*letter.accents} - {*RATES}
-    is_name = letter.base.startswith(("[", "(", r"\begin")) or " , " in letter.base or letter.base in NO_LETTERS
+    is_name = letter.base.startswith(("[", "(", r"\begin")) or " , " in letter.base or letter.loose.base in NO_LETTERS
     return not (is_bare or is_name)
 
 

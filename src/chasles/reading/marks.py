@@ -11,7 +11,7 @@ from chasles.reading.applying import applied, made_of, with_marks
 from chasles.reading.case_grids import ENVIRONMENTS, case_fits
 from chasles.reading.context import KINDS, FittingContext, tokens_of
 from chasles.reading.fits import UNUSUAL, Fit, Shape, kept
-from chasles.reading.glyphs import Glyph, letter_of, spelled
+from chasles.reading.glyphs import Glyph, in_latex, letter_of, said_of, spelled, text_of_atom
 from chasles.reading.grammar import Atom, Terms
 from chasles.reading.matrices import block_fits, grid_fits, row_of_blocks
 from chasles.reading.quotients import exponential_fits, fraction_fits, of_tokens
@@ -29,11 +29,14 @@ from chasles.vocabulary import (
 from chasles.vocabulary.families import Entry, Kronecker
 
 SIZE = re.compile(r"(\d+)(?: \\times (\d+))?")
+DOTS = (r"\dots", r"\ldots", r"\cdots", r"\vdots", r"\ddots")
+WITHOUT_BARS = (r"\langle\rangle", r"\lfloor\rfloor", r"\lceil\rceil", r"\|\|")
+"""Brackets that may stand for a mean, or for a norm of matrices."""
 WITHOUT_WORD = {
     ".": "a full stop stands inside a formula",
     "!": "no word for a factorial",
     **{sign: f"no word for {sign}" for sign in (r"\sum", r"\prod", r"\int", r"\oint", r"\lim", r"\infty", r"\nabla")},
-    **{dots: f"{dots} stands for what is left out" for dots in (r"\dots", r"\ldots", r"\cdots", r"\vdots", r"\ddots")},
+    **{dots: f"{dots} stands for what is left out" for dots in DOTS},
 }
 
 
@@ -131,11 +134,15 @@ def _nucleus(atom: Atom, letter: Glyph, ctx: FittingContext) -> list[Fit]:
             return _bracketed(atom, rest, ctx)
         case "BRACKET" if makes := spellings.brackets.get((f"{atom.text},", rest.loose.sub, " ".join(rest.loose.sups))):
             return list(made_of(makes, list(product(*map(ctx.terms, atom.inside))), None, ctx))
-        case "BRACKET" if len(atom.inside) > 1 and atom.text == r"\{\}":
-            ctx.note("no word for a list in braces", atom.place)
-            return []
+        case "BRACKET" if len(atom.inside) > 1 and atom.text in (r"\{\}", r"\langle\rangle"):
+            fits = _of_its_own(atom, ctx)
         case "BRACKET" if atom.inside and atom.text in ("()", "[]"):
             return _column(atom, rest, ctx)
+        case "GRID" if atom.grid is not None and any(said_of(each) in DOTS for row in atom.grid.rows for each in row):
+            rows = (" , ".join(map(said_of, row)) for row in atom.grid.rows)
+            fits = ctx.of_its_own(in_latex(f"[ {' ; '.join(rows)} ]"))
+        case "COMMAND_OF_TWO" if atom.text == r"\binom":
+            fits = _of_its_own(atom, ctx)
         case "GRID" if atom.grid is not None and atom.grid.name in ENVIRONMENTS:
             fits = case_fits(atom.grid, ctx, of_tokens)
         case "GRID" if atom.grid is not None:
@@ -184,6 +191,10 @@ def _number(text: str, ctx: FittingContext) -> list[Fit]:
     return found
 
 
+def _of_its_own(atom: Atom, ctx: FittingContext) -> list[Fit]:
+    return ctx.of_its_own(in_latex(text_of_atom(replace(atom, sub=None, primes=0, sups=()))))
+
+
 def _bracketed(atom: Atom, rest: Glyph, ctx: FittingContext) -> list[Fit]:
     """Brackets that spell a word with their scripts, or that hold together what stands in them."""
     brackets = ctx.notation.spellings.brackets
@@ -195,9 +206,8 @@ def _bracketed(atom: Atom, rest: Glyph, ctx: FittingContext) -> list[Fit]:
             left = replace(rest, sub="" if sub else rest.sub, sups=() if sups else rest.sups)
             spelled = with_marks(applied(makes, ctx.terms(inside), ctx, rest, text), left, ctx)
     if text not in ("()", "[]", r"\{\}"):
-        if not spelled:
-            ctx.note(f"{text} has no meaning in the notation", atom.place)
-        return spelled
+        ctx.note(f"{text} has no meaning in the notation", atom.place)
+        return spelled or (with_marks(_of_its_own(atom, ctx), rest, ctx) if text in WITHOUT_BARS else [])
     if atom.text == "[]" and rest.sub.startswith(r"\mathcal "):
         frame = rf"\mathcal{{{rest.sub.split()[1]}}}"
         framed = applied((lambda of: Group(of, "[]", frame),), ctx.terms(atom.inside[0]), ctx, rest, rest.sub)

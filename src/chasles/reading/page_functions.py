@@ -22,6 +22,8 @@ def functions_in(chains: Iterable[Chain]) -> dict[Glyph, bool]:
     for one, bracket in _neighbours(chains):
         letter = replace(letter_of(one), sups=(), place=None)
         is_called = bracket is not None and with_arguments(letter, bracket) is not None
+        if bracket is not None and not is_called and letter.base != "E" and is_operator(letter):
+            continue  # the L of \mathcal{L} f may be no factor
         found[is_called].add(letter)
         listed |= {letter} if bracket is not None and lists_letters(bracket) else set()
     called = found[True] - found[False]
@@ -45,7 +47,15 @@ DIFFERENCES = (r"\Delta", r"\delta", "d", r"\mathrm d", r"\partial")
 
 def shown_alone(chains: Iterable[Chain]) -> frozenset[str]:
     """The signs of differences that stand on the page where nothing follows them: there they are letters."""
-    return frozenset(letter_of(one).base for one, behind in _neighbours(chains) if behind is None) & {*DIFFERENCES}
+    return frozenset(_sign(letter_of(one)) for one, behind in _neighbours(chains) if behind is None) - {""}
+
+
+def _sign(letter: Glyph) -> str:
+    """The sign of a difference that a letter may be: with a letter below it D is one, too, as in D_t."""
+    by = letter.sub[-1:].isalpha() and " " not in letter.sub
+    if letter.sub and not (letter.base == r"\Delta" or (by and letter.base in ("D", r"\mathrm D", r"\partial"))):
+        return ""
+    return letter.base if letter.base in DIFFERENCES else f"{letter.base}_{letter.sub}" if letter.sub else ""
 
 
 def _is_derivative(atom: Atom) -> bool:
@@ -57,9 +67,14 @@ def _is_derivative(atom: Atom) -> bool:
 def makes_difference(sign: Atom, behind: Atom | None, alone: frozenset[str]) -> bool:
     """Whether what stands behind is what a difference is taken of."""
     letter = letter_of(sign)
-    is_sign = letter.base in DIFFERENCES and letter.base not in alone and not (letter.primes or letter.accents)
-    is_sign = is_sign and (not letter.sub or letter.base == r"\Delta") and all(sup.isdigit() for sup in letter.sups)
-    return is_sign and behind is not None and behind.kind != "NUMBER" and len(behind.inside) < 2
+    is_sign = _sign(letter) not in ("", *alone) and not (letter.primes or letter.accents)
+    return (
+        is_sign
+        and all(sup.isdigit() for sup in letter.sups)
+        and behind is not None
+        and behind.kind != "NUMBER"
+        and len(behind.inside) < 2
+    )
 
 
 def lists_letters(bracket: Atom) -> bool:

@@ -13,7 +13,7 @@ from chasles.reading.lexemes import BadPage, Token
 class PrintedEquation:
     """A displayed equation: its LaTeX with macros expanded, where it stands in the page, and what it is called there.
 
-    `fault` says why a display cannot be split into tokens, if so.
+    `fault` says why a display cannot be split into tokens, if so; the rows of one have the number of their `display`.
     """
 
     latex: str
@@ -24,6 +24,7 @@ class PrintedEquation:
     section: str | None = None
     file: str = ""
     fault: str = ""
+    display: int = 0
     found: tuple[Token, ...] = field(default=(), repr=False, compare=False)
 
     @cached_property

@@ -24,10 +24,12 @@ def segments(marks: Tokens) -> list[tuple[Tokens, bool]]:
     """What stands side by side or line by line, and whether it is a condition, without what says of what kind it is."""
     found: list[tuple[Tokens, bool]] = []
     for line in filter(None, lines_of(marks, (r"\\",))):
-        condition = for_all = False
+        condition = is_used = for_all = False
         pieces = _side_by_side(line)
         for (part, word), (_, behind) in pairwise((*pieces, ([], ""))):
+            condition = condition and not (is_used and word == "quad" and "=" in _relations(part))
             condition = condition or bool(CONDITIONS.match(word) and (found or word.lower() not in ("where", "with")))
+            is_used = condition and (is_used or bool(part))
             for_all = for_all or word == "forall"
             if word == "forall" or (for_all and not _relations(part)):
                 continue
@@ -36,11 +38,10 @@ def segments(marks: Tokens) -> list[tuple[Tokens, bool]]:
             is_prose = condition and CONDITIONS.match(word) and not _relations(part)
             if (part and part[-1].text == ":") or is_prose:  # a heading, or as in "for small angles"
                 continue
-            if found and _relations(part[1:-1]) and closing_bracket(part) == len(part) - 1:
-                part, condition = part[1:-1], True  # noqa: PLW2901
-            *before, last = cut(part, tuple(IMPLICATIONS))
+            in_brackets = bool(found and _relations(part[1:-1]) and closing_bracket(part) == len(part) - 1)
+            *before, last = cut(part[1:-1] if in_brackets else part, tuple(IMPLICATIONS))
             found += [(tuple(each), True) for each in before if each]
-            found += [(tuple(last), condition)] if last else []
+            found += [(tuple(last), condition or in_brackets)] if last else []
     found = _joined_lists(found)
     found = [each for each in found if not _lists_values(each[0])] if len(found) > 1 else found
     if not all(_is_membership(part) for part, _ in found):

@@ -31,9 +31,7 @@ def sum_fits(terms: Terms, ctx: FittingContext) -> list[Fit]:
     if EITHER.intersection(terms.signs) or 0 < len(said) < len(terms.rows):
         return _either(terms, ctx)
     if not said and not has_units(ctx.notation.home):
-        letter, home = f"{in_latex(text_of(terms))} in {ctx.where}", ctx.notation.home
-        sized = lambda shape: own_quantity(letter, uniform(shape, NO_DIMENSION), home)  # noqa: E731
-        return [Fit(None, (letter,), sized=sized)]
+        return ctx.of_its_own(f"{in_latex(text_of(terms))} in {ctx.where}")
     if len(terms.rows) > 1 and terms.signs[-1] == "+" and (order := order_of(terms.rows[-1], ctx)):
         return up_to_order(sum_fits(Terms(terms.signs[:-1], terms.rows[:-1]), ctx), order, ctx)
     problems = len(ctx.problems)

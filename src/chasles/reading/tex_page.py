@@ -215,7 +215,9 @@ class TexPage:
                 named = each.label or label or None
                 where = self.numbering.name, source.file, each.fault
                 found = tuple(each.tokens)
-                self.found.append(PrintedEquation(each.latex, line, column, each.number, named, *where, found))
+                self.found.append(
+                    PrintedEquation(each.latex, line, column, each.number, named, *where, self.displays, found)
+                )
 
     def content(self, opening: Token, opener: str, source: Source) -> tuple[list[Token], BadPage | None]:
         """The lexemes up to the display's end, macros expanded, and what is wrong with it if anything is."""

@@ -50,16 +50,16 @@ def constraint_system(context: Context) -> ConstraintSystem:
     for generator in context.generators:
         terms = sparse(ring, generator.polynomial)
         hypothesis = generator.hypothesis
+        root = place[str(hypothesis.subjects[0])] if hypothesis is not None and hypothesis.kind == "root" else None
+        scale = next((c for monomial, c in terms if monomial == ((root, 2),)), None)
         if hypothesis is None:
             circles.append(terms)
         elif hypothesis.kind == "consequence":
             consequences.append(terms)
-        elif hypothesis.kind == "root":
-            root = place[str(hypothesis.subjects[0])]
-            scale = next(c for monomial, c in terms if monomial == ((root, 2),))
-            roots[root] = [(monomial, -c / scale) for monomial, c in terms if monomial != ((root, 2),)]
-        else:
+        elif root is None or scale is None:  # the square of a root of a quotient may be multiplied by what divides
             equations.append(terms)
+        else:
+            roots[root] = [(monomial, -c / scale) for monomial, c in terms if monomial != ((root, 2),)]
     angles = []
     for k, variable in enumerate(context.variables):
         if variable.kind == "cos" and variable.symbol is not None:
