@@ -28,6 +28,8 @@ from chasles.vocabulary.parts import component, part
 from chasles.vocabulary.rotation_vectors import RotationByVector
 from chasles.vocabulary.spelling import Precedence
 
+OF_VECTORS = ("exp", "log", "sqrt", "operatorname{Exp}")
+"""What may be of columns, too."""
 BACKSLASH = "\\"
 
 EXPONENT = re.compile(r"- \S+|\S+")
@@ -150,11 +152,12 @@ def made_of(
                 nodes = [fit.node for fit in fits if fit is not None and fit.node is not None]
                 node = made(_with_exponent, make, nodes, name, tolerant=ctx.tolerant)
                 if node is not None and node.fault and (called := _of_matrices(node)):
-                    if (own := of_matrix(called, nodes, ctx)) is None:
+                    own = of_matrix(called, nodes, ctx)
+                    if own is None and called in OF_VECTORS:
                         size = " x ".join(map(str, chosen[0].shape or ("what does not fit",)))
                         ctx.note(f"no word for {called} of {size}", name and name.place)
                         continue
-                    node = own
+                    node = node if own is None else own
                 if node is not None:
                     yield Fit(node, ctx.said(node), sum(fit.cost for fit in chosen) + more)
                     more = 1  # of an identity every size is told of, the usual one first

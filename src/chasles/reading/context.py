@@ -8,12 +8,13 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 
-from chasles.reading.fits import UNUSUAL, Fit, Said, Shape, made, own_quantity
+from chasles.reading.fits import Fit, Said, Shape, made, own_quantity
 from chasles.reading.grammar import Atom, Terms
 from chasles.reading.grouping import Unread
 from chasles.reading.page_notation import PageNotation
 from chasles.vocabulary import NO_DIMENSION, Group, Node, uniform
 from chasles.vocabulary.dimension import has_units
+from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.spelling import Piece, Precedence, spell
 from chasles.vocabulary.typesetting import BRACKETS, Latex
 
@@ -91,11 +92,16 @@ class FittingContext:
         usual = left.usual if left.node is None else right.usual
         return Fit(None, said, left.cost + right.cost, sized=sized, usual=usual)
 
-    def of_its_own(self, text: str) -> list[Fit]:
-        """What no word says: a quantity of its own, of whatever shape; nothing where units are checked."""
-        home = self.notation.home
-        sized = lambda shape: own_quantity(text, uniform(shape, NO_DIMENSION), home)  # noqa: E731
-        return [] if has_units(home) else [Fit(None, tokens_of(text), UNUSUAL, sized=sized)]
+    def of_its_own(self, text: str, like: Sequence[Node] = (), here: bool = False) -> list[Fit]:
+        """What no word says: a quantity of its own, of any shape, another one elsewhere if that is `here` alone.
+
+        Where units are checked it has those of what it is `like`.
+        """
+        home, name = self.notation.home, f"{text} in {self.where}" if here else text
+        if has_units(home):
+            return [Fit(own_quantity(text, measured(each), home, name), tokens_of(text)) for each in like]
+        sized = lambda shape: own_quantity(text, uniform(shape, NO_DIMENSION), home, name)  # noqa: E731
+        return [Fit(None, tokens_of(text), sized=sized)]
 
     def is_as_printed(self, fit: Fit) -> bool:
         """Whether the word prints the tokens that it was read from."""

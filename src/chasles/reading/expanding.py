@@ -9,17 +9,16 @@ from collections.abc import Callable, Sequence
 from functools import partial
 
 from chasles.reading.context import FittingContext
-from chasles.reading.fits import Fit, Shape, made, own_quantity
-from chasles.reading.glyphs import in_latex, letter_of, said_of, text_of_atom, text_of_row
+from chasles.reading.fits import Fit, Shape, made
+from chasles.reading.glyphs import in_latex, letter_of, text_of_row
 from chasles.reading.grammar import Atom, FlatRow
 from chasles.reading.lexemes import Token
 from chasles.reading.page_notation import PageNotation
 from chasles.reading.quotients import of_tokens
 from chasles.reading.spellings import called
-from chasles.vocabulary import NO_DIMENSION, Node, Norm, Number, Power, Symbol, latex, symbols_of, uniform
+from chasles.vocabulary import Node, Norm, Number, Power, Symbol, symbols_of
 from chasles.vocabulary.dimension import has_units
 from chasles.vocabulary.expansions import Limit, UpTo
-from chasles.vocabulary.fitting import measured
 
 Pieces = tuple[Atom | Token, ...]
 TOTALS = (r"\sum", r"\lim", r"\prod", r"\int", r"\oint")
@@ -98,31 +97,19 @@ def is_nabla(atom: Atom, notation: PageNotation) -> bool:
 
 def totals(sign: Atom, inside: Pieces, read: Callable[[Pieces], list[Fit]], ctx: FittingContext) -> list[Fit]:
     """The sum or integral of all that stands inside, differentials included; none, and a note why, if it is none."""
-    if is_nabla(sign, ctx.notation) and any(isinstance(piece, Atom) for piece in inside):
-        return ctx.of_its_own(in_latex(text_of_row(FlatRow((sign, *inside)))))
-    end = len(inside) - 2 * (sign.text not in OPEN)
-    tail = [piece for piece in inside[max(end, 0) :] if isinstance(piece, Atom)]
-    if end < 0 or not inside or (tail and has_units(ctx.notation.home)):
+    is_sum = sign.text in OPEN
+    if not any(isinstance(piece, Atom) for piece in inside) or (has_units(ctx.notation.home) and not is_sum):
         ctx.note(f"no word for {sign.text} here", sign.place)
         return []
-    mark = sign.text + (f"_{{{in_latex(said_of(sign.sub))}}}" if sign.sub else "")
-    mark += "".join(f"^{{{in_latex(said_of(sup))}}}" for sup in sign.sups)
-    behind = in_latex(" ".join(map(text_of_atom, tail)))
-    fits = read(inside[:end]) if end else []
+    fits = read(inside) if is_sum else []
     terms = [fit.node for fit in fits if fit.node is not None and fit.shape and ctx.is_as_printed(fit)]
-    if known := limits(sign, terms, ctx):
-        return known
-    sizes = [(latex(term), measured(term)) for term in terms] if end else [("", uniform((1, 1), NO_DIMENSION))]
-    letters = {" ".join(filter(None, (mark, said, behind))): size for said, size in sizes}
-    found = [own_quantity(letter, size, ctx.notation.home) for letter, size in letters.items()]
-    return [Fit(each, ctx.said(each)) for each in found]
+    return limits(sign, terms, ctx) or ctx.of_its_own(in_latex(text_of_row(FlatRow((sign, *inside)))), terms)
 
 
 def end_of_total(sign: Atom, inside: Pieces) -> int:
-    """Where what the sign is put before ends: behind the last differential, or at the end of a sum."""
-    if sign.text in OPEN or letter_of(sign).loose.base == r"\nabla":
-        return len(inside)
-    return max((k + 2 for k in range(len(inside) - 1) if _is_differential(inside[k], inside[k + 1])), default=0)
+    """Where what the sign is put before ends: behind the last differential, or all that is a product with a sum's."""
+    ends = [k + 2 for k in range(len(inside) - 1) if _is_differential(inside[k], inside[k + 1])]
+    return len(inside) if sign.text not in TOTALS[len(OPEN) :] or 2 in ends or not ends else ends[-1]
 
 
 def _is_differential(sign: Atom | Token, of: Atom | Token) -> bool:

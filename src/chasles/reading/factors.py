@@ -117,6 +117,8 @@ def _value_fits(atom: Atom, bracket: Atom, ctx: FittingContext) -> list[Fit]:
     if letter is None or _is_argument(bracket):
         return []
     is_function = ctx.notation.functions.get(replace(letter, arguments="", sups=()))
+    if is_function and is_operator(letter) and next(ctx.notation.letters.meanings(letter), None) is None:
+        return ctx.of_its_own(spelled(letter))
     fits = letter_fits(letter, ctx, is_function=is_function is not None)
     return [replace(fit, cost=fit.cost + (2 * UNUSUAL if is_function is False else 0)) for fit in fits]
 

@@ -6,6 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
+from itertools import pairwise
 
 from chasles.reading.commands import MARKS
 from chasles.reading.grammar import Atom, Chain, FlatRow, Terms, formula
@@ -85,10 +86,13 @@ def _text(atom: Atom) -> str:
             return f"{atom.text[:half]} {inside} {atom.text[half:]}"
         case "GROUP":
             return said_of(atom.arguments[0])
-        case "COMMAND" | "COMMAND_OF_TWO":
+        case "COMMAND_OF_TWO":
+            return " ".join((atom.text, *(f"{{ {said_of(each)} }}" for each in atom.arguments)))
+        case "COMMAND":
             return " ".join((BOLD.get(atom.text, atom.text), *(said_of(each) for each in atom.arguments)))
         case "GRID":
-            return r"\begin"
+            cells = [" & ".join(map(said_of, row)) for row in atom.grid.rows] if atom.grid else []
+            return rf"\begin{{{atom.text}}} " + r" \\ ".join(cells) + rf" \end{{{atom.text}}}"
         case _:
             return _named(atom.text)
 
@@ -105,8 +109,8 @@ def text_of_row(row: FlatRow) -> str:
 
 def text_of_atom(atom: Atom) -> str:
     """The atom with its scripts as one text."""
-    sub = f" _ {said_of(atom.sub)}" if atom.sub else ""
-    return _text(atom) + sub + " '" * atom.primes + "".join(f" ^ {said_of(sup)}" for sup in atom.sups)
+    sub = f" _ {{ {said_of(atom.sub)} }}" if atom.sub else ""
+    return _text(atom) + sub + " '" * atom.primes + "".join(f" ^ {{ {said_of(sup)} }}" for sup in atom.sups)
 
 
 @lru_cache(maxsize=4096)
@@ -201,11 +205,11 @@ def spelled(letter: Glyph) -> str:
 
 
 def in_latex(text: str) -> str:
-    """A text of tokens in LaTeX: typefaces hold the next letter, scripts reach to the next comma or stroke."""
+    """A text of tokens in LaTeX: typefaces hold the next letter, scripts without braces reach to a comma or stroke."""
     found: list[str] = []
     styles: list[str] = []
     scripts = 0
-    for word in text.split():
+    for word, behind in pairwise((*text.split(), "")):
         if word in TYPEFACES:
             styles.append(word)
             continue
@@ -218,6 +222,8 @@ def in_latex(text: str) -> str:
         for style in reversed(styles):
             said = (r"\boldsymbol" if style == r"\mathbf" and said[:1] == "\\" else style) + f"{{{said}}}"
         styles = []
-        scripts += word in ("_", "^")
-        found.append(said + "{" if word in ("_", "^") else said)
-    return re.sub(r" ?([_^]\{) ?| (?=[,}])", r"\1", " ".join(filter(None, [*found, "}" * scripts])))
+        is_open = word in ("_", "^") and behind != "{"
+        scripts += is_open
+        found.append(said + "{" * is_open)
+    said = " ".join(filter(None, [*found, "}" * scripts]))
+    return re.sub(r" ?([_^]) ?\{ ?| (?=[,}])", lambda found: found[1] + "{" if found[1] else "", said)

@@ -139,8 +139,7 @@ def _nucleus(atom: Atom, letter: Glyph, ctx: FittingContext) -> list[Fit]:
         case "BRACKET" if atom.inside and atom.text in ("()", "[]"):
             return _column(atom, rest, ctx)
         case "GRID" if atom.grid is not None and any(said_of(each) in DOTS for row in atom.grid.rows for each in row):
-            rows = (" , ".join(map(said_of, row)) for row in atom.grid.rows)
-            fits = ctx.of_its_own(in_latex(f"[ {' ; '.join(rows)} ]"))
+            fits = _of_its_own(atom, ctx)
         case "COMMAND_OF_TWO" if atom.text == r"\binom":
             fits = _of_its_own(atom, ctx)
         case "GRID" if atom.grid is not None and atom.grid.name in ENVIRONMENTS:

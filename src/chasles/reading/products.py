@@ -54,9 +54,9 @@ def _times_sized(left: Fit, right: Fit, ctx: FittingContext) -> Iterator[Fit]:
         yield ctx.of_open_size(multiplied, Precedence.PRODUCT, left, right)
     elif known.shape is not None:
         side = known.shape[1] if known is left else known.shape[0]
-        square = open_one.at((side, side))
-        if square is not None:
-            yield from times(known, square, ctx) if known is left else times(square, known, ctx)
+        for shape in ((side, side), (side, 1) if known is left else (1, side), (1, 1)):
+            if (other := open_one.at(shape)) is not None:
+                yield from times(known, other, ctx) if known is left else times(other, known, ctx)
 
 
 def _stacks_vectors(column: Block) -> bool:

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from chasles.reading.context import FittingContext
 from chasles.reading.expanding import order_of, up_to_order
-from chasles.reading.fits import MOST, Fit, Shape, kept, made, own_quantity
-from chasles.reading.glyphs import in_latex, text_of
+from chasles.reading.fits import MOST, Fit, Shape, kept, made
+from chasles.reading.glyphs import in_latex, text_of, text_of_row
 from chasles.reading.grammar import Atom, FlatRow, Terms
 from chasles.reading.grouping import Unread
-from chasles.reading.lexemes import Token
 from chasles.reading.rows import row_fits
 from chasles.reading.spellings import called
-from chasles.vocabulary import NO_DIMENSION, Negative, Node, Sum, latex, uniform
+from chasles.vocabulary import Negative, Node, Sum
 from chasles.vocabulary.dimension import has_units
-from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.spelling import Precedence
 
 MOST_TERMS = 500
@@ -31,7 +29,7 @@ def sum_fits(terms: Terms, ctx: FittingContext) -> list[Fit]:
     if EITHER.intersection(terms.signs) or 0 < len(said) < len(terms.rows):
         return _either(terms, ctx)
     if not said and not has_units(ctx.notation.home):
-        return ctx.of_its_own(f"{in_latex(text_of(terms))} in {ctx.where}")
+        return ctx.of_its_own(in_latex(text_of(terms)), here=True)
     if len(terms.rows) > 1 and terms.signs[-1] == "+" and (order := order_of(terms.rows[-1], ctx)):
         return up_to_order(sum_fits(Terms(terms.signs[:-1], terms.rows[:-1]), ctx), order, ctx)
     problems = len(ctx.problems)
@@ -54,19 +52,10 @@ def sum_fits(terms: Terms, ctx: FittingContext) -> list[Fit]:
 
 
 def _row(row: FlatRow, ctx: FittingContext) -> list[Fit]:
-    """The readings of a row; one with factors that are left out is a quantity of its own, shaped like them."""
-    places = [k for k, piece in enumerate(row.pieces) if piece.text in DOTS]
-    if not places:
+    """The readings of a row; one with factors that are left out is a quantity of its own."""
+    if has_units(ctx.notation.home) or not any(piece.text in DOTS for piece in row.pieces):
         return row_fits(row, ctx)
-    left_out = {k for place in places for k in (place, place - 1) if k == place or isinstance(row.pieces[k], Token)}
-    said = FlatRow(tuple(piece for k, piece in enumerate(row.pieces) if k not in left_out))
-    if has_units(ctx.notation.home) or not said.pieces:
-        return row_fits(row, ctx)
-    letter, home = in_latex(text_of(Terms(("",), (row,)))), ctx.notation.home
-    shapes = dict.fromkeys(fit.shape for fit in row_fits(said, ctx) if fit.shape)
-    sizes = [uniform(shape, NO_DIMENSION) for shape in shapes]
-    found = [own_quantity(letter, size, home, f"{letter} in {ctx.where}") for size in sizes]
-    return [Fit(symbol, ctx.said(symbol)) for symbol in found]
+    return ctx.of_its_own(in_latex(text_of_row(row)), here=True)
 
 
 def _is_open(row: FlatRow) -> bool:
@@ -78,14 +67,9 @@ def _either(terms: Terms, ctx: FittingContext) -> list[Fit]:
     r"""A sum with a \pm that is not on both sides, or dots: a quantity of its own, another one in each equation."""
     pairs = [(sign, row) for sign, row in zip(terms.signs, terms.rows, strict=True) if not _is_open(row)]
     signs = ["+" if sign in EITHER else sign for sign, _ in pairs]
-    is_either = EITHER.intersection(terms.signs)
-    found = []
-    for fit in sum_fits(Terms(("" if signs[0] == "+" else signs[0], *signs[1:]), tuple(row for _, row in pairs)), ctx):
-        if fit.node is not None and fit.shape:
-            letter = in_latex(text_of(terms)) if is_either else rf"{latex(fit.node)} + \dots"
-            symbol = own_quantity(letter, measured(fit.node), ctx.notation.home, f"{letter} in {ctx.where}")
-            found.append(Fit(symbol, ctx.said(symbol), fit.cost))
-    return found
+    fits = sum_fits(Terms(("" if signs[0] == "+" else signs[0], *signs[1:]), tuple(row for _, row in pairs)), ctx)
+    said = [fit.node for fit in fits if fit.node is not None and fit.shape]
+    return ctx.of_its_own(in_latex(text_of(terms)), said, here=True) if fits else []
 
 
 def _of_shape(signs: tuple[str, ...], rows: list[list[Fit]], shape: Shape, ctx: FittingContext) -> list[Fit]:
