@@ -455,11 +455,11 @@ def test_a_command_that_nothing_defines_is_no_letter_that_is_proposed() -> None:
         (r"r = \mathbf{a}^2", [r"r=\mathbf{a}\cdot\mathbf{a}"]),
         (r"\mathbf A = -\mathbf a \times", [r"\mathbf{A}=-[\mathbf{a}]_\times"]),
         (r"p = p \circ q", [r"p=p\otimesq"]),
-        (r"\frac{d r}{d h} = r", [r"\frac{d}{dh}(r)=r"]),
-        (
-            r"\frac{d r}{d \mathbf{a}} = r",
-            ["no word for a derivative by anything but a scalar letter: write a partial one"],
-        ),
+        (r"\frac{d r}{d h} = r", [r"\frac{dr}{dh}=r"]),
+        (r"\frac{d^2 r}{d h^2} = r", [r"\frac{d^{2}r}{dh^{2}}=r"]),
+        (r"h \frac{d^2}{d h^2} r h = r", [r"h\frac{d^{2}}{dh^{2}}rh=r"]),
+        (r"\frac{d r}{d \mathbf{a}} = r", [r"\frac{dr}{d\mathbf{a}}=r"]),
+        (r"\frac{D \mathbf{a}}{D h} = \mathbf b", [r"\frac{D\mathbf{a}}{Dh}=\mathbf{b}"]),
         (r"r = 1 + h + \dots", [r"r=1+h+\dots"]),
         (r"r + h = \text{const.}", [r"r+h=\mathrm{const}"]),
         (

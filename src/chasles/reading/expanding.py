@@ -14,7 +14,7 @@ from chasles.reading.glyphs import in_latex, letter_of, text_of_row
 from chasles.reading.grammar import Atom, FlatRow
 from chasles.reading.lexemes import Token
 from chasles.reading.page_notation import PageNotation
-from chasles.reading.quotients import of_tokens
+from chasles.reading.quotients import awaits, of_tokens
 from chasles.reading.spellings import called
 from chasles.vocabulary import Node, Norm, Number, Power, Symbol, symbols_of
 from chasles.vocabulary.dimension import has_units
@@ -85,14 +85,11 @@ def limits(sign: Atom, terms: Sequence[Node], ctx: FittingContext) -> list[Fit]:
     return [Fit(word, ctx.said(word)) for word in words if word is not None]
 
 
-def is_nabla(atom: Atom, notation: PageNotation) -> bool:
-    """Whether it is a nabla, in whatever typeface, of which the notation says nothing: it makes a quantity of its own.
-
-    What it is taken of ends where the product does.
-    """
+def takes_all(atom: Atom, notation: PageNotation) -> bool:
+    """Whether it makes a quantity of its own of the product behind it: a derivative, or a nabla in any typeface."""
     letter = letter_of(atom)
     is_known = called(atom) in notation.spellings.names or next(notation.letters.meanings(letter), None) is not None
-    return letter.loose.base == r"\nabla" and not is_known
+    return awaits(atom) or (letter.loose.base == r"\nabla" and not is_known)
 
 
 def totals(sign: Atom, inside: Pieces, read: Callable[[Pieces], list[Fit]], ctx: FittingContext) -> list[Fit]:

@@ -24,12 +24,9 @@ from chasles.reading.marks import atom_fits, letter_fits
 from chasles.reading.page_functions import lists_letters, makes_difference
 from chasles.reading.page_notation import repeated_rate
 from chasles.reading.quotients import (
-    derivative_by,
     of_tokens,
     order_of_rate,
     partial_by,
-    rate_in_frame,
-    seen_from,
     upright,
 )
 from chasles.reading.spellings import Make, called
@@ -135,15 +132,10 @@ def operators_of(atom: Atom, ctx: FittingContext) -> list[Make]:
     """What d/dt, or a partial derivative without what it is of, makes of what stands behind it."""
     if atom.kind != "COMMAND_OF_TWO" or "frac" not in atom.text:
         return []
-    frame, of = seen_from(*atom.arguments)
-    if frame and not of:
-        return [rate_in_frame(frame, ctx.notation.home)]
     above = upright(atom.arguments[0])
     order = order_of_rate(*atom.arguments)
     if order and len(above) == (1 if order == 1 else 3):
         return [repeated_rate(order)]
-    if above == ["d"] or (above[:2] == ["d", "^"] and len(above) == 3):
-        return derivative_by(atom.arguments[0], atom.arguments[1], ctx)
     variables = partial_by(atom.arguments[0], atom.arguments[1], ctx) if above == [r"\partial"] else []
     return [partial(PartialDerivative, by=by) for by in variables]
 

@@ -53,8 +53,12 @@ def _unstyled(text: str) -> str:
 
 def said_of(marks: Tokens) -> str:
     """The tokens as one text: without braces, bold in one way, upright names as one word."""
-    words = (_named(BOLD.get(token.text, token.text)) for token in marks)
-    return " ".join(word for word in words if word not in ("{", "}"))
+    return " ".join(word for word in in_braces(marks).split() if word not in ("{", "}"))
+
+
+def in_braces(marks: Tokens) -> str:
+    """The same with its braces."""
+    return " ".join(_named(BOLD.get(token.text, token.text)) for token in marks)
 
 
 def _named(text: str) -> str:
@@ -87,11 +91,11 @@ def _text(atom: Atom) -> str:
         case "GROUP":
             return said_of(atom.arguments[0])
         case "COMMAND_OF_TWO":
-            return " ".join((atom.text, *(f"{{ {said_of(each)} }}" for each in atom.arguments)))
+            return " ".join((atom.text, *(f"{{ {in_braces(each)} }}" for each in atom.arguments)))
         case "COMMAND":
             return " ".join((BOLD.get(atom.text, atom.text), *(said_of(each) for each in atom.arguments)))
         case "GRID":
-            cells = [" & ".join(map(said_of, row)) for row in atom.grid.rows] if atom.grid else []
+            cells = [" & ".join(map(in_braces, row)) for row in atom.grid.rows] if atom.grid else []
             return rf"\begin{{{atom.text}}} " + r" \\ ".join(cells) + rf" \end{{{atom.text}}}"
         case _:
             return _named(atom.text)
@@ -211,7 +215,7 @@ def in_latex(text: str) -> str:
     scripts = 0
     for word, behind in pairwise((*text.split(), "")):
         if word in TYPEFACES:
-            styles.append(word)
+            (found if behind == "{" else styles).append(word)
             continue
         if word in (",", "/"):
             found, scripts = [*found, "}" * scripts], 0

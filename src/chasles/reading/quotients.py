@@ -8,20 +8,16 @@ from itertools import product
 
 from chasles.reading.applying import applied, of_matrix
 from chasles.reading.context import FittingContext
-from chasles.reading.fits import Fit, made, own_quantity
-from chasles.reading.glyphs import Glyph, in_latex, letter_of, said_of
+from chasles.reading.fits import Fit, made
+from chasles.reading.glyphs import Glyph, in_latex, letter_of, text_of_atom
 from chasles.reading.grammar import Atom, formula
-from chasles.reading.grouping import Tokens, Unread, closing, lines_of
+from chasles.reading.grouping import Tokens, Unread, closing
 from chasles.reading.page_notation import repeated_rate
-from chasles.reading.spellings import Make, exponential
+from chasles.reading.spellings import exponential
 from chasles.vocabulary import (
     Node,
     Quotient,
-    Rate,
-    latex,
 )
-from chasles.vocabulary.dimension import has_units
-from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.partial import PartialDerivative
 from chasles.vocabulary.spelling import Precedence
 
@@ -57,36 +53,21 @@ def order_of_rate(above: Tokens, below: Tokens) -> int:
     return int(top[2]) if powers else 0
 
 
-def seen_from(above: Tokens, below: Tokens) -> tuple[str, Tokens]:
-    """The frame from which a rate is seen, as its d bears it at the left, and what it is the rate of."""
-    if [token.text for token in above[:3]] != ["{", "}", "^"] or upright(below) != ["d", "t"]:
-        return "", ()
-    end = closing(above, 3)
-    frame, rest = said_of(above[3:end]), above[end + 1 :]
-    start = 4 if [token.text for token in rest[:4]] == [r"\mathrm", "{", "d", "}"] else 1
-    return (frame, rest[start:]) if upright(rest[:start]) == ["d"] else ("", ())
+def derived(atom: Atom) -> list[str] | None:
+    """What stands behind the d of a derivative, no rate and no partial one: df/dx, Df/Dt, or a rate in a frame."""
+    if atom.kind != "COMMAND_OF_TWO" or "frac" not in atom.text or order_of_rate(*atom.arguments):
+        return None
+    above, below = atom.arguments
+    framed = [token.text for token in above[:3]] == ["{", "}", "^"]
+    top, bottom = upright(above[closing(above, 3) + 1 if framed else 0 :]), upright(below)
+    is_one = top[:1] == bottom[:1] and top[:1] in (["d"], ["D"]) and len(bottom) > 1
+    return top[1:] if is_one and "_" not in (*top[1:2], *bottom[1:2]) else None
 
 
-def rate_in_frame(frame: str, home: str) -> Make:
-    """A rate as seen from a frame: a quantity of its own, for frames are no words."""
-
-    def make(of: Node) -> Node:
-        letter = rf"\frac{{{{}}^{{{frame}}} d}}{{dt}} {latex(of)}"
-        return own_quantity(letter, measured(Rate(of)), home, f"rate in {frame} of {of}")
-
-    return make
-
-
-def derivative_by(above: Tokens, below: Tokens, ctx: FittingContext) -> list[Make]:
-    """A derivative by a letter that is no time: a quantity of its own, for which units have no word."""
-    behind = below[next((at for at, token in enumerate(below) if token.text == "d"), 0) + 1 :]
-    behind = behind[1:] if [token.text for token in behind[:1]] == ["}"] else behind
-    variable = lines_of(behind, ("^",))[0]
-    if has_units(ctx.notation.home) or not any(fit.shape == (1, 1) for fit in of_tokens(tuple(variable), ctx)):
-        return []
-    texts = in_latex(said_of(above[: 1 if upright(above)[1:2] != ["^"] else 5])), in_latex(said_of(behind))
-    mark = rf"\frac{{{texts[0]}}}{{d {texts[1]}}}"
-    return [lambda of: own_quantity(f"{mark} ({latex(of)})", measured(of), ctx.notation.home)]
+def awaits(atom: Atom) -> bool:
+    """Whether what a derivative is of stands behind it, as in d/dx or d^2/dx^2."""
+    behind = derived(atom)
+    return behind == [] or (behind is not None and behind[0] == "^" and len(behind) == 2)
 
 
 def upright(tokens: Tokens) -> list[str]:
@@ -101,19 +82,8 @@ def fraction_fits(atom: Atom, ctx: FittingContext) -> list[Fit]:
         start = next(k for k, token in enumerate(above) if token.text == "d") + 1
         start += 4 * (order > 1) + (above[0].text == r"\mathrm")
         return applied((repeated_rate(order),), of_tokens(above[start:], ctx), ctx, Glyph(""), atom.text)
-    frame, of = seen_from(above, below)
-    if frame and of:
-        return applied((rate_in_frame(frame, ctx.notation.home),), of_tokens(of, ctx), ctx, Glyph(""), atom.text)
-    if upright(above)[:1] == ["D"] == upright(below)[:-1]:
-        ctx.note("no word for such a derivative", atom.place)
-        return []
-    if upright(above)[:1] == upright(below)[:1] == ["d"]:
-        start = next(at for at, token in enumerate(above) if token.text == "d") + 1 + (above[0].text == r"\mathrm")
-        start = closing(above, start + 1) + 1 if above[start:] and above[start].text == "^" else start
-        if not (makes := derivative_by(above, below, ctx)):
-            ctx.note("no word for a derivative by anything but a scalar letter: write a partial one", atom.place)
-            return []
-        return applied(makes, of_tokens(above[start:], ctx), ctx, Glyph(""), atom.text)
+    if derived(atom) is not None:
+        return ctx.of_its_own(in_latex(text_of_atom(replace(atom, sub=None, primes=0, sups=()))))
     if len(above) > 1 and (variables := partial_by(above, below, ctx)):
         makes = [partial(PartialDerivative, by=by) for by in variables]
         return applied(makes, of_tokens(above[1:], ctx), ctx, replace(letter_of(atom), base="", accents=()), atom.text)

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from chasles.reading.applying import applied, made_of
 from chasles.reading.context import FittingContext
-from chasles.reading.expanding import OPEN, TOTALS, end_of_total, is_nabla, totals
+from chasles.reading.expanding import OPEN, TOTALS, end_of_total, takes_all, totals
 from chasles.reading.factors import factors, operators_of
 from chasles.reading.fits import UNUSUAL, Fit, kept, made
 from chasles.reading.glyphs import Glyph, joined, letter_of
@@ -31,7 +31,7 @@ def row_fits(row: FlatRow, ctx: FittingContext) -> list[Fit]:
 def _signed(pieces: Pieces, ctx: FittingContext) -> list[Fit]:
     signs = TOTALS[: len(OPEN) if ctx.notation.integral else None]
     for place, piece in enumerate(pieces):
-        if isinstance(piece, Atom) and (piece.text in signs or is_nabla(piece, ctx.notation)):
+        if isinstance(piece, Atom) and (piece.text in signs or takes_all(piece, ctx.notation)):
             return _with_total(pieces, place, ctx)
     cuts = [k for k, piece in enumerate(pieces) if isinstance(piece, Token)]
     if not cuts:
