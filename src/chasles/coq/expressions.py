@@ -110,7 +110,7 @@ class Spelling:
                 lines = [_folded("beside", [self._matrix(block) for block in row]) for row in rows]
                 return _folded("below", lines)
             case w.Integral(of):
-                return f"integrated integral (fun b => {_scoped(self.matrix(of))})", APPLIED
+                return f"integrated integral (fun b => ({self.matrix(of)})%M)", APPLIED
         return self._either(node, self.matrix)
 
     def _either(self, node: w.Node, part: Callable[[w.Node, int], str]) -> Spelled:
@@ -149,7 +149,3 @@ def _folded(word: str, parts: list[Spelled]) -> Spelled:
     for part in reversed(parts[:-1]):
         folded = f"{word} {held(part, ATOM)} {held(folded, ATOM)}", APPLIED
     return folded
-
-
-def _scoped(text: str) -> str:
-    return f"({text})%M"

@@ -10,22 +10,14 @@ import sympy
 
 def text_of(e: Any) -> str:
     """A rational function, in brackets unless it is a symbol."""
-    above, below = sympy.fraction(sympy.together(e))
-    factors = [f"{polynomial(b)}^{n}" for b, n in (factor.as_base_exp() for factor in sympy.Mul.make_args(below))]
-    return polynomial(above) if below == 1 else f"({polynomial(above)} / ({' * '.join(factors)}))"
+    above, below = (sympy.sstr(part).replace("**", "^") for part in sympy.fraction(sympy.together(e)))
+    text = above if below == "1" else f"({above}) / ({below})"
+    return text if text.isalnum() else f"({text})"
 
 
 def polynomial(e: Any) -> str:
     """A polynomial, in brackets unless it is a symbol."""
-    total = ""
-    for term in sympy.Add.make_args(sympy.expand(e)):
-        coefficient, factors = term.as_coeff_mul()
-        powers = [f"{b}^{n}" if n != 1 else str(b) for b, n in (factor.as_base_exp() for factor in factors)]
-        if abs(coefficient) != 1 or not powers:
-            powers.insert(0, f"{abs(coefficient.p)}" + f" / {coefficient.q}" * (coefficient.q != 1))
-        total += f" {'-' if coefficient < 0 else '+'} {' * '.join(powers)}"
-    total = total.removeprefix(" + ").strip()
-    return total if total.isalnum() else f"({total})"
+    return text_of(sympy.expand(e))
 
 
 def rank(symbol: Any) -> tuple[int, str]:

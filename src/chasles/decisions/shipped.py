@@ -29,10 +29,8 @@ def as_text(groups: Mapping[str, Mapping[str, Any]]) -> str:
     """The text of the file: the answers of each group, one on a line."""
     parts = []
     for asking, answers in groups.items():
-        lines = ",\n".join(f"  {json.dumps(key)}: {_line(answer)}" for key, answer in answers.items())
+        lines = ",\n".join(
+            f"  {json.dumps(key)}: {json.dumps(answer, ensure_ascii=False)}" for key, answer in answers.items()
+        )
         parts.append(f" {json.dumps(asking, ensure_ascii=False)}: {{\n{lines}\n }}")
     return "{\n" + ",\n".join(parts) + "\n}\n"
-
-
-def _line(answer: Any) -> str:
-    return json.dumps(answer, ensure_ascii=False)

@@ -12,15 +12,7 @@ from itertools import islice
 
 from chasles.pages.consequences import Consequences
 from chasles.pages.facts import divisors
-from chasles.pages.premises import (
-    PosedEquation,
-    Premises,
-    Rules,
-    balancing,
-    chosen_rules,
-    free_quantities,
-    last_said,
-)
+from chasles.pages.premises import PosedEquation, Premises, Rules, balancing, chosen_rules, free_quantities, last_said
 from chasles.pages.quantities import Quantity, quantities, quantity, symbols_in
 from chasles.statements import Claim, Condition, Statement
 from chasles.vocabulary import Node

@@ -30,12 +30,7 @@ from chasles.pages.defining import definition_of, is_new, meant_by, said_to_be
 from chasles.pages.finding import PageFinding
 from chasles.pages.named_hypotheses import as_hypothesis
 from chasles.pages.notes import DEFINING, NOTHING, EquationNote
-from chasles.pages.premises import (
-    PosedEquation,
-    Premises,
-    chosen_rules,
-    free_quantities,
-)
+from chasles.pages.premises import PosedEquation, Premises, chosen_rules, free_quantities
 from chasles.pages.quantities import Quantity, quantities, quantity, symbols_in
 from chasles.pages.refutation import expanded, refuted
 from chasles.pages.unsaid_derivatives import UnsaidDerivatives

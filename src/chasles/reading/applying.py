@@ -7,21 +7,11 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import product
 
 from chasles.reading.context import FittingContext, tokens_of
-from chasles.reading.fits import Fit, Shape, made, own_quantity
+from chasles.reading.fits import Fit, Shape, made
 from chasles.reading.glyphs import Glyph, in_latex, said_of
 from chasles.reading.grammar import Atom
 from chasles.reading.spellings import Make
-from chasles.vocabulary import (
-    NO_DIMENSION,
-    Call,
-    Dot,
-    Node,
-    Power,
-    latex,
-    uniform,
-)
-from chasles.vocabulary.dimension import has_units
-from chasles.vocabulary.fitting import measured
+from chasles.vocabulary import Call, Dot, Node, Power, latex
 from chasles.vocabulary.functions import PRINTED, FunctionOf
 from chasles.vocabulary.motion_vectors import MotionByVector
 from chasles.vocabulary.parts import component, part
@@ -60,7 +50,9 @@ def _raised(fits: list[Fit], sup: str, rest: Glyph, ctx: FittingContext) -> list
     elif words in HALF:
         makes = tuple(ctx.notation.spellings.names[r"\sqrt"])
     elif words.startswith(EVALUATED):
-        makes = (lambda of: _taken_at(of, words.removeprefix(EVALUATED), ctx.notation.home),)
+        place = in_latex(words.removeprefix(EVALUATED))
+        taken = [fit.node for fit in fits if fit.node is not None and fit.shape]
+        return [each for of in taken for each in ctx.of_its_own(rf"\left. {latex(of)} \right|_{{{place}}}", [of])]
     else:
         makes = tuple(ctx.notation.spellings.scripts.get(words, ()))
     parts = EXPONENT.findall(words)
@@ -78,11 +70,6 @@ def _raised(fits: list[Fit], sup: str, rest: Glyph, ctx: FittingContext) -> list
 def square(of: Node) -> Node:
     """The square of a matrix, or that of a vector, which is its length squared."""
     return Power(of, 2) if of.shape[1] != 1 else Dot(of, of)
-
-
-def _taken_at(of: Node, place: str, home: str) -> Node:
-    """What stands before a bar that says where it is taken: a quantity of its own."""
-    return own_quantity(rf"\left. {latex(of)} \right|_{{{in_latex(place)}}}", measured(of), home)
 
 
 def applied(makes: Sequence[Make], fits: list[Fit], ctx: FittingContext, rest: Glyph, mark: str) -> list[Fit]:
@@ -151,24 +138,20 @@ def made_of(
                     continue
                 nodes = [fit.node for fit in fits if fit is not None and fit.node is not None]
                 node = made(_with_exponent, make, nodes, name, tolerant=ctx.tolerant)
-                if node is not None and node.fault and (called := _of_matrices(node)):
-                    own = of_matrix(called, nodes, ctx)
-                    if own is None and called in OF_VECTORS:
-                        size = " x ".join(map(str, chosen[0].shape or ("what does not fit",)))
-                        ctx.note(f"no word for {called} of {size}", name and name.place)
-                        continue
-                    node = node if own is None else own
+                called = _of_matrices(node) if node is not None and node.fault else ""
+                if own := of_matrix(called, nodes, ctx) if called else []:
+                    yield from own
+                    continue
                 if node is not None:
                     yield Fit(node, ctx.said(node), sum(fit.cost for fit in chosen) + more)
                     more = 1  # of an identity every size is told of, the usual one first
 
 
-def of_matrix(function: str, nodes: Sequence[Node], ctx: FittingContext) -> Node | None:
-    """A function of a square matrix that no word says: a quantity of its own; None of anything else."""
-    if len(nodes) != 1 or nodes[0].fault or nodes[0].shape[0] != nodes[0].shape[1] or has_units(ctx.notation.home):
-        return None
-    size = uniform(nodes[0].shape, NO_DIMENSION)
-    return own_quantity(rf"\{function}\left({latex(nodes[0])}\right)", size, ctx.notation.home)
+def of_matrix(function: str, nodes: Sequence[Node], ctx: FittingContext) -> list[Fit]:
+    """A function of a square matrix, or of a column, that no word says: a quantity of its own."""
+    rows, columns = nodes[0].shape if len(nodes) == 1 and not nodes[0].fault else (1, 0)
+    is_known = rows == columns or (columns == 1 and function in OF_VECTORS)
+    return ctx.of_its_own(rf"\{function}\left({latex(nodes[0])}\right)") if is_known else []
 
 
 def _of_matrices(node: Node) -> str:

@@ -6,10 +6,9 @@ Sums and integrals are quantities of their own, as print has them; limits of wha
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import partial
 
 from chasles.reading.context import FittingContext
-from chasles.reading.fits import Fit, Shape, made
+from chasles.reading.fits import Fit, made
 from chasles.reading.glyphs import in_latex, letter_of, text_of_row
 from chasles.reading.grammar import Atom, FlatRow
 from chasles.reading.lexemes import Token
@@ -59,17 +58,8 @@ def up_to_order(fits: Sequence[Fit], order: Order, ctx: FittingContext) -> list[
     for fit in fits:
         usual = fit if fit.node is not None else fit.at(fit.usual)
         node = made(UpTo, usual.node, *order) if usual and ctx.is_as_printed(usual) else None
-        if node is not None and fit.sized is None:
-            found.append(Fit(node, ctx.said(node), fit.cost))
-        elif node is not None and fit.sized is not None:
-            sized = partial(_up_to_of_size, fit.sized, order)
-            found.append(Fit(None, ctx.said(node), fit.cost, sized=sized, usual=fit.usual))
+        found += [] if node is None else [Fit(node, ctx.said(node), fit.cost)]
     return found
-
-
-def _up_to_of_size(sized: Callable[[Shape], Node | None], order: Order, shape: Shape) -> Node | None:
-    node = sized(shape)
-    return None if node is None else made(UpTo, node, *order)
 
 
 def limits(sign: Atom, terms: Sequence[Node], ctx: FittingContext) -> list[Fit]:

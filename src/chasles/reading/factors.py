@@ -23,12 +23,7 @@ from chasles.reading.grammar import Atom
 from chasles.reading.marks import atom_fits, letter_fits
 from chasles.reading.page_functions import lists_letters, makes_difference
 from chasles.reading.page_notation import repeated_rate
-from chasles.reading.quotients import (
-    of_tokens,
-    order_of_rate,
-    partial_by,
-    upright,
-)
+from chasles.reading.quotients import of_tokens, order_of_rate, partial_by, upright
 from chasles.reading.spellings import Make, called
 from chasles.vocabulary import At, Group, Node, Symbol, latex, symbols_of
 from chasles.vocabulary.fitting import measured

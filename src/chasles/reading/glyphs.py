@@ -101,6 +101,11 @@ def _text(atom: Atom) -> str:
             return _named(atom.text)
 
 
+def latex_of(atom: Atom) -> str:
+    """The atom without its scripts in LaTeX."""
+    return in_latex(_text(atom))
+
+
 def text_of(terms: Terms) -> str:
     """The terms as one text."""
     return " ".join(f"{sign} {text_of_row(row)}" for sign, row in zip(terms.signs, terms.rows, strict=True)).strip()

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from collections.abc import Sequence
 from contextlib import suppress
 from typing import NamedTuple
 
@@ -162,7 +161,7 @@ class Source:
             meaning = self.argument(command)
             return {name: self.macros.get(spelled(meaning), Macro(0, None, [Token(r"\noexpand"), *meaning]))}
         if kind == "DeclareMathOperator":
-            return {name: Macro(0, None, [Token(r"\operatorname"), *_group(self.argument(command))])}
+            return {name: Macro(0, None, [Token(r"\operatorname"), Token("{"), *self.argument(command), Token("}")])}
         if kind == "DeclareMathAlphabet":
             said = [spelled(self.argument(command)) for _ in range(4) if self.peek() == "{"]
             _, family, series, shape = said if len(said) == 4 else ("", "", "", "")
@@ -207,7 +206,3 @@ class Source:
                 waiting += [each for each in body if each in self.macros and each not in seen]
                 seen |= body
         return self._structural[name]
-
-
-def _group(inside: Sequence[Token]) -> list[Token]:
-    return [Token("{"), *inside, Token("}")]

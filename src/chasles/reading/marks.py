@@ -11,21 +11,12 @@ from chasles.reading.applying import applied, made_of, with_marks
 from chasles.reading.case_grids import ENVIRONMENTS, case_fits
 from chasles.reading.context import KINDS, FittingContext, tokens_of
 from chasles.reading.fits import UNUSUAL, Fit, Shape, kept
-from chasles.reading.glyphs import Glyph, in_latex, letter_of, said_of, spelled, text_of_atom
+from chasles.reading.glyphs import Glyph, latex_of, letter_of, said_of, spelled
 from chasles.reading.grammar import Atom, Terms
 from chasles.reading.matrices import block_fits, grid_fits, row_of_blocks
 from chasles.reading.quotients import exponential_fits, fraction_fits, of_tokens
 from chasles.reading.spellings import signed
-from chasles.vocabulary import (
-    Group,
-    Identity,
-    Node,
-    Number,
-    Symbol,
-    Transpose,
-    Zero,
-    latex,
-)
+from chasles.vocabulary import Group, Identity, Node, Number, Symbol, Transpose, Zero, latex
 from chasles.vocabulary.families import Entry, Kronecker
 
 SIZE = re.compile(r"(\d+)(?: \\times (\d+))?")
@@ -135,13 +126,13 @@ def _nucleus(atom: Atom, letter: Glyph, ctx: FittingContext) -> list[Fit]:
         case "BRACKET" if makes := spellings.brackets.get((f"{atom.text},", rest.loose.sub, " ".join(rest.loose.sups))):
             return list(made_of(makes, list(product(*map(ctx.terms, atom.inside))), None, ctx))
         case "BRACKET" if len(atom.inside) > 1 and atom.text in (r"\{\}", r"\langle\rangle"):
-            fits = _of_its_own(atom, ctx)
+            fits = ctx.of_its_own(latex_of(atom))
         case "BRACKET" if atom.inside and atom.text in ("()", "[]"):
             return _column(atom, rest, ctx)
         case "GRID" if atom.grid is not None and any(said_of(each) in DOTS for row in atom.grid.rows for each in row):
-            fits = _of_its_own(atom, ctx)
+            fits = ctx.of_its_own(latex_of(atom))
         case "COMMAND_OF_TWO" if atom.text == r"\binom":
-            fits = _of_its_own(atom, ctx)
+            fits = ctx.of_its_own(latex_of(atom))
         case "GRID" if atom.grid is not None and atom.grid.name in ENVIRONMENTS:
             fits = case_fits(atom.grid, ctx, of_tokens)
         case "GRID" if atom.grid is not None:
@@ -190,10 +181,6 @@ def _number(text: str, ctx: FittingContext) -> list[Fit]:
     return found
 
 
-def _of_its_own(atom: Atom, ctx: FittingContext) -> list[Fit]:
-    return ctx.of_its_own(in_latex(text_of_atom(replace(atom, sub=None, primes=0, sups=()))))
-
-
 def _bracketed(atom: Atom, rest: Glyph, ctx: FittingContext) -> list[Fit]:
     """Brackets that spell a word with their scripts, or that hold together what stands in them."""
     brackets = ctx.notation.spellings.brackets
@@ -206,7 +193,7 @@ def _bracketed(atom: Atom, rest: Glyph, ctx: FittingContext) -> list[Fit]:
             spelled = with_marks(applied(makes, ctx.terms(inside), ctx, rest, text), left, ctx)
     if text not in ("()", "[]", r"\{\}"):
         ctx.note(f"{text} has no meaning in the notation", atom.place)
-        return spelled or (with_marks(_of_its_own(atom, ctx), rest, ctx) if text in WITHOUT_BARS else [])
+        return spelled or (with_marks(ctx.of_its_own(latex_of(atom)), rest, ctx) if text in WITHOUT_BARS else [])
     if atom.text == "[]" and rest.sub.startswith(r"\mathcal "):
         frame = rf"\mathcal{{{rest.sub.split()[1]}}}"
         framed = applied((lambda of: Group(of, "[]", frame),), ctx.terms(atom.inside[0]), ctx, rest, rest.sub)

@@ -9,15 +9,12 @@ from itertools import product
 from chasles.reading.applying import applied, of_matrix
 from chasles.reading.context import FittingContext
 from chasles.reading.fits import Fit, made
-from chasles.reading.glyphs import Glyph, in_latex, letter_of, text_of_atom
+from chasles.reading.glyphs import Glyph, latex_of, letter_of
 from chasles.reading.grammar import Atom, formula
 from chasles.reading.grouping import Tokens, Unread, closing
 from chasles.reading.page_notation import repeated_rate
 from chasles.reading.spellings import exponential
-from chasles.vocabulary import (
-    Node,
-    Quotient,
-)
+from chasles.vocabulary import Node, Quotient
 from chasles.vocabulary.partial import PartialDerivative
 from chasles.vocabulary.spelling import Precedence
 
@@ -83,7 +80,7 @@ def fraction_fits(atom: Atom, ctx: FittingContext) -> list[Fit]:
         start += 4 * (order > 1) + (above[0].text == r"\mathrm")
         return applied((repeated_rate(order),), of_tokens(above[start:], ctx), ctx, Glyph(""), atom.text)
     if derived(atom) is not None:
-        return ctx.of_its_own(in_latex(text_of_atom(replace(atom, sub=None, primes=0, sups=()))))
+        return ctx.of_its_own(latex_of(atom))
     if len(above) > 1 and (variables := partial_by(above, below, ctx)):
         makes = [partial(PartialDerivative, by=by) for by in variables]
         return applied(makes, of_tokens(above[1:], ctx), ctx, replace(letter_of(atom), base="", accents=()), atom.text)
@@ -111,8 +108,7 @@ def exponential_fits(exponent: Tokens, ctx: FittingContext) -> list[Fit]:
     found = []
     for fit, of in as_printed:
         node = made(exponential, of)
-        node = of_matrix("exp", (of,), ctx) if node is None else node
-        found += [] if node is None else [Fit(node, ctx.said(node), fit.cost)]
+        found += of_matrix("exp", (of,), ctx) if node is None else [Fit(node, ctx.said(node), fit.cost)]
     return found
 
 

@@ -9,15 +9,7 @@ from itertools import combinations, islice, product
 from chasles.reading.glyphs import ARROWS, Glyph, letter_of, spelled
 from chasles.reading.grammar import Atom, Chain, Terms
 from chasles.reading.letter_shapes import Misshapen, Shape, shape_of_chain
-from chasles.reading.letter_uses import (
-    SKEW,
-    LetterUse,
-    is_declared,
-    letter_uses,
-    looks,
-    parted,
-    stem_of,
-)
+from chasles.reading.letter_uses import SKEW, LetterUse, is_declared, letter_uses, looks, parted, stem_of
 from chasles.reading.notation_file import load_notation
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.segments import chains_of
