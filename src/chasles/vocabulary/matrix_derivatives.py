@@ -78,6 +78,8 @@ class _Derivative:
             case Quotient(numerator, divisor):
                 falling = Negative(_entries(weight, numerator) / Power(divisor, 2))
                 return (numerator, weight / divisor), (divisor, falling)
+            case Power(Norm(of), exponent) if exponent % 2 == 0:
+                return ((Dot(of, of) if exponent == 2 else Power(Dot(of, of), exponent // 2), weight),)
             case Power(base, exponent) if node.is_scalar:
                 return ((base, _times(Number(Fraction(exponent)), Power(base, exponent - 1), weight)),)
             case Power(base, exponent):
