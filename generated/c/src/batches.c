@@ -133,21 +133,14 @@ static int is_taken(const chasles_loop *loop, int k, ptrdiff_t step, Stride stri
     return stride.dense || (knows_rows && side_by_side);
 }
 
-/* What lies one after the other: nothing more is to be done, some inputs are to be gathered, or items have gaps. */
-enum { PACKED, NEARLY_PACKED, WITH_GAPS };
-
-/* Nearly packed are items of which inputs alone are apart, and no more than half of the numbers. */
-static int packing_of(const chasles_loop *loop, const ptrdiff_t *steps, const Stride *strides)
+/* Whether the items of each operand lie one after the other. */
+static int is_packed(const chasles_loop *loop, const ptrdiff_t *steps)
 {
-    ptrdiff_t all = 0, apart = 0;
-    int in_rows = 0;
+    int packed = 1;
     for (int k = 0; k < loop->operands; k++) {
-        const int lies_apart = steps[k] != size_of(loop, k);
-        all += size_of(loop, k);
-        apart += lies_apart ? size_of(loop, k) : 0;
-        in_rows |= !strides[k].dense || (lies_apart && k >= loop->inputs);
+        packed &= steps[k] == size_of(loop, k);
     }
-    return apart == 0 ? PACKED : !in_rows && 2 * apart <= all ? NEARLY_PACKED : WITH_GAPS;
+    return packed;
 }
 
 /* The first byte of operand k and the one after its last. */
@@ -478,9 +471,9 @@ void chasles_run(
     }
     if (level == 2 && !loop->gaps) {
         /* Such blocks take items without gaps; by narrower registers few items are computed, and what has gaps. */
-        const int packing = packing_of(loop, steps, strides);
-        level = count >> shift_of(loop, level) == 0 || (lies_well && packing == WITH_GAPS) ? 1 : 2;
-        lies_well = lies_well && (level == 1 || packing == PACKED);
+        const int packed = is_packed(loop, steps);
+        level = count >> shift_of(loop, level) == 0 || (lies_well && !packed) ? 1 : 2;
+        lies_well = lies_well && (level == 1 || packed);
     }
     for (int k = 0; k < loop->operands && !lies_well; k++) {
         in_place_each[k] = is_taken(loop, k, steps[k], strides[k], level, count);
