@@ -18,6 +18,7 @@ p = sp.Symbol("p", positive=True)
 n = sp.Symbol("n", integer=True)
 Z = sp.Symbol("Z", complex=True)
 a, b = sp.symbols("a b", real=True)
+u, v = sp.symbols("u v", nonnegative=True)
 w, q, m, c, k = sp.symbols("w q m c k", positive=True)
 t, s = sp.symbols("t s")
 f, g = (sp.Function(name)(t) for name in "fg")
@@ -68,6 +69,18 @@ BETWEEN: list[tuple[Any, Any, list[Any]]] = [
     (sqrt((x - y) ** 2) + sqrt((z - x) ** 2), z - y, [x >= y, x < z]),
     (sqrt((4 * k * m - c**2) ** 2), 4 * k * m - c**2, [c**2 < 4 * k * m]),
     (Abs(x), x, [x > 1, x <= 3]),
+    (sqrt((1 - q * cos(x)) ** 2), 1 - q * cos(x), [q < 1]),
+    (sqrt(f.diff(t) ** 2), f.diff(t), [f.diff(t) > 0]),
+    (sqrt((f.diff(t) - g.diff(t)) ** 2), f.diff(t) - g.diff(t), [f.diff(t) > g.diff(t)]),
+    (sqrt(f.diff(t) ** 2), f, [Eq(f.diff(t), -f), f > y, y > 0]),
+    (Abs(x + f), x + f, [x + f > 0]),
+]
+NONE_IS_NEGATIVE: list[tuple[Any, Any, list[Any]]] = [
+    (u, 0, [Eq(u + v, 0)]),
+    (x, 0, [Eq(x**2 + v, 0)]),
+    (x * y, 0, [Eq(u * x**2 + p * y**2, 0)]),
+    (u * x, 0, [Eq(u * x**2 + v, 0)]),
+    (f.diff(t), 0, [Eq(f**2 + u, 0)]),
 ]
 FALSE: list[tuple[Any, Any, list[Any]]] = [
     (sqrt(x**2), x, [x < 0]),
@@ -77,6 +90,11 @@ FALSE: list[tuple[Any, Any, list[Any]]] = [
     (Max(x, y), x, [x > -1]),
     (Piecewise((x, x > y), (y - 1, True)), x, [x >= y]),
     (f.diff(t), 0, [f > 0]),
+    (sqrt(f.diff(t) ** 2), f.diff(t), [f > 0]),
+    (sqrt((1 - q * cos(x)) ** 2), 1 - q * cos(x), [q < 2]),
+    (x, 0, [Eq(u * x**2 + v, 0)]),
+    (u, 0, [Eq(u * x**2 + v, 0)]),
+    (u, 0, [Eq(u - v, 0)]),
     (asin(sin(x)), x, [Abs(x) <= pi]),
     (acos(cos(x)), x, [x > -pi / 3, x < pi / 2]),
     (sqrt((1 + cos(x)) / 2), cos(x / 2), [x >= 0, x <= 2 * pi]),
@@ -84,14 +102,14 @@ FALSE: list[tuple[Any, Any, list[Any]]] = [
 ]
 
 
-@pytest.mark.parametrize(("left", "right", "given"), [*TRUE, *BETWEEN], ids=str)
+@pytest.mark.parametrize(("left", "right", "given"), [*TRUE, *BETWEEN, *NONE_IS_NEGATIVE], ids=str)
 def test_what_holds_where_they_do_is_proved(left: Any, right: Any, given: list[Any]) -> None:
     verdict = prove(left, right, given)
     assert isinstance(verdict, Holds | HoldsUnder)
     recheck(verdict, left, right, given)
 
 
-@pytest.mark.parametrize(("left", "right", "given"), [BETWEEN[k] for k in (0, 1, 2, 4, 6)], ids=str)
+@pytest.mark.parametrize(("left", "right", "given"), [BETWEEN[k] for k in (0, 1, 2, 4, 6, 7, 8, 9, 11)], ids=str)
 def test_the_verdict_says_between_what_a_symbol_is(left: Any, right: Any, given: list[Any]) -> None:
     verdict = prove(left, right, given)
     assert isinstance(verdict, HoldsUnder)

@@ -159,7 +159,7 @@ def _state_squares(result: SideConditions) -> None:
         ((one, other),) = item.pairs
         for number, found in enumerate(squares_in(item.label, one - other)):
             result.squares.append(found)
-            pairs = [(base, sympy.S.Zero) for _, base in found.squares]
+            pairs = [(part, sympy.S.Zero) for part in found.vanishing]
             text = f"squares {number + 1} in {item.text}"
             result.equations.append(Equations(text, pairs, item.sources, derived=True))
 

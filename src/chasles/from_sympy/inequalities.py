@@ -14,7 +14,7 @@ from chasles.from_sympy.atoms import ASSUMPTIONS
 from chasles.from_sympy.complex_symbols import expressions_in
 from chasles.from_sympy.decimals import each_replaced, with_values
 from chasles.from_sympy.divisors import CIRCULAR
-from chasles.from_sympy.opening import excerpt
+from chasles.from_sympy.opening import atoms_of, excerpt, is_atom
 from chasles.from_sympy.side_conditions import listed
 from chasles.problems.variables import Untreatable
 
@@ -59,11 +59,11 @@ def without_inequalities(said: Said) -> Said:
 def definitions(said: Said, asked: Said) -> list[str]:
     """How the verdict says the equations by which something is said otherwise than it was."""
     known, *spoken = (
-        {symbol for e in expressions_in(part) for symbol in e.free_symbols} for part in (said, *asked[:2], asked[3])
+        {atom for e in expressions_in(part) for atom in atoms_of(e)} for part in (said, *asked[:2], asked[3])
     )
     new = set().union(*spoken) - known
     equations = (e for e in expressions_in(asked[2]) if isinstance(e, sympy.Eq))
-    return [f"{e.lhs} = {e.rhs}" for e in equations if e.lhs.is_Symbol and e.rhs.free_symbols & new]
+    return [f"{e.lhs} = {e.rhs}" for e in equations if is_atom(e.lhs) and set(atoms_of(e.rhs)) & new]
 
 
 def _plain(item: Any) -> Iterator[Any]:
@@ -145,6 +145,8 @@ def _defined(said: Said, symbol: Any, value: Any, ends: tuple[End, ...]) -> Said
 
 def _with_signs_seen(e: Any, new: set[Any]) -> Any:
     """The expression with products where signs of new symbols matter: in divisors, radicands and functions."""
+    if isinstance(e, sympy.Derivative) and not isinstance(e.expr, AppliedUndef):
+        return e.doit()
     if not e.args or not e.free_symbols & new:
         return e
     power = e.is_Pow and e.exp.is_Rational and not (e.exp.is_Integer and e.exp > 0)
@@ -157,12 +159,12 @@ def _with_excess(said: Said, item: Any, name: str) -> Said:
     """What is said, with an equation for one of the inequalities, in which the excess has a name."""
     more, less = item.gts, item.lts
     excess = _excess(item, name, said)
-    for symbol in sorted((more - less).free_symbols, key=str):
-        slope = sympy.diff(more - less, symbol)
-        if slope.is_nonzero and not slope.has(symbol):
-            value = sympy.expand(symbol + (excess - more + less) / slope)
-            if _may_be(symbol, value, said):
-                return _defined(said, symbol, value, ((more, True, item),))
+    for atom in sorted(atoms_of(more - less), key=str):
+        slope = sympy.diff(more - less, atom)
+        if slope.is_nonzero and not slope.has(atom):
+            value = sympy.expand(atom + (excess - more + less) / slope)
+            if not value.has(atom.expr if isinstance(atom, sympy.Derivative) else atom) and _may_be(atom, value, said):
+                return _defined(said, atom, value, ((more, True, item),))
     equation = sympy.Eq(more, less + excess, evaluate=False)
     return (*said[:2], [equation, *(e for e in said[2] if e is not item)], said[3])
 
@@ -171,7 +173,8 @@ def _may_be(symbol: Any, value: Any, said: Said) -> bool:
     """Whether what is assumed of a symbol is seen of a value, and no function is said to depend on it."""
     assumed = [kind for kind in ASSUMPTIONS if getattr(symbol, f"is_{kind}") is not None]
     seen = all(getattr(symbol, f"is_{kind}") is getattr(value, f"is_{kind}") for kind in assumed)
-    return seen and not any(call.has(symbol) for e in expressions_in(said) for call in e.atoms(AppliedUndef))
+    calls = (call for e in expressions_in(said) for call in e.atoms(AppliedUndef))
+    return seen and not any(symbol in call.args for call in calls)
 
 
 def _excess(item: Any, name: str, said: Said) -> Any:

@@ -1,4 +1,4 @@
-"""Where a sum of squares vanishes, each square does: what follows from an equation for real numbers alone."""
+"""Where a sum of squares times what is not negative vanishes, each term does: what follows for real numbers alone."""
 
 from __future__ import annotations
 
@@ -24,6 +24,11 @@ class SquaresGiven:
     factor: Any
     squares: tuple[tuple[Any, Any], ...]
 
+    @property
+    def vanishing(self) -> list[Any]:
+        """What is squared, times its weight where that may vanish, too."""
+        return [base if weight.is_positive else weight * base for weight, base in self.squares]
+
 
 def squares_in(label: str, difference: Any) -> Iterator[SquaresGiven]:
     """The sums of squares among the factors of what is given to vanish, multiplied by the square of the others."""
@@ -35,21 +40,23 @@ def squares_in(label: str, difference: Any) -> Iterator[SquaresGiven]:
         return
     if not polynomial.get_domain().is_QQ and not polynomial.get_domain().is_ZZ:
         return
-    positive = [place for place, atom in enumerate(atoms) if atom.is_positive]
+    weights = [place for place, atom in enumerate(atoms) if atom.is_nonnegative]
+    possible = {place for place in weights if not atoms[place].is_positive}
     single = [factor for factor, power in polynomial.factor_list()[1] if power == 1]
     for factor in dict.fromkeys((polynomial, *single)):
         other = polynomial.exquo(factor)
         for sign in (1, -1):
             terms = {m: Fraction(sign * int(c.p), int(c.q)) for m, c in factor.terms()}
-            found = [] if is_definite(terms) else _weighed(terms, positive)
-            if len(found) > 1 and all(any(map(any, base)) for _, base in found):
+            found = [] if is_definite(terms) else _weighed(terms, weights)
+            told = (any(map(any, base)) or any(m[k] for m in weight for k in possible) for weight, base in found)
+            if len(found) > 1 and all(told):
                 squares = [tuple(_exact(part, atoms) for part in pair) for pair in found]
                 yield SquaresGiven(label, (other * sign).as_expr(), tuple((w, s * other.as_expr()) for w, s in squares))
 
 
-def _weighed(terms: Terms, positive: list[int]) -> list[tuple[Terms, Terms]]:
-    """Squares with their weights: numbers, times positive quantities if every term is a square times such."""
-    odd = {m: tuple(power % 2 if k in positive else 0 for k, power in enumerate(m)) for m in terms}
+def _weighed(terms: Terms, nonnegative: list[int]) -> list[tuple[Terms, Terms]]:
+    """Squares with their weights: numbers, times what is not negative if every term is a square times such."""
+    odd = {m: tuple(power % 2 if k in nonnegative else 0 for k, power in enumerate(m)) for m in terms}
     rest = {m: tuple(a - b for a, b in zip(m, odd[m], strict=True)) for m in terms}
     if all(c > 0 and not any(power % 2 for power in rest[m]) for m, c in terms.items()):
         return [({odd[m]: c}, {tuple(power // 2 for power in rest[m]): Fraction(1)}) for m, c in terms.items()]

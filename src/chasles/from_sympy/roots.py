@@ -215,21 +215,23 @@ class _Resolver:
         return self._is_nonnegative(context, polynomial) or key_of(context, polynomial) in self.known
 
     def _is_nonnegative(self, context: Context, polynomial: Polynomial) -> bool:
-        """Whether every term is visibly not negative, a cosine or sine being at least -1."""
-        reserve, swing = Fraction(0), Fraction(0)
+        """Whether all that a product of other variables is multiplied by is, a cosine or sine being at least -1."""
         of_sign = self.positive | self.negative | self.numbers.names
+        least: dict[tuple[int, ...], Fraction] = {}
         for exponents, coefficient in context.field.ring.terms(polynomial):
-            odd = [context.variables[k] for k, e in enumerate(exponents) if e % 2]
+            others = tuple(
+                0 if v.kind in ("cos", "sin") else e for v, e in zip(context.variables, exponents, strict=True)
+            )
+            odd = [v for v, e in zip(context.variables, exponents, strict=True) if e % 2]
+            known = all(v.name in of_sign for v in odd if v.kind not in ("cos", "sin"))
             sign = (-1) ** sum(v.name in self.negative for v in odd)
-            if sign * coefficient > 0 and all(v.name in of_sign for v in odd):
-                reserve += coefficient if not any(exponents) else 0
-            elif all(v.kind in ("cos", "sin") for v in odd) and all(
-                v.kind in ("cos", "sin") for k, v in enumerate(context.variables) if exponents[k]
-            ):
-                swing += abs(coefficient)
-            else:
+            square = sign * coefficient > 0 and all(v.kind not in ("cos", "sin") for v in odd)
+            if not known:
                 return False
-        return swing <= reserve
+            plain = exponents == others
+            swing = 0 if square and not plain else sign * coefficient if plain else -abs(coefficient)
+            least[others] = least.get(others, Fraction(0)) + swing
+        return all(value >= 0 for value in least.values())
 
     def _word(self, context: Context, polynomial: Polynomial) -> Node:
         """The root of a polynomial as an independent one."""

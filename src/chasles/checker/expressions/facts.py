@@ -16,7 +16,7 @@ from chasles.checker.expressions.complexes import differences
 from chasles.checker.expressions.motion import time_of
 from chasles.checker.expressions.rates import MOST_RATES
 from chasles.checker.expressions.reading_of_proof import Proven
-from chasles.checker.expressions.signs import is_positive
+from chasles.checker.expressions.signs import is_nonnegative, is_positive
 from chasles.checker.sparse import ONE, Polynomial, Rejected, number, parsed, variable
 
 LABEL = re.compile(r"(exp given|log given|given|frame|equal|zero|root|square) (\S+)(?: (\d+),(\d+))?(?: d(\d+))?")
@@ -47,11 +47,9 @@ class Facts:
         return self._known[label]
 
     def _stated(self, label: str) -> Polynomial:
-        found = LABEL.fullmatch(label)
-        if found is None:
+        if (found := LABEL.fullmatch(label)) is None:
             raise Rejected(f"{label!r} names nothing that is given")
-        rates = int(found[5] or 0)
-        kind, name = found[1], found[2]
+        kind, name, rates = found[1], found[2], int(found[5] or 0)
         entry = (int(found[3]) - 1, int(found[4]) - 1) if found[3] else None
         if (kind in ("zero", "root") and entry) or (kind not in ("given", "frame", "square") and rates):
             raise Rejected(f"{label!r} names nothing that is given")
@@ -93,15 +91,17 @@ class Facts:
         return self.reading.log(one, evident=True) - self.reading.log(other, evident=True)
 
     def _square(self, place: int, entry: tuple[int, int]) -> tuple[Polynomial, bool]:
-        """What vanishes since the squares of it and others, times positive numbers, add up to a multiple of a fact."""
+        """What vanishes since its square and others, with weights of at least zero, add up to a multiple of a fact."""
         (label, times), said = (self._certificate["squares"][place][part] for part in ("of", "squares"))
         squares = [[parsed(text, self.reading.places) for text in pair] for pair in said]
-        rest = parsed(times, self.reading.places) * self[label]
-        if not label.startswith("given") or not all(is_positive(self.reading, weight) for weight, _ in squares):
-            raise Rejected("a sum of squares is of nothing that is given, or has a weight that is not positive")
-        if self.reading.normal(rest - reduce(add, (weight * base * base for weight, base in squares))):
+        if not label.startswith("given") or not all(is_nonnegative(self.reading, weight) for weight, _ in squares):
+            raise Rejected("a sum of squares is of nothing that is given, or has a weight that may be negative")
+        total = reduce(add, (weight * base * base for weight, base in squares))
+        if self.reading.normal(parsed(times, self.reading.places) * self[label] - total):
             raise Rejected("what is given is not the sum of squares that it is said to be")
-        return squares[entry[0]][1], bool(self.asked.given[int(label.split()[1])].functions)
+        weight, base = squares[entry[0]]
+        moves = bool(self.asked.given[int(label.split()[1])].functions)
+        return base if is_positive(self.reading, weight) else weight * base, moves
 
     def _zero(self, name: str) -> Polynomial:
         """What SymPy assumes to be zero."""
