@@ -77,6 +77,9 @@ WRONG: list[tuple[Equation, Any, str]] = [
     (Equation(x, y), Fails(Counterexample({"x": 1, "y": 1}, (1, 1), "1", "1")), "bad counterexample"),
     (Equation(x, y, (Eq(x + y, 1),)), Fails(Counterexample({"x": 1, "y": 1}, (1, 1), "1", "1")), "bad counterexample"),
     (Equation(x, 2, (Eq(2 * x, 4),)), Fails(Counterexample({"x": 1}, (1, 1), "1", "2")), "false fails"),
+    (Equation(sqrt(x**2), x, where=(x > -1,)), Holds({}, {}), "false holds"),
+    (Equation(sp.sign(x), 1, where=(x >= 0,)), Holds({}, {}), "false holds"),
+    (Equation(x, 2, where=(x > 1,)), Fails(Counterexample({"x": 0}, (1, 1), "0", "2")), "bad counterexample"),
     (Equation(x, x, truth=True), Fails(Counterexample({"x": 1}, (1, 1), "1", "2")), "false fails"),
     (
         Equation(f.diff(t, 2), f, (Eq(f.diff(t), f),)),

@@ -52,13 +52,13 @@ def answer_of(asked: Callable[[], Any]) -> Answer:
 
 def ask(question: Equation) -> Answer:
     """The product's answer to a question."""
-    return answer_of(lambda: prove(question.lhs, question.rhs, question.given, question.nonzero))
+    return answer_of(lambda: prove(question.lhs, question.rhs, (*question.given, *question.where), question.nonzero))
 
 
 def rejection(question: Equation, verdict: Any) -> str | None:
     """Why the checker does not accept the verdict on the question; None if it does."""
     try:
-        recheck(verdict, question.lhs, question.rhs, question.given, question.nonzero)
+        recheck(verdict, question.lhs, question.rhs, (*question.given, *question.where), question.nonzero)
     except Rejected as reason:
         return f"Rejected: {reason}"
     except Exception as error:

@@ -42,8 +42,9 @@ class _Python(StrPrinter):
 class Equation:
     """A question for `prove`.
 
-    `truth` is what the equation is by construction, None where nobody knows; `satisfiable` likewise for the given
-    equations. `kind` is the family it belongs to; `lenient` says that it may be declined.
+    `where` are inequalities that are given as well. `truth` is what the equation is by construction, None where nobody
+    knows; `satisfiable` likewise for the given equations. `kind` is the family it belongs to; `lenient` says that it
+    may be declined.
     """
 
     lhs: Any
@@ -55,6 +56,7 @@ class Equation:
     satisfiable: bool | None = None
     lenient: bool = False
     notes: tuple[str, ...] = field(default=(), compare=False)
+    where: tuple[Any, ...] = ()
 
     @property
     def expressions(self) -> list[Any]:
@@ -63,6 +65,7 @@ class Equation:
         return [
             *sides,
             *(e for item in self.given for pair in pairs(item) for e in pair),
+            *(e for item in self.where for e in item.args),
             *map(sp.sympify, self.nonzero),
         ]
 
@@ -91,7 +94,8 @@ class Equation:
 
     def __str__(self) -> str:
         shown = _Python().doprint
-        given = f", given=[{', '.join(map(shown, self.given))}]" if self.given else ""
+        told = (*self.given, *self.where)
+        given = f", given=[{', '.join(map(shown, told))}]" if told else ""
         nonzero = f", nonzero=[{', '.join(map(shown, self.nonzero))}]" if self.nonzero else ""
         return f"prove({shown(self.lhs)}, {shown(self.rhs)}{given}{nonzero})"
 
@@ -227,10 +231,16 @@ def _in_domain(question: Equation, point: Point) -> bool:
         ):
             return False
     try:
-        return all(
+        return all(_is_met(item, evaluate) for item in question.where) and all(
             abs(evaluate(sp.sympify(item))[0]) > mpf(10) ** -30
             for item in question.nonzero
             if not isinstance(item, sp.Ne)
         )
     except Undefined:
         return False
+
+
+def _is_met(inequality: Any, evaluate: Values) -> bool:
+    """Whether it holds at the moment; what is not strict, up to what a search leaves."""
+    more = evaluate(inequality.gts)[0] - evaluate(inequality.lts)[0]
+    return bool(more > SMALLEST if isinstance(inequality, sp.Gt | sp.Lt) else more > -(SMALLEST**3))

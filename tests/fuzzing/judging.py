@@ -53,11 +53,15 @@ def judge(question: Equation, draw: Random, answer: Answer | None = None) -> Jud
     if answer.name == "undecided":
         return Judged(answer, None)
     seen = list(islice(points(question, draw, 3 * POINTS), POINTS))
+    ends = [item.args for item in question.where if isinstance(item, sp.Ge | sp.Le)]
+    seen += points(question, draw, 3, extra=(draw.choice(ends),)) if ends else ()
     alarm = next(_alarms(question, answer, seen, draw), None)
     return Judged(answer, alarm, len(seen))
 
 
 def _alarms(question: Equation, answer: Answer, seen: list[Point], draw: Random) -> Iterator[Alarm]:
+    if question.where and answer.true:
+        seen = [point for point in seen if _all_met(question, answer.needs, point)]
     violated = next(violations(question, seen), None)
     if answer.name == "contradictory":
         sides = [e for side in (question.lhs, question.rhs) for e in entries(side)]
@@ -107,6 +111,9 @@ def _false_fails(question: Equation, answer: Answer, seen: int, violated: str | 
     if question.truth is True and not violated:
         yield Alarm("false fails", f"it is true by construction; said to fail at {dict(shown_point.at)}")
     found = 0
+    if question.where and any(str(name).startswith("d_") for name in shown_point.at):
+        # Where functions are compared, the point may tell by how much they differ rather than one of them.
+        return
     for point in islice(completions(question, shown_point.at, draw), 2):
         found += 1
         row, column = shown_point.entry
@@ -138,6 +145,12 @@ def completions(question: Equation, at: Mapping[str, Any], draw: Random) -> Iter
         elif angle in angles and (angle, 0) not in held:
             held[angle, 0] = mp.asin(value) / (mpf(int(unit.p)) / int(unit.q))
     yield from points(question, draw, 4, held, extra)
+    for turns in (1, -1, 2) if question.where else ():
+        turned_on = {place: value + 2 * mp.pi * turns for place, value in held.items() if place not in fixed}
+        yield from points(question, draw, 4, held | turned_on, extra)
+    for item in question.where:
+        for more in (0, 1):
+            yield from points(question, draw, 2, held, (*extra, (item.gts, item.lts + more)))
     if held != fixed:
         near = {angle: float(held[angle, 0]) + draw.choice((0, 6.283185307)) for angle in angles if (angle, 0) in held}
         yield from points(question, draw, 4, fixed, extra, near=near)
@@ -157,8 +170,8 @@ def _read(question: Equation, at: Mapping[str, Any]) -> tuple[dict[Any, Any], tu
         ]
         if name in names:
             fixed[names[name]] = number
-        else:
-            extra.append((_expression(question, name), number))
+        elif {*atoms_of(spoken := _expression(question, name))} <= {*question.atoms}:
+            extra.append((spoken, number))
     return fixed, tuple((e, _exact(v)) for e, v in extra)
 
 
@@ -176,12 +189,7 @@ def _exact(value: Any) -> Any:
 def _incomplete_needs(question: Equation, answer: Answer, draw: Random) -> Iterator[Alarm]:
     """Where a side has no value, one of the needs is not met."""
     for point in _troubled(question, draw):
-        evaluate = Values(point, mpf(0))
-        try:
-            met = all(_met(question, need, evaluate) for need in answer.needs)
-        except (Undefined, NotImplementedError, sp.SympifyError, SyntaxError, TypeError, ValueError, AttributeError):
-            continue
-        if met:
+        if _all_met(question, answer.needs, point):
             yield Alarm("needs incomplete", f"{answer.needs} allow {shown(point)}, where a side is undefined")
 
 
@@ -197,6 +205,22 @@ def _troubled(question: Equation, draw: Random) -> Iterator[Point]:
         for point in points(bare, draw, 2 if extra else 8, extra=extra, spare=1):
             if any(_both(e, sp.Integer(0), point) is None for e in sides):
                 yield point
+
+
+def _all_met(question: Equation, needs: tuple[str, ...], point: Point) -> bool:
+    """Whether all needs hold at a point; what they alone speak of has the value that an equation among them tells."""
+    evaluate = Values(point, mpf(0))
+    try:
+        for need in needs * 2:
+            sides = [_expression(question, side) for side in need.split(" = ")]
+            unknown = set(atoms_of(*sides)) - evaluate.atoms.keys()
+            if len(sides) == 2 and len(unknown) == 1:
+                (told,) = unknown
+                value = sp.solve(sides[0] - sides[1], told)[0]
+                evaluate = Values({**evaluate.atoms, told: [evaluate(value)[0]]}, evaluate.like)
+        return all(_met(question, need, evaluate) for need in needs)
+    except (Undefined, NotImplementedError, SyntaxError, TypeError, ValueError, AttributeError, LookupError):
+        return False
 
 
 def _met(question: Equation, need: str, evaluate: Values) -> bool:

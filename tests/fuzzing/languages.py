@@ -10,7 +10,7 @@ from typing import Any
 
 from chasles.vocabulary import Misfit
 
-from . import declared, motions, scalars
+from . import declared, inequalities, motions, scalars
 from .asking import Answer, ask, ask_statement
 from .equations import Equation, points
 from .forging import accepted_forgery
@@ -47,7 +47,7 @@ def judged_again(question: Equation, draw: Random) -> Judged:
     found = judge(question, draw)
     if found.alarm is not None or found.answer.name in ("untreatable", "undecided"):
         return found
-    if draw.random() < TWISTED:
+    if not question.where and draw.random() < TWISTED:
         alarm = _turned(question, found, draw)
         if alarm is not None:
             return Judged(found.answer, alarm, found.found)
@@ -105,5 +105,6 @@ def _opposite(one: Answer, other: Answer, what: str, asked: object) -> Alarm | N
 LANGUAGES: dict[str, Language] = {
     "declared": Language(declared.question, statement_judged_again, smaller_statements, Asked.source),
     "scalars": Language(scalars.question, judged_again, smaller, Equation.source),
+    "inequalities": Language(inequalities.question, judged_again, smaller, Equation.source),
     "motions": Language(motions.question, judged_again, smaller, Equation.source),
 }

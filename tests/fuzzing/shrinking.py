@@ -40,7 +40,7 @@ def shrunk(
 def smaller(question: Equation) -> Iterator[Equation]:
     """Questions that are smaller by one thing, the ones that are much smaller first."""
     question = question.unlabelled()
-    for name in ("given", "nonzero"):
+    for name in ("given", "nonzero", "where"):
         items = getattr(question, name)
         for k in range(len(items)):
             yield replace(question, **{name: (*items[:k], *items[k + 1 :])})

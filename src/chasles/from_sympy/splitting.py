@@ -167,7 +167,7 @@ class Splitting:
         size = 2 * self._left.shape[0] * self._left.shape[1]
         flat = iter(case.spoken[size : size + 2 * len(self._pairs)])
         pairs = [*zip(flat, flat, strict=True), *((e, sympy.S.Zero) for e in case.equations)]
-        return any(case.sign(one - other) in (1, -1) for one, other in pairs)
+        return any(case.sign(one - other) in (1, -1) or (one - other).is_odd for one, other in pairs)
 
     def _require(self, case: SplitCase, within: bool) -> None:
         """State what divisors and radicands need, where it is not seen in this case whether it holds."""

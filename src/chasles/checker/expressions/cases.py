@@ -70,7 +70,7 @@ class CheckedCase:
             multiple = sign_of_multiple(e, other)
             signs = signs or (multiple is not None and sign != multiple * known)
         apart = [one - other for one, other in self.pairs] + list(self.equations)
-        return signs or any(self.sign(e) in (1, -1) for e in apart)
+        return signs or any(self.sign(e) in (1, -1) or e.is_odd for e in apart)
 
     def each(self, change: Callable[[Any], Any]) -> CheckedCase:
         """The case with everything changed."""
