@@ -565,3 +565,21 @@ def test_a_derivative_is_that_of_what_is_written_out() -> None:
     ):
         page = chasles.read("\n\n".join(f"$${text}$$" for text in texts), letters, "md")
         assert [each.verdict for each in page.equations[2:]] == verdicts
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (r"\dv{r}{h} = p", r"\frac{dr}{dh}=p"),
+        (r"\dv[2]{r}{h} = p", r"\frac{d^{2}r}{dh^{2}}=p"),
+        (r"\dv{h} (r p) = p", r"\frac{d}{dh}(rp)=p"),
+        (r"\pdv{r}{h}{p} = p", r"\frac{\partial^{2}r}{\partialh\partialp}=p"),
+        (r"\qty(r + h) r = h", r"\left(r+h\right)r=h"),
+        (r"\qty[r]^2 = \abs{p}", r"\left[r\right]^2=\|p\|"),
+        (r"\eval{r}_{h=0} = p", r"\left.r\right|_{h=0}=p"),
+        (r"\laplacian r = h", r"\nabla^{2}r=h"),
+    ],
+)
+def test_what_the_package_physics_has(text: str, expected: str) -> None:
+    page = rf"\usepackage{{physics}} \begin{{document}} \[ {text} \] \end{{document}}"
+    assert readings(page, "tex") == [expected]

@@ -84,7 +84,8 @@ class _Part:
                 return f"{least}"
             case Exists(symbol=symbol, left=left, right=right):
                 name, freed = self._freed(symbol)
-                return f"(exists {name} : {_type(symbol)}, {freed.equation(left, right)})"
+                kind = "R" if symbol.is_scalar else f"M {symbol.shape[0]} {symbol.shape[1]}"
+                return f"(exists {name} : {kind}, {freed.equation(left, right)})"
         raise Unsaid(f"a theorem of the form {type(self.form).__name__}")
 
     def _freed(self, symbol: w.Symbol) -> tuple[str, Spelling]:
@@ -165,7 +166,3 @@ def _vanishing(spelling: Spelling, node: w.Node) -> str:
 
 def _side(spelling: Spelling, node: w.Node) -> str:
     return spelling.number(node, ATOM) if node.shape == (1, 1) else f"({spelling.matrix(node)})%M"
-
-
-def _type(symbol: w.Symbol) -> str:
-    return "R" if symbol.is_scalar else f"M {symbol.shape[0]} {symbol.shape[1]}"

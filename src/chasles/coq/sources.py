@@ -48,7 +48,8 @@ class ProofReading(Reading):
 
     def __init__(self, problem: Problem, names: Iterable[str], nodes: Iterable[w.Node]) -> None:
         divisors = [node.denominator for node in nodes if isinstance(node, w.Quotient)]
-        self.keeps_squares = any(_is_square(part) for divisor in divisors for part in w.walk(divisor))
+        powers = (part for each in divisors for part in w.walk(each) if isinstance(part, w.Power))
+        self.keeps_squares = any(isinstance(each.base, w.Norm) and each.exponent % 2 == 0 for each in powers)
         self._literal = False
         super().__init__(problem, names)
         self._stated = [
@@ -128,7 +129,3 @@ class ProofReading(Reading):
             entry = self.rate(entry)
         below = cleared(entry, self.nonzero)[1]
         yield StatedEntry(about, stem, equation, left, right, order, i, j, below)
-
-
-def _is_square(node: w.Node) -> bool:
-    return isinstance(node, w.Power) and isinstance(node.base, w.Norm) and node.exponent % 2 == 0

@@ -28,7 +28,8 @@ def turned(plain: PlainExpressions, e: Any) -> Any:
     for atom, multiple in sympy.expand(e.args[0]).as_coefficients_dict().items():
         unit = _unit_of(plain, atom, multiple)
         turns = multiple / sympy.Rational(unit.numerator, unit.denominator)
-        if not turns.is_Integer or not _is_rational(plain, atom):
+        at = {each: sympy.Dummy() for each in plain.statement.names}
+        if not turns.is_Integer or not atom.xreplace(at).is_rational_function():
             raise Unsaid(f"no proof is written about the angle {e.args[0]}")
         angle = atom * sympy.Rational(unit.numerator, unit.denominator)
         c, s = _circle(plain, atom, angle)
@@ -45,11 +46,6 @@ def turned(plain: PlainExpressions, e: Any) -> Any:
     known = "".join(f"rewrite <- ?of'{each}; " for text, each in plain.remembered if text.startswith("sqrt"))
     plain.value(name, value, f"(rewrite of'{name}; {replaced}; {OPENED}; {known}reckon)")
     return value
-
-
-def _is_rational(plain: PlainExpressions, e: Any) -> bool:
-    """Whether something is a rational function of quantities."""
-    return bool(e.xreplace({atom: sympy.Dummy() for atom in plain.statement.names}).is_rational_function())
 
 
 def _unit_of(plain: PlainExpressions, atom: Any, multiple: Any) -> Fraction:

@@ -131,7 +131,7 @@ class Decisions(Several[Decision]):
     @property
     def verdict(self) -> Verdict:
         """The verdict on the part that is least certain: one that is wrong as printed, else one with needs."""
-        return min((decision.verdict for decision in self), key=_certainty)
+        return min((each.verdict for each in self), key=lambda said: _LEAST_CERTAIN_FIRST.index(type(said)))
 
     @property
     def needs(self) -> tuple[str, ...]:
@@ -145,10 +145,6 @@ class Decisions(Several[Decision]):
 
 
 _LEAST_CERTAIN_FIRST = (IllFormed, Fails, Contradictory, Undecided, HoldsUnder, Holds, Posed, Assumed, Defined)
-
-
-def _certainty(verdict: Verdict) -> int:
-    return _LEAST_CERTAIN_FIRST.index(type(verdict))
 
 
 def key_of(statement: Sentence, citing: Sentence | None = None) -> str:

@@ -41,12 +41,7 @@ def session_of(book: Chapter, anew: bool = False) -> Session:
         return Session(book=book)
     packages = dict.fromkeys([*(chapter_of(basis) for entry in book for basis in bases(entry.statement)), book.package])
     answers = {key: answer for package in filter(None, packages) for key, answer in shipped(package).items()}
-    return Session(book=book, memory=Memory(_recalled(), answers))
-
-
-def _recalled() -> dict[str, Any]:
-    """What was decided in earlier runs by this engine; nothing where nothing can be read."""
-    return read_kept(_path())
+    return Session(book=book, memory=Memory(read_kept(_path()), answers))
 
 
 def read_kept(path: Path | None) -> dict[str, Any]:

@@ -101,10 +101,6 @@ def _by_slope(value: Callable[[Array], Array], slope: str | Callable[..., TimeSe
     return function
 
 
-def _times(number: float, x: TimeSeries) -> TimeSeries:
-    return TimeSeries(number * x.terms)
-
-
 def _one(x: TimeSeries) -> TimeSeries:
     return x / x
 
@@ -129,7 +125,7 @@ def _root_of_rest(x: TimeSeries) -> TimeSeries:
 FUNCTIONS: dict[str, Callable[..., TimeSeries]] = {
     "sin": _by_slope(np.sin, "cos"),
     "cos": _by_slope(np.cos, lambda x: -FUNCTIONS["sin"](x)),
-    "sqrt": _by_slope(np.sqrt, lambda x: _times(0.5, _one(x) / FUNCTIONS["sqrt"](x))),
+    "sqrt": _by_slope(np.sqrt, lambda x: TimeSeries(0.5 * (_one(x) / FUNCTIONS["sqrt"](x)).terms)),
     "exp": _by_slope(np.exp, "exp"),
     "log": _by_slope(np.log, lambda x: _one(x) / x),
     "arcsin": _by_slope(np.arcsin, lambda x: _one(x) / _root_of_rest(x)),

@@ -43,7 +43,9 @@ class UnsaidDerivatives:
         chosen = chosen_rules((derivative.of,), rules)
         written = _written_out(derivative.of, {key: rule for key, rule in chosen.items() if key[0] not in by})
         found = symbols_in((written,))
-        said = by <= found and not any(_is_value(each) or each in self._functions for each in found - by)
+        others = found - by
+        values = {each for each in others if each.meaning == OF_ITS_OWN or each.letter.endswith(")")}
+        said = by <= found and not (values or others & self._functions)
         if found and not said:
             return _own(derivative)
         return derivative if written == derivative.of else PartialDerivative(written, derivative.by)
@@ -55,11 +57,6 @@ def _written_out(node: Node, rules: Rules) -> Node:
     for _ in rules:
         node = replace(node, values)
     return node
-
-
-def _is_value(symbol: Symbol) -> bool:
-    """Whether it is the value of a function, or another quantity of its own."""
-    return symbol.meaning == OF_ITS_OWN or symbol.letter.endswith(")")
 
 
 def _own(derivative: PartialDerivative) -> Node:

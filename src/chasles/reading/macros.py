@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
+from collections.abc import Sequence
 from contextlib import suppress
 from typing import NamedTuple
 
@@ -79,8 +80,12 @@ class Source:
 
     def expand(self, call: Token, macro: Macro) -> None:
         """Puts what the macro is replaced by before what follows."""
-        if macro.starred:
+        is_derivative = bool(macro.body) and macro.body[0].text == r"\derivative"
+        if macro.starred or is_derivative:
             self.drop_star()
+        if is_derivative or (call.text == r"\qty" and self.peek() in ("(", "[", "|", r"\{")):
+            self.waiting += reversed(self.derivative(call, macro.body[-1]) if is_derivative else [])
+            return
         optional = self.optional(call) if macro.default is not None else None
         arguments = [] if macro.default is None else [macro.default if optional is None else optional]
         arguments += [self.argument(call) for _ in range(macro.arguments - len(arguments))]
@@ -98,6 +103,19 @@ class Source:
             self.macros.wasted += MOST_LEXEMES
             raise BadPage(f"{call.text} expands without end: does it use itself?", *call[1:])
         self.waiting += reversed(body)
+
+    def derivative(self, call: Token, sign: Token) -> list[Token]:
+        r"""A derivative of the package physics: \dv[2]{x}{t}, \pdv{f}{x}{y}, or \dv{t} of what follows."""
+        order = self.optional(call)
+        said = [self.argument(call)]
+        while self.peek() == "{" and len(said) < (2 if sign.text == "d" else 3):
+            said.append(self.argument(call))
+        *of, first = said[:2]
+        order = [Token("2")] if len(said) == 3 else order
+        power = [Token("^"), *_group(order)] if order else []
+        by = [sign, *first, *([sign, *said[2]] if len(said) == 3 else power)]
+        found = [Token(r"\frac"), *_group([sign, *power, *(token for each in of for token in each)]), *_group(by)]
+        return [token._replace(line=call.line, column=call.column) for token in found]
 
     def peek(self) -> str:
         """The next lexeme that is not blank, which stays."""
@@ -161,7 +179,7 @@ class Source:
             meaning = self.argument(command)
             return {name: self.macros.get(spelled(meaning), Macro(0, None, [Token(r"\noexpand"), *meaning]))}
         if kind == "DeclareMathOperator":
-            return {name: Macro(0, None, [Token(r"\operatorname"), Token("{"), *self.argument(command), Token("}")])}
+            return {name: Macro(0, None, [Token(r"\operatorname"), *_group(self.argument(command))])}
         if kind == "DeclareMathAlphabet":
             said = [spelled(self.argument(command)) for _ in range(4) if self.peek() == "{"]
             _, family, series, shape = said if len(said) == 4 else ("", "", "", "")
@@ -206,3 +224,7 @@ class Source:
                 waiting += [each for each in body if each in self.macros and each not in seen]
                 seen |= body
         return self._structural[name]
+
+
+def _group(inside: Sequence[Token]) -> list[Token]:
+    return [Token("{"), *inside, Token("}")]

@@ -11,9 +11,11 @@ ALWAYS = r"""
 \newcommand\diag{\operatorname{diag}} \newcommand\R{\mathbb{R}} \newcommand\half{\frac{1}{2}}
 \newcommand\bs[1]{\boldsymbol{#1}} \newcommand\mbs[1]{\boldsymbol{#1}} \newcommand\mb[1]{\mathbf{#1}}
 \newcommand\mat[1]{\mathbf{#1}} \newcommand\mtx[1]{\mathbf{#1}} \newcommand\vct[1]{\mathbf{#1}}
+\newcommand\Mat[1]{\mathbf{#1}} \newcommand\Vec[1]{\mathbf{#1}} \newcommand\vv[1]{\overrightarrow{#1}}
+\newcommand\Norm[1]{\left\|#1\right\|} \newcommand\la{\langle} \newcommand\ra{\rangle} \newcommand\degree{^\circ}
 \newcommand\uvec[1]{\hat{\mathbf{#1}}} \newcommand\uvect[1]{\hat{\mathbf{#1}}} \newcommand\unitvec[1]{\hat{\mathbf{#1}}}
 \newcommand\pdiff[2]{\frac{\partial #1}{\partial #2}} \newcommand\pder[2]{\frac{\partial #1}{\partial #2}}
-\newcommand\pdv[2]{\frac{\partial #1}{\partial #2}} \newcommand\dv[2]{\frac{d #1}{d #2}}
+\newcommand\pdv{\derivative\partial} \newcommand\dv{\derivative d}
 \newcommand\dif{\mathrm{d}} \newcommand\mathd{\mathrm{d}} \newcommand\dd{\mathrm{d}} \newcommand\ud{\mathrm{d}}
 \newcommand\T{\top} \newcommand\transp{\top} \newcommand\tran{\top} \newcommand\comma{,}
 \newcommand\SO{\operatorname{SO}} \newcommand\SE{\operatorname{SE}}
@@ -25,10 +27,10 @@ ALWAYS = r"""
 
 PACKAGES = {
     "physics": r"""
-\newcommand\abs[1]{\left|#1\right|} \newcommand\norm[1]{\left\|#1\right\|} \newcommand\qty[1]{\left(#1\right)}
-\newcommand\vb{\mathbf} \newcommand\va[1]{\vec{\mathbf{#1}}} \newcommand\vu[1]{\hat{\mathbf{#1}}}
-\newcommand\dd{\mathrm{d}} \newcommand\dv[2]{\frac{d #1}{d #2}} \newcommand\pdv[2]{\frac{\partial #1}{\partial #2}}
-\newcommand\cross{\times} \newcommand\vdot{\cdot} \newcommand\tr{\operatorname{tr}} \newcommand\grad{\nabla}
+\newcommand\qty[1]{\left(#1\right)} \newcommand\vb{\mathbf} \newcommand\va[1]{\vec{\mathbf{#1}}}
+\newcommand\vu[1]{\hat{\mathbf{#1}}} \newcommand\eval[1]{\left.#1\right|}
+\newcommand\cross{\times} \newcommand\vdot{\cdot} \newcommand\grad{\nabla}
+\newcommand\curl{\nabla\times} \newcommand\div{\nabla\cdot} \newcommand\laplacian{\nabla^2}
 """,
     "tensor": r"\newcommand\tensor[3][]{{}#1{#2}#3}",
     "siunitx": r"\newcommand\SI[2]{#1} \newcommand\qty[2]{#1} \newcommand\num[1]{#1} \newcommand\ang[1]{#1^\circ}",

@@ -51,13 +51,14 @@ def order_of_rate(above: Tokens, below: Tokens) -> int:
 
 
 def derived(atom: Atom) -> list[str] | None:
-    """What stands behind the d of a derivative, no rate and no partial one: df/dx, Df/Dt, or a rate in a frame."""
+    """What stands behind the d of a derivative, no rate: df/dx, Df/Dt, a higher partial one, a rate in a frame."""
     if atom.kind != "COMMAND_OF_TWO" or "frac" not in atom.text or order_of_rate(*atom.arguments):
         return None
     above, below = atom.arguments
     framed = [token.text for token in above[:3]] == ["{", "}", "^"]
     top, bottom = upright(above[closing(above, 3) + 1 if framed else 0 :]), upright(below)
-    is_one = top[:1] == bottom[:1] and top[:1] in (["d"], ["D"]) and len(bottom) > 1
+    is_higher = top[:1] == [r"\partial"] and (top[1:2] == ["^"] or bottom.count(r"\partial") > 1)
+    is_one = top[:1] == bottom[:1] and (top[:1] in (["d"], ["D"]) or is_higher) and len(bottom) > 1
     return top[1:] if is_one and "_" not in (*top[1:2], *bottom[1:2]) else None
 
 
