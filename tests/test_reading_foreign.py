@@ -578,6 +578,7 @@ def test_a_derivative_is_that_of_what_is_written_out() -> None:
         (r"\qty[r]^2 = \abs{p}", r"\left[r\right]^2=\|p\|"),
         (r"\eval{r}_{h=0} = p", r"\left.r\right|_{h=0}=p"),
         (r"\laplacian r = h", r"\nabla^{2}r=h"),
+        (r"\la r, h, 2 \ra = \Vec a", r"\begin{bmatrix}r\\h\\2\end{bmatrix}=\mathbf{a}"),
     ],
 )
 def test_what_the_package_physics_has(text: str, expected: str) -> None:

@@ -117,11 +117,11 @@ class _PieceShapes:
                 inner = self.terms(atom.inside[0])
                 if inner is not None and (inner[1] != 1 or inner == SCALAR):
                     raise Misshapen
-            case "BRACKET" if text in ("()", "[]") and atom.inside:
+            case "BRACKET" if atom.inside and (text in ("()", "[]") or (text == r"\langle\rangle" and atom.inside[2:])):
                 cells = [self.terms(each) for each in atom.inside]
                 shape = cells[0] if len(cells) == 1 else _stacked([[cell] for cell in cells])
             case "BRACKET":
-                return SCALAR if text in ("||", r"\langle\rangle") else None
+                return SCALAR if text == "||" else None
             case "GRID" if isinstance(atom.grid, Grid) and atom.grid.name.endswith(("matrix", "array")):
                 shape = _stacked([[self.tokens(cell) for cell in row] for row in atom.grid.rows])
             case "COMMAND_OF_TWO" if "frac" in text:

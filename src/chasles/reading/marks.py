@@ -123,6 +123,8 @@ def _nucleus(atom: Atom, letter: Glyph, ctx: FittingContext) -> list[Fit]:
             return exponential_fits(atom.sups[0], ctx)
         case "BRACKET" if len(atom.inside) == 1:
             return _bracketed(atom, rest, ctx)
+        case "BRACKET" if len(atom.inside) > 2 and atom.text == r"\langle\rangle":
+            return _column(atom, rest, ctx)
         case "BRACKET" if makes := spellings.brackets.get((f"{atom.text},", rest.loose.sub, " ".join(rest.loose.sups))):
             return list(made_of(makes, list(product(*map(ctx.terms, atom.inside))), None, ctx))
         case "BRACKET" if len(atom.inside) > 1 and atom.text in (r"\{\}", r"\langle\rangle"):
