@@ -531,303 +531,249 @@ CHASLES_INLINE void store_4f(char *at, ptrdiff_t step, floats x, floats y, float
 
 /* Numbers of each item, from its number `first` on, in rows of `columns`: side by side, or else each in the place that
  * steps down and across say, one item after the other. Without a step all items are one. */
+#define PLACE ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step
 #define ENTRY(at, k) ((at) + (first + (k)) / columns * down + (first + (k)) % columns * across)
-CHASLES_INLINE void take_1(
-    const char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
-    doubles *to)
+static CHASLES_APART __attribute__((unused)) void take_each(
+    const char *at, PLACE, int count, doubles *to)
+{
+    for (int k = 0; k < count; k++) {
+        const char *const entry = ENTRY(at, k);
+        if (step == 0) {
+            to[k] = spread(*(const double *)entry);
+        } else {
+            __builtin_prefetch(entry + 4 * CHASLES_LINE);
+            to[k] = PACKED_IN(entry, 0);
+        }
+    }
+}
+
+static CHASLES_APART __attribute__((unused)) void give_each(
+    char *at, PLACE, int count, const doubles *all)
+{
+    for (int k = 0; k < count; k++) {
+        char *const entry = ENTRY(at, k);
+        if (step == 0) {
+            *(double *)entry = all[k][0];
+        } else {
+            __builtin_prefetch(entry + 4 * CHASLES_LINE, 1);
+            PACKED(entry, 0) = all[k];
+        }
+    }
+}
+
+CHASLES_INLINE void take_1(const char *at, PLACE, doubles *to)
 {
     if (across == sizeof(double) && step != 0) {
         load_1(at + first * across, step, to);
         return;
     }
+    doubles all[1];
+    take_each(at, first, columns, down, across, step, 1, all);
     for (int k = 0; k < 1; k++) {
-        if (step == 0) {
-            to[k] = spread(*(const double *)ENTRY(at, k));
-            continue;
-        }
-        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE);
-        to[k] = PACKED_IN(ENTRY(at, k), 0);
+        to[k] = all[k];
     }
 }
 
-CHASLES_INLINE void give_1(
-    char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
-    doubles x)
+CHASLES_INLINE void give_1(char *at, PLACE, doubles x)
 {
     if (across == sizeof(double) && step != 0) {
         store_1(at + first * across, step, x);
         return;
     }
     const doubles all[] = {x};
-    for (int k = 0; k < 1; k++) {
-        if (step == 0) {
-            *(double *)ENTRY(at, k) = all[k][0];
-            continue;
-        }
-        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE, 1);
-        PACKED(ENTRY(at, k), 0) = all[k];
-    }
+    give_each(at, first, columns, down, across, step, 1, all);
 }
 
-CHASLES_INLINE void take_2(
-    const char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
-    doubles *to)
+CHASLES_INLINE void take_2(const char *at, PLACE, doubles *to)
 {
     if (across == sizeof(double) && step != 0) {
         load_2(at + first * across, step, to);
         return;
     }
+    doubles all[2];
+    take_each(at, first, columns, down, across, step, 2, all);
     for (int k = 0; k < 2; k++) {
-        if (step == 0) {
-            to[k] = spread(*(const double *)ENTRY(at, k));
-            continue;
-        }
-        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE);
-        to[k] = PACKED_IN(ENTRY(at, k), 0);
+        to[k] = all[k];
     }
 }
 
-CHASLES_INLINE void give_2(
-    char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
-    doubles x, doubles y)
+CHASLES_INLINE void give_2(char *at, PLACE, doubles x, doubles y)
 {
     if (across == sizeof(double) && step != 0) {
         store_2(at + first * across, step, x, y);
         return;
     }
     const doubles all[] = {x, y};
-    for (int k = 0; k < 2; k++) {
-        if (step == 0) {
-            *(double *)ENTRY(at, k) = all[k][0];
-            continue;
-        }
-        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE, 1);
-        PACKED(ENTRY(at, k), 0) = all[k];
-    }
+    give_each(at, first, columns, down, across, step, 2, all);
 }
 
-CHASLES_INLINE void take_3(
-    const char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
-    doubles *to)
+CHASLES_INLINE void take_3(const char *at, PLACE, doubles *to)
 {
     if (across == sizeof(double) && step != 0) {
         load_3(at + first * across, step, to);
         return;
     }
+    doubles all[3];
+    take_each(at, first, columns, down, across, step, 3, all);
     for (int k = 0; k < 3; k++) {
-        if (step == 0) {
-            to[k] = spread(*(const double *)ENTRY(at, k));
-            continue;
-        }
-        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE);
-        to[k] = PACKED_IN(ENTRY(at, k), 0);
+        to[k] = all[k];
     }
 }
 
-CHASLES_INLINE void give_3(
-    char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
-    doubles x, doubles y, doubles z)
+CHASLES_INLINE void give_3(char *at, PLACE, doubles x, doubles y, doubles z)
 {
     if (across == sizeof(double) && step != 0) {
         store_3(at + first * across, step, x, y, z);
         return;
     }
     const doubles all[] = {x, y, z};
-    for (int k = 0; k < 3; k++) {
-        if (step == 0) {
-            *(double *)ENTRY(at, k) = all[k][0];
-            continue;
-        }
-        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE, 1);
-        PACKED(ENTRY(at, k), 0) = all[k];
-    }
+    give_each(at, first, columns, down, across, step, 3, all);
 }
 
-CHASLES_INLINE void take_4(
-    const char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
-    doubles *to)
+CHASLES_INLINE void take_4(const char *at, PLACE, doubles *to)
 {
     if (across == sizeof(double) && step != 0) {
         load_4(at + first * across, step, to);
         return;
     }
+    doubles all[4];
+    take_each(at, first, columns, down, across, step, 4, all);
     for (int k = 0; k < 4; k++) {
-        if (step == 0) {
-            to[k] = spread(*(const double *)ENTRY(at, k));
-            continue;
-        }
-        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE);
-        to[k] = PACKED_IN(ENTRY(at, k), 0);
+        to[k] = all[k];
     }
 }
 
-CHASLES_INLINE void give_4(
-    char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
-    doubles x, doubles y, doubles z, doubles w)
+CHASLES_INLINE void give_4(char *at, PLACE, doubles x, doubles y, doubles z, doubles w)
 {
     if (across == sizeof(double) && step != 0) {
         store_4(at + first * across, step, x, y, z, w);
         return;
     }
     const doubles all[] = {x, y, z, w};
-    for (int k = 0; k < 4; k++) {
+    give_each(at, first, columns, down, across, step, 4, all);
+}
+
+static CHASLES_APART __attribute__((unused)) void take_eachf(
+    const char *at, PLACE, int count, floats *to)
+{
+    for (int k = 0; k < count; k++) {
+        const char *const entry = ENTRY(at, k);
         if (step == 0) {
-            *(double *)ENTRY(at, k) = all[k][0];
-            continue;
+            to[k] = spreadf(*(const float *)entry);
+        } else {
+            __builtin_prefetch(entry + 4 * CHASLES_LINE);
+            to[k] = PACKEDF_IN(entry, 0);
         }
-        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE, 1);
-        PACKED(ENTRY(at, k), 0) = all[k];
     }
 }
 
-CHASLES_INLINE void take_1f(
-    const char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
-    floats *to)
+static CHASLES_APART __attribute__((unused)) void give_eachf(
+    char *at, PLACE, int count, const floats *all)
+{
+    for (int k = 0; k < count; k++) {
+        char *const entry = ENTRY(at, k);
+        if (step == 0) {
+            *(float *)entry = all[k][0];
+        } else {
+            __builtin_prefetch(entry + 4 * CHASLES_LINE, 1);
+            PACKEDF(entry, 0) = all[k];
+        }
+    }
+}
+
+CHASLES_INLINE void take_1f(const char *at, PLACE, floats *to)
 {
     if (across == sizeof(float) && step != 0) {
         load_1f(at + first * across, step, to);
         return;
     }
+    floats all[1];
+    take_eachf(at, first, columns, down, across, step, 1, all);
     for (int k = 0; k < 1; k++) {
-        if (step == 0) {
-            to[k] = spreadf(*(const float *)ENTRY(at, k));
-            continue;
-        }
-        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE);
-        to[k] = PACKEDF_IN(ENTRY(at, k), 0);
+        to[k] = all[k];
     }
 }
 
-CHASLES_INLINE void give_1f(
-    char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
-    floats x)
+CHASLES_INLINE void give_1f(char *at, PLACE, floats x)
 {
     if (across == sizeof(float) && step != 0) {
         store_1f(at + first * across, step, x);
         return;
     }
     const floats all[] = {x};
-    for (int k = 0; k < 1; k++) {
-        if (step == 0) {
-            *(float *)ENTRY(at, k) = all[k][0];
-            continue;
-        }
-        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE, 1);
-        PACKEDF(ENTRY(at, k), 0) = all[k];
-    }
+    give_eachf(at, first, columns, down, across, step, 1, all);
 }
 
-CHASLES_INLINE void take_2f(
-    const char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
-    floats *to)
+CHASLES_INLINE void take_2f(const char *at, PLACE, floats *to)
 {
     if (across == sizeof(float) && step != 0) {
         load_2f(at + first * across, step, to);
         return;
     }
+    floats all[2];
+    take_eachf(at, first, columns, down, across, step, 2, all);
     for (int k = 0; k < 2; k++) {
-        if (step == 0) {
-            to[k] = spreadf(*(const float *)ENTRY(at, k));
-            continue;
-        }
-        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE);
-        to[k] = PACKEDF_IN(ENTRY(at, k), 0);
+        to[k] = all[k];
     }
 }
 
-CHASLES_INLINE void give_2f(
-    char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
-    floats x, floats y)
+CHASLES_INLINE void give_2f(char *at, PLACE, floats x, floats y)
 {
     if (across == sizeof(float) && step != 0) {
         store_2f(at + first * across, step, x, y);
         return;
     }
     const floats all[] = {x, y};
-    for (int k = 0; k < 2; k++) {
-        if (step == 0) {
-            *(float *)ENTRY(at, k) = all[k][0];
-            continue;
-        }
-        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE, 1);
-        PACKEDF(ENTRY(at, k), 0) = all[k];
-    }
+    give_eachf(at, first, columns, down, across, step, 2, all);
 }
 
-CHASLES_INLINE void take_3f(
-    const char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
-    floats *to)
+CHASLES_INLINE void take_3f(const char *at, PLACE, floats *to)
 {
     if (across == sizeof(float) && step != 0) {
         load_3f(at + first * across, step, to);
         return;
     }
+    floats all[3];
+    take_eachf(at, first, columns, down, across, step, 3, all);
     for (int k = 0; k < 3; k++) {
-        if (step == 0) {
-            to[k] = spreadf(*(const float *)ENTRY(at, k));
-            continue;
-        }
-        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE);
-        to[k] = PACKEDF_IN(ENTRY(at, k), 0);
+        to[k] = all[k];
     }
 }
 
-CHASLES_INLINE void give_3f(
-    char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
-    floats x, floats y, floats z)
+CHASLES_INLINE void give_3f(char *at, PLACE, floats x, floats y, floats z)
 {
     if (across == sizeof(float) && step != 0) {
         store_3f(at + first * across, step, x, y, z);
         return;
     }
     const floats all[] = {x, y, z};
-    for (int k = 0; k < 3; k++) {
-        if (step == 0) {
-            *(float *)ENTRY(at, k) = all[k][0];
-            continue;
-        }
-        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE, 1);
-        PACKEDF(ENTRY(at, k), 0) = all[k];
-    }
+    give_eachf(at, first, columns, down, across, step, 3, all);
 }
 
-CHASLES_INLINE void take_4f(
-    const char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
-    floats *to)
+CHASLES_INLINE void take_4f(const char *at, PLACE, floats *to)
 {
     if (across == sizeof(float) && step != 0) {
         load_4f(at + first * across, step, to);
         return;
     }
+    floats all[4];
+    take_eachf(at, first, columns, down, across, step, 4, all);
     for (int k = 0; k < 4; k++) {
-        if (step == 0) {
-            to[k] = spreadf(*(const float *)ENTRY(at, k));
-            continue;
-        }
-        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE);
-        to[k] = PACKEDF_IN(ENTRY(at, k), 0);
+        to[k] = all[k];
     }
 }
 
-CHASLES_INLINE void give_4f(
-    char *at, ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step,
-    floats x, floats y, floats z, floats w)
+CHASLES_INLINE void give_4f(char *at, PLACE, floats x, floats y, floats z, floats w)
 {
     if (across == sizeof(float) && step != 0) {
         store_4f(at + first * across, step, x, y, z, w);
         return;
     }
     const floats all[] = {x, y, z, w};
-    for (int k = 0; k < 4; k++) {
-        if (step == 0) {
-            *(float *)ENTRY(at, k) = all[k][0];
-            continue;
-        }
-        __builtin_prefetch(ENTRY(at, k) + 4 * CHASLES_LINE, 1);
-        PACKEDF(ENTRY(at, k), 0) = all[k];
-    }
+    give_eachf(at, first, columns, down, across, step, 4, all);
 }
 
+#undef PLACE
 #ifdef __cplusplus
 extern "C" {
 #endif
