@@ -75,6 +75,8 @@ def test_equal_sides_are_never_apart(one: Any, other: Any) -> None:
         (x + y - z, [Eq(x + y, 2), Eq(x - z, exp(y))]),
         (x - 2 * z, [Eq(log(x) + y, 1), Eq(y, z)]),
         (x, [Eq(x**2, y**2), Eq(y, z)]),
+        (exp(x), [Eq(x**2 + y**2 + z**2, 7)]),
+        (exp(x), [Eq(x * y * z, 5), Eq(x + y + z, 2)]),
     ],
     ids=str,
 )

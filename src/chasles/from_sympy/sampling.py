@@ -1,7 +1,7 @@
-"""Rational points that satisfy every condition, and at which two sides are certainly different: their values enclosed.
+"""Points that satisfy every condition, and at which two sides are certainly different: their values enclosed.
 
 What is refuted so needs no algebra of the functions that occur. An equation that is given is satisfied exactly: it is
-linear in one of its atoms, which is solved for, or it holds in rational arithmetic.
+linear or quadratic in one of its atoms, which is solved for, or it holds in rational arithmetic.
 """
 
 from __future__ import annotations
@@ -79,7 +79,11 @@ class Sampling:
             random = Random(attempt)
             atoms = sorted(self._dummies.items(), key=lambda known: str(known[0]))
             values = {dummy: _drawn(atom, random, attempt) for atom, dummy in atoms}
-            enclosures = Enclosures({**values, **solved.roots(values, random), **solved.values})
+            if solved.quadratic:
+                # Half of the others vanish where they may: roots are rational more often.
+                free = [dummy for atom, dummy in atoms if dummy not in solved.quadratic and _agrees(atom, Fraction(0))]
+                values |= {dummy: sympy.S.Zero for dummy in free if random.random() < 0.5}
+            enclosures = Enclosures({**values, **solved.roots(values), **solved.values})
             try:
                 for expression in expressions:
                     enclosures(expression)
@@ -124,15 +128,15 @@ class Sampling:
 
 
 class _Solved:
-    """The atoms that given equations determine, each linear in its atom where the coefficient does not vanish."""
+    """The atoms that given equations determine, linear ones where the coefficient does not vanish."""
 
     def __init__(self, given: Sequence[tuple[Any, Any]]) -> None:
         self.values: dict[Any, Any] = {}
         self.slopes: list[Any] = []
         self.left: list[Any] = []
-        self.squares: dict[Any, Any] = {}
+        self.quadratic: dict[Any, tuple[Any, Any, Any]] = {}
         for one, other in given:
-            difference = sympy.expand((one - other).xreplace(self.values))
+            difference = self._without_denominators(one - other)
             for atom in sorted(difference.free_symbols, key=str):
                 slope = sympy.diff(difference, atom)
                 if slope != 0 and not slope.has(atom):
@@ -143,27 +147,36 @@ class _Solved:
                     break
             else:
                 self.left.append(difference)
-                for atom in sorted(difference.free_symbols, key=str):
-                    slope = sympy.diff(difference, atom)
-                    if atom not in self.squares and slope == sympy.diff(slope, atom) * atom:
-                        self.squares[atom] = -2 * difference.xreplace({atom: sympy.S.Zero}) / sympy.diff(slope, atom)
-                        break
+        self.left = list(map(self._without_denominators, self.left))
+        for difference in self.left:
+            for atom in sorted(difference.free_symbols - self.quadratic.keys(), key=str):
+                slope = sympy.diff(difference, atom)
+                twice = sympy.diff(slope, atom)
+                if twice != 0 and not twice.has(atom):
+                    b, c = (e.xreplace({atom: sympy.S.Zero}) for e in (slope, difference))
+                    self.quadratic[atom] = twice / 2, b, c
+                    break
 
-    def roots(self, values: dict[Any, Any], random: Random) -> dict[Any, Any]:
-        """Atoms whose squares equations say, where these have rational roots: others are often zero for that."""
-        if self.squares:
-            values |= {atom: sympy.S.Zero for atom in values if atom not in self.squares and random.random() < 0.5}
-        found = {}
-        for atom, square in self.squares.items():
-            root = sympy.sqrt(square.xreplace(values))
-            if root.is_Rational:
-                found[atom] = root if values[atom] >= 0 else -root
+    def _without_denominators(self, difference: Any) -> Any:
+        """What vanishes by what is solved for, without what the values of that divide by."""
+        known = sympy.expand(difference.xreplace(self.values))
+        return sympy.expand(sympy.fraction(sympy.together(known))[0]) if known != sympy.expand(difference) else known
+
+    def roots(self, values: dict[Any, Any]) -> dict[Any, Any]:
+        """Atoms whose squares equations say, where there are real ones; with the sign that they had, if one has."""
+        found = dict[Any, Any]()
+        for atom, coefficients in self.quadratic.items():
+            a, b, c = (e.xreplace(found).xreplace(values) for e in coefficients)
+            square = b**2 - 4 * a * c
+            if a != 0 and square.is_Rational and square >= 0:
+                roots = [(-b + sign * sympy.sqrt(square)) / (2 * a) for sign in (1, -1)]
+                found[atom] = next((root for root in roots if (root >= 0) == (values[atom] >= 0)), roots[0])
         return found
 
     def satisfied(self, enclosures: Enclosures) -> bool:
         """Whether all of them hold, exactly."""
         known = all(apart(enclosures(slope), Fraction(0)) for slope in self.slopes)
-        return known and all(enclosures(difference) == Fraction(0) for difference in self.left)
+        return known and all(sympy.expand(e.xreplace(enclosures.values)) == 0 for e in self.left)
 
 
 def _drawn(atom: Any, random: Random, attempt: int) -> Any:
