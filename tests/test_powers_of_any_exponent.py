@@ -8,10 +8,11 @@ from typing import Any
 
 import pytest
 
+from chasles.checker.any_size.induction import first_and_next
 from chasles.checker.certificate import check
 from chasles.checker.sparse import Rejected
 from chasles.decisions.session import Session
-from chasles.statements import Claim, Condition, Definition, symmetric
+from chasles.statements import Claim, Condition, Definition, problem_of, symmetric
 from chasles.statements.matrices import commuting, idempotent, invertible, orthogonal
 from chasles.verdict import Undecided
 from chasles.vocabulary import (
@@ -34,7 +35,7 @@ from chasles.vocabulary.sizes import Size
 from .decided import claim, proved, refuted
 
 n, m, k, j = Size("n"), Size("m"), Size("k"), Size("j")
-A, B, Q = (square(name, name, "", size=n) for name in "ABQ")
+A, B, Q, E = (square(name, name, "", size=n) for name in "ABQE")
 C, D = square("C", "C", "", size=m), square("D", "D", "")
 x, c = vector("x", "x", "", size=n), scalar("c", "c", "")
 eigen = Condition("0", A @ x, c * x, on=(x,))
@@ -94,6 +95,14 @@ def test_what_is_assumed_of_an_exponent_is_not_assumed_of_the_next() -> None:
     assert not Session().decide(claim(A ** (k + 1), A, symmetric(B), given=(named,))).verdict.true
 
 
+@pytest.mark.parametrize("said", [claim(B, A), claim(B @ A, A @ A), claim(E, A)], ids=str)
+def test_what_a_definition_by_the_exponent_names_is_not_assumed_of_the_next(said: Claim) -> None:
+    """B = A^k is A for k = 1; that it is so for k + 1 if it is for k does not follow, B being another matrix there."""
+    named = (Definition("0", B, A**k), Definition("00", E, B))
+    with pytest.raises(Rejected, match="something is assumed of k"):
+        first_and_next(problem_of(claim(said.left, said.right, given=named)), "k")
+
+
 def test_what_induction_does_not_show_at_once_is_undecided() -> None:
     said = claim(tr((Q @ A @ inverse(Q)) ** k), tr(A**k), invertible(Q))
     assert isinstance(Session().decide(said).verdict, Undecided)
@@ -122,6 +131,6 @@ def test_they_are_printed_and_fit() -> None:
     assert (plain(A ** (k + 1)), latex(A ** (k + 1))) == ("A^(k + 1)", r"\mathbf{A}^{k + 1}")
     assert plain(A**k) == "A^k"
     with pytest.raises(Misfit, match="has a dimension"):
-        square("E", "E", "", LENGTH) ** k
+        square("F", "F", "", LENGTH) ** k
     with pytest.raises(TypeError, match="or a letter for one"):
         A**0.5

@@ -17,9 +17,12 @@ def first_and_next(problem: Problem, name: str) -> tuple[Problem, Problem]:
     letter = Size(name)
     said = [node for goal in problem.conditions for node in (goal.left, goal.right)]
     said += [node for h in problem.hypotheses for node in (*h.subjects, *h.nonvanishing, *sum(h.equations, ()))]
-    moving = {left for left, right in problem.rules if letter in sizes_of((right,))}
-    parts = {part for node in said for part in walk(node)}
-    if letter in sizes_of(said) or (moving and parts & {left for left, _ in problem.rules}):
+    sides = [node for goal in problem.goals for node in (goal.left, goal.right)]
+    parts = {part for node in (*said, *sides) for part in walk(node)}
+    # What is defined by n is something else for n + 1, and has one name.
+    if letter in sizes_of(said) or (
+        letter in sizes_of(right for _, right in problem.rules) and parts & {*dict(problem.rules)}
+    ):
         raise Rejected(f"something is assumed of {name}: what is said of another number does not follow from it")
 
     def at(exponent: Extent) -> Problem:
@@ -27,7 +30,7 @@ def first_and_next(problem: Problem, name: str) -> tuple[Problem, Problem]:
             return at_exponent(node, letter, exponent)
 
         goals = tuple(Goal(goal.label, put(goal.left), put(goal.right)) for goal in problem.goals)
-        return with_fields(problem, goals=goals, rules=tuple((left, put(right)) for left, right in problem.rules))
+        return with_fields(problem, goals=goals)
 
     first = at(1)
     if name not in sizes_in(problem) or name in sizes_in(first):
