@@ -160,12 +160,18 @@ def test_a_length_is_not_negative() -> None:
 
 
 UNTREATED = [
-    Claim("1", cos(norm(a)), cos(norm(a)) + norm(a) - 1, assuming=(unit(a),)),
     Claim("1", cos(norm(p)), number(1), given=(Definition("0", p, a + b),)),
     Claim("1", cos(norm(a - b)), cos(norm(b - a)) + dot(a, b)),
     Claim("1", cos(norm(p)), number(1), given=(Condition("0", cross(p, a), b, on=(p,)),)),
     Claim("1", cos(norm(p)), number(1), given=(Definition("0", rate(p), vector("v", "v", "", FREQUENCY)),)),
 ]
+
+
+def test_the_length_of_a_unit_vector_is_one_beside_its_cosine() -> None:
+    claim = Claim("1", cos(norm(a)), cos(norm(a)) + norm(a) - 1, assuming=(unit(a),))
+    verdict = Session().decide(claim).verdict
+    assert isinstance(verdict, HoldsUnder)
+    check(claim, "printed", verdict.certificate)
 
 
 @pytest.mark.parametrize("claim", UNTREATED)
