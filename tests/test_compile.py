@@ -20,6 +20,7 @@ import sympy as sp
 import chasles
 from chasles import kernels
 from chasles.compiling import LoweringError, compiler, depth, operands, store
+from chasles.kernels import chapter
 
 from .sampling import WHOLE
 
@@ -53,6 +54,7 @@ def hastily(request, monkeypatch):
     optimised = (
         test_values_are_those_of_lambdify,
         test_pieces_that_share_conditions_and_terms,
+        test_what_knows_no_expression_came_along_for_machines_of_any_level,
         test_what_knows_no_expression_is_compiled_once,
         test_other_levels_are_compiled_when_asked_for,
     )
@@ -421,22 +423,33 @@ def commands(monkeypatch):
 
 
 @needs_c
-@pytest.mark.parametrize("came_along", [True, False])
-def test_what_knows_no_expression_is_compiled_once(came_along, empty_cache, commands, monkeypatch, tmp_path):
-    if not came_along:
-        monkeypatch.setattr(compiler, "_ready", lambda *_: tmp_path)
-    elif not (Path(find_spec("chasles._kernels").origin).parent / "objects").is_dir() or not kernels.instructions:
-        pytest.skip("the installation brought no objects, or this machine needs others")
+@pytest.mark.parametrize("levels", ["own", "all"])
+@pytest.mark.parametrize("instructions", ["baseline", "x86-64-v3", "x86-64-v4"])
+def test_what_knows_no_expression_came_along_for_machines_of_any_level(
+    instructions, levels, empty_cache, commands, monkeypatch
+):
+    if not (Path(find_spec("chasles._kernels").origin).parent / "objects").is_dir():
+        pytest.skip("the installation brought no objects")
+    runs_here = chapter.LEVELS.index(instructions) <= chapter.LEVELS.index(kernels.instructions)
+    monkeypatch.setattr(kernels, "instructions", instructions)
+    kernel = chasles.compile(sp.sin(x) * y + sp.atan2(x, y) + 18, (x, y), levels=levels)
+    # If what is compiled is another text than what was emitted: install again.
+    assert not any("batches.c" in command or "trigonometry" in command for command in commands)
+    assert any("expression_blocks.c" in command for command in commands)
+    if runs_here or levels == "all":
+        at = np.random.default_rng(1).uniform(-9, 9, (2, 77))
+        np.testing.assert_allclose(kernel(*at), np.sin(at[0]) * at[1] + np.arctan2(*at) + 18, rtol=1e-14)
+
+
+@needs_c
+def test_what_knows_no_expression_is_compiled_once(empty_cache, commands, monkeypatch, tmp_path):
+    monkeypatch.setattr(compiler, "_ready", lambda *_: tmp_path)
 
     def compiled(expression):
         commands.clear()
         chasles.compile(expression, (x, y))(1.0, 1.0)
         return [command.split("/")[-1] for command in commands if "batches.c" in command or "trigonometry" in command]
 
-    if came_along:
-        # If what is compiled is another text than what was emitted: install again.
-        assert compiled(sp.sin(x) * y + sp.atan2(x, y) + 18) == []
-        return
     assert compiled(x * y + 11) == ["batches.c"]
     assert compiled(x * y + 12) == []
     assert compiled(sp.sin(x) * y + 13) == ["trigonometry_blocks.c"]

@@ -71,22 +71,6 @@ static void restore(const State *state)
 }
 #endif
 
-int chasles_best_level(void)
-{
-#if CHASLES_LEVELS >= 3
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")
-        && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("bmi2")) {
-        return 2;
-    }
-#endif
-#if CHASLES_LEVELS >= 2
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2")) {
-        return 1;
-    }
-#endif
-    return 0;
-}
-
 /* How many items a group has: 1 << shift. */
 static int shift_of(const chasles_loop *loop, int level)
 {

@@ -112,8 +112,23 @@ typedef struct {
     chasles_block *blocks[CHASLES_LEVELS];
 } chasles_loop;
 
-/* The best level of this machine, from 0. */
-int chasles_best_level(void);
+/* The best level, from 0, that this machine has and for which there are blocks. Said here and not in batches.c, which
+ * thus is the same however many levels there are. */
+static inline int chasles_best_level(void)
+{
+#if CHASLES_LEVELS >= 3
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")
+        && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("bmi2")) {
+        return 2;
+    }
+#endif
+#if CHASLES_LEVELS >= 2
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2")) {
+        return 1;
+    }
+#endif
+    return 0;
+}
 
 /* Computes `count` items. `core` holds the steps in bytes along the core axes, operand by operand; NULL where every
  * item is row-major without gaps. An output may lie over inputs of its own item and of earlier ones. The

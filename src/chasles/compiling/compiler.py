@@ -21,6 +21,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from chasles.compiling.store import kept
+from chasles.kernels.chapter import LEVELS
 
 _ALWAYS = ("-std=c99", "-fPIC", "-fvisibility=hidden", "-fno-math-errno", "-ffp-contract=off")
 _ONCE = ("-O2",)
@@ -32,8 +33,6 @@ _CIRCULAR = ("chasles_sincos", "sine_of", "directions")
 _FIXED = ("src/batches.c", _CONTRACTED)
 _FIXED_HEADERS = ("src/batches.h", "src/vectors.h")
 """What knows no kernel, and so came with the package, or else is compiled once and kept."""
-_LEVELS = ("x86-64-v3", "x86-64-v4")
-"""Beyond the compiler's own target, in the order of `batches.h`."""
 _PATIENCE = 300
 """Seconds of processor time after which a compiler, or a part that it has started, is ended."""
 _OUT_OF_TIME = re.compile(r"^(-24|152) |cpu ?time limit", re.IGNORECASE)
@@ -95,7 +94,7 @@ class Compiler:
             _run((*self.command, *job.flags, "-c", job.source, "-o", place.name), place.parent)
             return place.read_bytes()
 
-        ready = _ready(files, len(self.levels)) / job.ready
+        ready = _ready(files) / job.ready
         if job.source in _FIXED and ready.is_file():
             place.write_bytes(ready.read_bytes())
         elif job.source in _FIXED:
@@ -129,12 +128,15 @@ class Compiler:
                 yield _Job(source, (*shared, *_ONCE))
 
 
-def _ready(files: Mapping[str, str], levels: int) -> Path:
-    """The folder of the objects that the package brought of the same texts, as cmake/extension.cmake calls it."""
+def _ready(files: Mapping[str, str]) -> Path:
+    """The folder of the objects that the package brought of the same texts, as cmake/extension.cmake calls it.
+
+    They serve whatever levels are compiled: none depends on how many there are.
+    """
     extension = find_spec("chasles._kernels")
     hashes = [sha256(files[path].encode()).hexdigest() for path in (*_FIXED, *_FIXED_HEADERS)]
     place = Path(extension.origin or "") if extension else Path()
-    return place.parent / "objects" / f"{sha256(''.join(hashes).encode()).hexdigest()}-{levels}"
+    return place.parent / "objects" / sha256("".join(hashes).encode()).hexdigest()
 
 
 def found(instructions: str, *, alone: bool = False) -> Compiler | None:
@@ -153,8 +155,8 @@ def _found(command: tuple[str, ...], instructions: str) -> Compiler | None:
         version = _run((*command, "--version"))
     except CompilerFailed:
         return None
-    known = instructions in _LEVELS and _offers_vectors(version)
-    more = _LEVELS[: _LEVELS.index(instructions) + 1] if known else ()
+    known = instructions in LEVELS and _offers_vectors(version)
+    more = LEVELS[1 : LEVELS.index(instructions) + 1] if known else ()
     return Compiler(command, version, ("", *(f"-march={level}" for level in more)))
 
 

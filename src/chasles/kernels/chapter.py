@@ -15,7 +15,8 @@ from chasles.kernels.signatures import named
 
 COMPILED = "compiled"
 """The folder beside a chapter's kernels with its shared object, which is called as its sources are hashed."""
-_LEVELS = ("baseline", "x86-64-v3", "x86-64-v4")
+LEVELS = ("baseline", "x86-64-v3", "x86-64-v4")
+"""In the order of `batches.h`; the first is the compiler's own target."""
 
 Operands = Mapping[str, tuple[str, Sequence[str], Sequence[str]]]
 """By the kernel's name its signature, and the names of its inputs and outputs."""
@@ -43,8 +44,8 @@ def kernels_of(written: ModuleType, folder: Path, digest: str, operands: Operand
         ufunc, light = functions_of(library, number, name, doc, signature, inputs, outputs)
         known[name] = named(ufunc, light)
         setattr(one, name, light)
-    level = library.chasles_limit(_LEVELS.index(kernels.instructions))
-    return {**known, "one": one, "backend": "c", "instructions": _LEVELS[level]}
+    level = library.chasles_limit(LEVELS.index(kernels.instructions))
+    return {**known, "one": one, "backend": "c", "instructions": LEVELS[level]}
 
 
 def functions_of(
