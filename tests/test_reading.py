@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections import Counter
 from collections.abc import Callable
@@ -15,7 +16,6 @@ from typing import Any
 
 import pytest
 
-from chasles.reading.context import tokens_of
 from chasles.reading.equations import read_equations
 from chasles.reading.page_notation import PageNotation, declared_in
 from chasles.reading.pages import displayed
@@ -45,8 +45,18 @@ from chasles.vocabulary import (
     undotted,
 )
 
+LAYOUT = {r"\left", r"\right", r"\quad", r"\,", r"\ ", r"\\", r"\mathbf", r"\boldsymbol", r"\overrightarrow", r"\text",
+          r"\mathsf", r"\mathrm", r"\operatorname", "&", ",", "{", "}"}  # fmt: skip
+MATRIX = re.compile(r"\\(begin|end)\{[bp]matrix\}")
+MARK = re.compile(r"\\[a-zA-Z]+|\\.|[A-Za-z]|\d+|\S")
 PRINTED: dict[str, str] = tomllib.loads((Path(__file__).parent / "printed.toml").read_text(encoding="utf-8"))
 CHAPTER = load()
+
+
+def tokens_of(text: str) -> tuple[str, ...]:
+    """The text as tokens without layout: a matrix is what stands in square brackets."""
+    text = MATRIX.sub(lambda found: " [ " if found[1] == "begin" else " ] ", text)
+    return tuple(token for token in MARK.findall(text) if token not in LAYOUT)
 
 
 def in_module(module: ModuleType) -> PageNotation:

@@ -416,7 +416,7 @@ def test_a_sign_that_is_repeated_where_a_line_breaks_is_one(text: str, expected:
     [
         (r"r = 6\,371\,000 h", "r=6371000h"),
         (r"r = 2\,h", "r=2h"),
-        (r"r = 12\,34 h", "no reading of it fits"),
+        (r"r = 12\,34 h", "two numbers side by side"),
         (r"PB \in SO(3), \quad r = h", "r=h"),
         (r"r = 90^\circ", r"r=90^\circ"),
         ("r = 90°", r"r=90^\circ"),

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import product
 
-from chasles.reading.context import FittingContext, tokens_of
+from chasles.reading.context import FittingContext
 from chasles.reading.fits import Fit, Shape, made
 from chasles.reading.glyphs import Glyph, in_latex, said_of
 from chasles.reading.grammar import Atom
@@ -78,28 +78,25 @@ def applied(makes: Sequence[Make], fits: list[Fit], ctx: FittingContext, rest: G
     spelled: set[int] = set()
     for make, (place, fit) in product(makes, enumerate(fits)):
         if fit.node is None and mark.startswith("^"):
-            found.append(_applied_to_sized(make, fit, mark, ctx))
+            found.append(_applied_to_sized(make, fit, ctx))
         elif fit.node is None:
             sizes = filter(None, map(fit.at, ctx.sizes_of([fit])))
             found += [new for size in sizes for new in applied((make,), [size], ctx, rest, mark)][:1]
-        elif ctx.is_as_printed(fit):
-            inner, _ = ctx.inside(fit, Precedence.ATOM)
-            node = made(make, inner, tolerant=ctx.tolerant)
-            if node is not None:
-                found.append(Fit(node, ctx.said(node), fit.cost + (place in spelled)))
-                spelled.add(place)
+        elif new := ctx.made(make, ctx.inside(fit, Precedence.ATOM), cost=fit.cost + (place in spelled)):
+            found += new
+            spelled.add(place)
     if not makes:
         ctx.note(f"{mark} has no meaning in the notation", rest.place)
     return found
 
 
-def _applied_to_sized(make: Make, fit: Fit, mark: str, ctx: FittingContext) -> Fit:
+def _applied_to_sized(make: Make, fit: Fit, ctx: FittingContext) -> Fit:
     def of_shape(shape: Shape) -> Node | None:
         inner = fit.at((shape[1], shape[0]))
-        node = None if inner is None else made(make, ctx.inside(inner, Precedence.ATOM)[0])
+        node = None if inner is None else made(make, ctx.inside(inner, Precedence.ATOM))
         return node if node is not None and node.shape == shape else None
 
-    return Fit(None, (*fit.printed, *tokens_of(mark)), fit.cost, sized=of_shape, usual=fit.usual[::-1])
+    return Fit(None, fit.cost, sized=of_shape, usual=fit.usual[::-1])
 
 
 def _component(fit: Fit, rest: Glyph, ctx: FittingContext) -> list[Fit]:
@@ -133,17 +130,17 @@ def made_of(
         for make in makes:
             more = 0
             for shape in ctx.sizes_of(chosen):
-                fits = [fit if fit.node is not None else fit.at(shape) for fit in chosen]
-                if any(fit is None or not ctx.is_as_printed(fit) for fit in fits):
-                    continue
+                fits = [fit.sized_as(shape) for fit in chosen]
                 nodes = [fit.node for fit in fits if fit is not None and fit.node is not None]
+                if len(nodes) < len(chosen):
+                    continue
                 node = made(_with_exponent, make, nodes, name, tolerant=ctx.tolerant)
                 called = _of_matrices(node) if node is not None and node.fault else ""
                 if own := of_matrix(called, nodes, ctx) if called else []:
                     yield from own
                     continue
                 if node is not None:
-                    yield Fit(node, ctx.said(node), sum(fit.cost for fit in chosen) + more)
+                    yield Fit(node, sum(fit.cost for fit in chosen) + more)
                     more = 1  # of an identity every size is told of, the usual one first
 
 

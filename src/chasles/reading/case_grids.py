@@ -7,7 +7,7 @@ from itertools import product
 from typing import NamedTuple
 
 from chasles.reading.context import FittingContext
-from chasles.reading.fits import Fit, made
+from chasles.reading.fits import Fit
 from chasles.reading.grouping import RELATIONS, Grid, Tokens, lines_of
 from chasles.reading.tokens import without_layout
 from chasles.vocabulary.functions import Cases
@@ -35,8 +35,8 @@ def case_fits(grid: Grid, ctx: FittingContext, read: Callable[[Tokens, FittingCo
         nodes, count = tuple(fit.node for fit in at), len(conditions)
         if len(at) == len(chosen):
             parts = nodes[: count + 1], nodes[count + 1 : -count], nodes[-count:]
-            node = made(Cases, *parts, tuple(SIGNS[each.sign] for each in conditions), tolerant=ctx.tolerant)
-            found += [Fit(node, ctx.said(node), sum(fit.cost for fit in at))] if node is not None else []
+            signs = tuple(SIGNS[each.sign] for each in conditions)
+            found += ctx.made(Cases, *parts, signs, cost=sum(fit.cost for fit in at))
     return found
 
 

@@ -61,8 +61,7 @@ def expressions(latex: str, notation: PageNotation) -> list[Node]:
     if chain.relations or chain.sides[0] is None:
         raise Unread("expected one expression without a relation")
     fits = ctx.terms(chain.sides[0])
-    sized = [fit if fit.node is not None else fit.at(fit.usual) for fit in fits]
-    found = [fit.node for fit in sized if fit is not None and fit.node is not None]
+    found = [fit.node for each in fits if (fit := each.sized_as(each.usual)) and fit.node is not None]
     if not found:
         raise ctx.problems[0] if ctx.problems else Unread("its parts do not fit together")
     return found
@@ -161,7 +160,6 @@ def _chain(said: PrintedChain, ctx: FittingContext) -> list[tuple[int, tuple[Par
     if unknown:
         raise Unread(f"{unknown.text} claims nothing that can be decided", unknown)
     sides = [ctx.terms(side) for side in chain.sides if side is not None]
-    sides = [[fit for fit in fits if fit.node is None or ctx.is_as_printed(fit)] for fits in sides]
     if not all(sides):
         return []
     places = [(sign, max(said.line, chain.relations[k].line if k else 0)) for k, sign in enumerate(signs)]
@@ -177,7 +175,7 @@ def _chain(said: PrintedChain, ctx: FittingContext) -> list[tuple[int, tuple[Par
         found += [(sum(fit.cost for fit in each), _parts(each, places)) for each in chosen]
     if not found and ctx.tolerant:
         firsts = [next((fit for fit in fits if fit.node is not None), fits[0]) for fits in sides]
-        firsts = [fit.at((3, 3)) or fit if fit.node is None else fit for fit in firsts]
+        firsts = [fit.sized_as((3, 3)) or fit for fit in firsts]
         if any(ctx.mixes(one, other) for one, other in pairwise(firsts)):
             return []
         if all(fit.node is not None for fit in firsts):

@@ -56,9 +56,9 @@ def up_to_order(fits: Sequence[Fit], order: Order, ctx: FittingContext) -> list[
     """The readings of what stands before the order, with it."""
     found = []
     for fit in fits:
-        usual = fit if fit.node is not None else fit.at(fit.usual)
-        node = made(UpTo, usual.node, *order) if usual and ctx.is_as_printed(usual) else None
-        found += [] if node is None else [Fit(node, ctx.said(node), fit.cost)]
+        usual = fit.sized_as(fit.usual)
+        node = made(UpTo, usual.node, *order) if usual else None
+        found += [] if node is None else [Fit(node, fit.cost)]
     return found
 
 
@@ -72,7 +72,7 @@ def limits(sign: Atom, terms: Sequence[Node], ctx: FittingContext) -> list[Fit]:
     if Number(0) not in behind:  # type: ignore[arg-type]
         return []
     words = [made(Limit, term, each) for term in terms for each in small if symbols_of(term) == (each,)]
-    return [Fit(word, ctx.said(word)) for word in words if word is not None]
+    return [Fit(word) for word in words if word is not None]
 
 
 def takes_all(atom: Atom, notation: PageNotation) -> bool:
@@ -89,7 +89,7 @@ def totals(sign: Atom, inside: Pieces, read: Callable[[Pieces], list[Fit]], ctx:
         ctx.note(f"no word for {sign.text} here", sign.place)
         return []
     fits = read(inside) if is_sum else []
-    terms = [fit.node for fit in fits if fit.node is not None and fit.shape and ctx.is_as_printed(fit)]
+    terms = [fit.node for fit in fits if fit.node is not None and fit.shape]
     return limits(sign, terms, ctx) or ctx.of_its_own(in_latex(text_of_row(FlatRow((sign, *inside)))), terms)
 
 

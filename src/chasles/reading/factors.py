@@ -67,7 +67,7 @@ def factors(items: tuple[Atom, ...], start: int, ctx: FittingContext) -> Iterato
             yield end, applied((make,), found, ctx, Glyph(""), atom.text)
         return
     if behind is not None and atom.kind == "NUMBER" and _is_numeral(behind):
-        ctx.note("a number before a fraction of numbers may be one number: write a sign between them", atom.place)
+        ctx.note("two numbers side by side may be one number: write a sign between them", atom.place)
         return
     if behind is not None and _is_inverse_function(atom, behind, ctx):
         ctx.note(f"{spelled(letter_of(atom))} before an argument is an inverse function", atom.place)
@@ -78,8 +78,7 @@ def factors(items: tuple[Atom, ...], start: int, ctx: FittingContext) -> Iterato
         less = not (lists_letters(behind) or is_operator(letter_of(atom)))
         fits = [replace(fit, cost=fit.cost + UNUSUAL - less) for fit in fits]
     elif start + 1 < len(items) and _is_argument(items[start + 1]):
-        nodes = [(fit, made(At, fit.node, "t")) for fit in fits if fit.node is not None]
-        at = [Fit(node, ctx.said(node), fit.cost) for fit, node in nodes if node is not None]
+        at = [new for fit in fits if fit.node is not None for new in ctx.made(At, fit.node, "t", cost=fit.cost)]
         yield start + 2, with_marks(at, replace(letter_of(items[start + 1]), accents=(), base=""), ctx)
         fits = [replace(fit, cost=fit.cost + UNUSUAL) for fit in fits]
     yield start + 1, fits
@@ -92,7 +91,7 @@ def _difference(sign: Atom, home: str, of: Node) -> Node:
 
 
 def _is_numeral(atom: Atom) -> bool:
-    return "frac" in atom.text and all(said_of(each).isdigit() for each in atom.arguments)
+    return atom.kind == "NUMBER" or ("frac" in atom.text and all(said_of(each).isdigit() for each in atom.arguments))
 
 
 def _is_inverse_function(atom: Atom, behind: Atom, ctx: FittingContext) -> bool:
@@ -155,7 +154,7 @@ def _applications(
         inner = [[fit] for fit in ctx.product(items[start + 1 : end])]
         fits = list(made_of(makes, inner, name, ctx))
         few = first.kind == "NUMBER" and end == start + 2 and end < len(items) and items[end].kind != "GRID"
-        yield end, [Fit(fit.node, fit.said, fit.cost + 2 * UNUSUAL * few + (end - start - 2)) for fit in fits]
+        yield end, [Fit(fit.node, fit.cost + 2 * UNUSUAL * few + (end - start - 2)) for fit in fits]
 
 
 def _is_letter(atom: Atom, ctx: FittingContext) -> bool:
@@ -183,10 +182,9 @@ def _integral(items: tuple[Atom, ...], start: int, ctx: FittingContext) -> tuple
 
 def _unbracketed(make: Make, fit: Fit, ctx: FittingContext) -> Fit | None:
     """The integral; a letter in it usually means what runs over the body, where that has the letter."""
-    inner, said = ctx.inside(fit, Precedence.PRODUCT)
-    node = made(make, inner, tolerant=ctx.tolerant) if said == ctx.said(inner) else None
-    if node is None:
+    inner = ctx.inside(fit, Precedence.PRODUCT)
+    if (node := made(make, inner, tolerant=ctx.tolerant)) is None:
         return None
     running = {symbol.letter: symbol for symbol in getattr(node, "running", ())}
     is_usual = all(running.get(symbol.letter, symbol) == symbol for symbol in symbols_of(inner))
-    return Fit(node, ctx.said(node), fit.cost + UNUSUAL * (not is_usual))
+    return Fit(node, fit.cost + UNUSUAL * (not is_usual))

@@ -10,7 +10,6 @@ from chasles.vocabulary import Misfit, Node, Symbol, printed, symbols_of
 from chasles.vocabulary.measure import Extent, Measure
 
 Shape = tuple[Extent, Extent]
-Said = tuple[str, ...]
 MOST = 12
 """How many readings of one piece in one shape are kept."""
 UNUSUAL = 4
@@ -28,15 +27,13 @@ def own_quantity(letter: str, measure: Measure, home: str, name: str = "") -> Sy
 
 @dataclass(frozen=True, slots=True)
 class Fit:
-    """A reading of a piece, and the tokens that it is printed as; the lower its `cost`, the more usual it is.
+    """A reading of a piece; the lower its `cost`, the more usual it is.
 
     Where the size is not yet known, there is no node: `sized` makes one of a shape, or None; `usual` is the shape
-    where nothing says it. `brackets` are those that
-    the page has around it.
+    where nothing says it. `brackets` are those that the page has around it.
     """
 
     node: Node | None
-    said: Said
     cost: int = 0
     brackets: str = ""
     sized: Callable[[Shape], Node | None] | None = None
@@ -46,12 +43,6 @@ class Fit:
     def shape(self) -> Shape | None:
         """Its shape, where that is known and it is well formed."""
         return self.node.measure.shape if self.node is not None and self.node.measure is not None else None
-
-    @property
-    def printed(self) -> Said:
-        """Its tokens with the brackets around them."""
-        half = len(self.brackets) // 2
-        return (self.brackets[:half], *self.said, self.brackets[half:]) if half else self.said
 
     @property
     def sample(self) -> Node | None:
@@ -66,6 +57,10 @@ class Fit:
             return self if self.shape == shape else None
         node = self.sized(shape)
         return None if node is None else replace(self, node=node, sized=None)
+
+    def sized_as(self, shape: Shape) -> Fit | None:
+        """The same in a shape where its size is open; as it is where it is known."""
+        return self if self.node is not None else self.at(shape)
 
 
 def made(make: Callable[..., Node], *parts: Any, tolerant: bool = False) -> Node | None:
@@ -90,8 +85,7 @@ def kept(fits: Iterable[Fit]) -> list[Fit]:
         sample = fit.sample
         if sample is not None and not letters_agree(sample):
             continue
-        key = (sample, fit.brackets, fit.node is None) if sample is not None else (fit.said, fit.brackets)
-        found.setdefault(key, fit)
+        found.setdefault((fit.sized if sample is None else sample, fit.brackets, fit.node is None), fit)
     counts: dict[Shape | None, int] = {}
     chosen = []
     for fit in found.values():

@@ -9,7 +9,7 @@ from itertools import product
 
 from chasles.reading.applying import applied, made_of, with_marks
 from chasles.reading.case_grids import ENVIRONMENTS, case_fits
-from chasles.reading.context import KINDS, FittingContext, tokens_of
+from chasles.reading.context import KINDS, FittingContext
 from chasles.reading.fits import UNUSUAL, Fit, Shape, kept
 from chasles.reading.glyphs import Glyph, latex_of, letter_of, said_of, spelled
 from chasles.reading.grammar import Atom, Terms
@@ -61,17 +61,17 @@ def letter_fits(letter: Glyph, ctx: FittingContext, is_function: bool = False) -
     found: list[Fit] = []
     longest: Glyph | None = None
     for node, rest in ctx.notation.letters.meanings(letter, is_function):
-        fits = with_marks([_of_symbol(node, ctx)], rest, ctx)
+        fits = with_marks([_of_symbol(node)], rest, ctx)
         longest = longest or (rest if fits else None)
         found += fits if rest == longest else [replace(fit, cost=fit.cost + UNUSUAL) for fit in fits]
     return found
 
 
-def _of_symbol(node: Node, ctx: FittingContext) -> Fit:
+def _of_symbol(node: Node) -> Fit:
     """A letter; a zero or an identity may have any size that the notation knows."""
     if isinstance(node, Identity | Zero) and "_" not in node.letter:
-        return Fit(None, tokens_of(node.letter), sized=lambda shape: _sized(node, shape), usual=node.shape)
-    return Fit(node, ctx.said(node))
+        return Fit(None, sized=lambda shape: _sized(node, shape), usual=node.shape)
+    return Fit(node)
 
 
 def _sized(node: Identity | Zero, shape: Shape) -> Node | None:
@@ -98,7 +98,7 @@ def _indexed(letter: Glyph, ctx: FittingContext) -> list[Fit]:
         squares = [node for node in large if node.shape[0] != 1 and node.shape[0] == node.shape[1]]
         squares.sort(key=lambda node: not (isinstance(node, Symbol) and node.letter.startswith("[")))
         found = [Entry(squares[0], indices[0], indices[1], letter.base)] if squares else []
-    return [Fit(node, ctx.said(node)) for node in found]
+    return [Fit(node) for node in found]
 
 
 def _thin(letter: Glyph, ctx: FittingContext) -> list[Fit]:
@@ -107,7 +107,7 @@ def _thin(letter: Glyph, ctx: FittingContext) -> list[Fit]:
         return []
     bold = ctx.notation.letters.meanings(replace(letter, base=rf"\mathbf {letter.base}"))
     found = [(node, replace(rest, base="")) for node, rest in bold if rest.sub == letter.sub]
-    return [fit for node, rest in found for fit in with_marks([_of_symbol(node, ctx)], rest, ctx)]
+    return [fit for node, rest in found for fit in with_marks([_of_symbol(node)], rest, ctx)]
 
 
 def _nucleus(atom: Atom, letter: Glyph, ctx: FittingContext) -> list[Fit]:
@@ -118,7 +118,7 @@ def _nucleus(atom: Atom, letter: Glyph, ctx: FittingContext) -> list[Fit]:
     spellings = ctx.notation.spellings
     match atom.kind:
         case "NUMBER":
-            fits = _number(atom.text, ctx)
+            fits = _number(atom.text)
         case "LETTER" if atom.text == "e" and len(atom.sups) == 1 and not atom.sub:
             return exponential_fits(atom.sups[0], ctx)
         case "BRACKET" if len(atom.inside) == 1:
@@ -168,18 +168,15 @@ def _constant(letter: Glyph, ctx: FittingContext) -> list[Fit]:
         return node if fits and (name in "0O" or shape[0] == shape[1] != 1) else None
 
     usual = (rows or 3, columns or rows or 3) if name in "1I" else (rows or 3, columns or 1)
-    fit = Fit(None, tokens_of(spelled(own)), sized=sized, usual=usual)
+    fit = Fit(None, sized=sized, usual=usual)
     return with_marks([fit], replace(letter, base="", accents=(), sub=""), ctx)
 
 
-def _number(text: str, ctx: FittingContext) -> list[Fit]:
-    number = Number(Fraction(text))
-    found = [Fit(number, ctx.said(number))]
-    if text == "0":
-        found.append(Fit(None, ("0",), 1, sized=lambda shape: Zero(*shape, "0") if shape != (1, 1) else None))
-    if text == "1":
-        ones = lambda shape: Identity(shape[0], "1") if shape[0] == shape[1] and shape[0] != 1 else None  # noqa: E731
-        found.append(Fit(None, ("1",), 1, sized=ones))
+def _number(text: str) -> list[Fit]:
+    found = [Fit(Number(Fraction(text)))]
+    if text in ("0", "1"):
+        constant = Zero(3, 1, "0") if text == "0" else Identity(3, "1")
+        found.append(Fit(None, 1, sized=lambda shape: _sized(constant, shape) if shape != (1, 1) else None))
     return found
 
 
@@ -235,8 +232,8 @@ def _in_brackets(fit: Fit, brackets: str) -> Fit:
     """The same with brackets around it; those inside stand for a group."""
     if not fit.brackets:
         return replace(fit, brackets=brackets)
-    kind, sized, said = KINDS[fit.brackets], fit.sized, fit.printed
+    kind, sized = KINDS[fit.brackets], fit.sized
     if sized is None:
-        return Fit(None if fit.node is None else Group(fit.node, kind), said, fit.cost, brackets)
+        return Fit(None if fit.node is None else Group(fit.node, kind), fit.cost, brackets)
     grouped = lambda shape: None if (node := sized(shape)) is None else Group(node, kind)  # noqa: E731
-    return replace(fit, said=said, brackets=brackets, sized=grouped)
+    return replace(fit, brackets=brackets, sized=grouped)

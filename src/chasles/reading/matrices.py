@@ -6,7 +6,7 @@ from collections.abc import Callable
 from itertools import islice, product
 
 from chasles.reading.context import FittingContext
-from chasles.reading.fits import MOST, Fit, Shape, made
+from chasles.reading.fits import MOST, Fit, Shape
 from chasles.reading.grammar import FlatRow, Terms
 from chasles.reading.grouping import Grid, Tokens
 from chasles.vocabulary import Block, Determinant, Symbol, symbols_of
@@ -33,8 +33,7 @@ def grid_fits(grid: Grid, ctx: FittingContext, read: Callable[[Tokens, FittingCo
     fits = block_fits([[read(cell, ctx) for cell in row] for row in rows], ctx)
     if name != "vmatrix":
         return fits
-    nodes = [(fit, made(Determinant, fit.node, tolerant=ctx.tolerant)) for fit in fits]
-    return [Fit(node, ctx.said(node), fit.cost) for fit, node in nodes if node is not None]
+    return [new for fit in fits for new in ctx.made(Determinant, fit.node, cost=fit.cost)]
 
 
 def block_fits(cells: list[list[list[Fit]]], ctx: FittingContext) -> list[Fit]:
@@ -52,15 +51,11 @@ def block_fits(cells: list[list[list[Fit]]], ctx: FittingContext) -> list[Fit]:
         if not all(all(row) for row in at):
             continue
         for chosen in _consistent([cell for row in at for cell in row]):
-            if (fit := _block(chosen, len(cells[0]), ctx)) is not None:
-                found.append(fit)
+            found += _block(chosen, len(cells[0]), ctx)
     if not found and ctx.tolerant:
         firsts = [_first(cell) for row in cells for cell in row]
-        if (
-            all(fit.node is not None for fit in firsts)
-            and (fit := _block(tuple(firsts), len(cells[0]), ctx)) is not None
-        ):
-            found = [fit]
+        if all(fit.node is not None for fit in firsts):
+            found = _block(tuple(firsts), len(cells[0]), ctx)
     return found
 
 
@@ -115,9 +110,7 @@ def _extents(cells: list[list[Fit]] | tuple[list[Fit], ...], side: int, ctx: Fit
     return list(dict.fromkeys((*literal, 1, *sorted(ctx.notation.sizes))))
 
 
-def _block(chosen: tuple[Fit, ...], width: int, ctx: FittingContext) -> Fit | None:
-    parts = [ctx.inside(fit, Precedence.SUM) for fit in chosen]
-    rows = [tuple(node for node, _ in parts[k : k + width]) for k in range(0, len(parts), width)]
-    node = made(Block, tuple(rows), tolerant=ctx.tolerant)
-    said = ("[", *(token for _, said in parts for token in said), "]")
-    return None if node is None else Fit(node, said, sum(fit.cost for fit in chosen))
+def _block(chosen: tuple[Fit, ...], width: int, ctx: FittingContext) -> list[Fit]:
+    parts = tuple(ctx.inside(fit, Precedence.SUM) for fit in chosen)
+    rows = tuple(parts[k : k + width] for k in range(0, len(parts), width))
+    return ctx.made(Block, rows, cost=sum(fit.cost for fit in chosen))

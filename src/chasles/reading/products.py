@@ -16,13 +16,10 @@ def times(left: Fit, right: Fit, ctx: FittingContext) -> Iterator[Fit]:
     if left.node is None or right.node is None:
         yield from _times_sized(left, right, ctx)
         return
-    (a, a_said), (b, b_said) = ctx.inside(left, Precedence.PRODUCT), ctx.inside(right, Precedence.PRODUCT)
-    node = made(multiplied, a, b)
-    if node is not None:
-        yield Fit(node, (*a_said, *b_said), left.cost + right.cost)
-    for make in (*ctx.notation.spellings.infixes.get("", ()), _mixed):
-        if (node := made(make, a, b)) is not None:
-            yield Fit(node, ctx.said(node), left.cost + right.cost)
+    parts = ctx.inside(left, Precedence.PRODUCT), ctx.inside(right, Precedence.PRODUCT)
+    for make in (multiplied, *ctx.notation.spellings.infixes.get("", ()), _mixed):
+        if (node := made(make, *parts)) is not None:
+            yield Fit(node, left.cost + right.cost)
 
 
 def _mixed(a: Node, column: Node) -> Node:

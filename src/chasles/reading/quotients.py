@@ -91,33 +91,18 @@ def fraction_fits(atom: Atom, ctx: FittingContext) -> list[Fit]:
         if divisor is None:
             continue
         if top.node is None:
-            found.append(sized_quotient(top, divisor, ctx))
-        one = top if top.node is not None else top.at((1, 1))
-        if one is None:
-            continue
-        (a, a_said), (b, b_said) = ctx.inside(one, Precedence.SUM), ctx.inside(divisor, Precedence.SUM)
-        node = made(Quotient, a, b, tolerant=ctx.tolerant)
-        if node is not None:
-            found.append(Fit(node, (r"\frac", *a_said, *b_said), one.cost + divisor.cost))
+            found.append(ctx.of_open_size(Quotient, Precedence.SUM, top, divisor))
+        if (one := top.sized_as((1, 1))) is not None:
+            parts = ctx.inside(one, Precedence.SUM), ctx.inside(divisor, Precedence.SUM)
+            found += ctx.made(Quotient, *parts, cost=one.cost + divisor.cost)
     return found
 
 
 def exponential_fits(exponent: Tokens, ctx: FittingContext) -> list[Fit]:
     """The exponential of a scalar, of a multiple of a cross-product matrix, or of another matrix."""
-    fits = [fit for each in of_tokens(exponent, ctx) if (fit := each if each.node is not None else each.at(each.usual))]
-    as_printed = [(fit, fit.node) for fit in fits if fit.node is not None and ctx.is_as_printed(fit)]
     found = []
-    for fit, of in as_printed:
-        node = made(exponential, of)
-        found += of_matrix("exp", (of,), ctx) if node is None else [Fit(node, ctx.said(node), fit.cost)]
+    for each in of_tokens(exponent, ctx):
+        if (fit := each.sized_as(each.usual)) is not None and fit.node is not None:
+            node = made(exponential, fit.node)
+            found += of_matrix("exp", (fit.node,), ctx) if node is None else [Fit(node, fit.cost)]
     return found
-
-
-def sized_quotient(top: Fit, divisor: Fit, ctx: FittingContext, stroke: str = "") -> Fit:
-    """An identity or a zero over a number is of open size as well."""
-
-    def divided(one: Node, other: Node) -> Node:
-        return Quotient(one, other, bool(stroke))
-
-    fit = ctx.of_open_size(divided, Precedence.PRODUCT if stroke else Precedence.SUM, top, divisor, stroke)
-    return fit if stroke else replace(fit, said=(r"\frac", *fit.said))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 
 from chasles.reading.applying import applied, made_of
 from chasles.reading.context import FittingContext
@@ -14,7 +15,6 @@ from chasles.reading.glyphs import Glyph, joined, letter_of
 from chasles.reading.grammar import Atom, FlatRow
 from chasles.reading.lexemes import Token
 from chasles.reading.products import multiplied, times
-from chasles.reading.quotients import sized_quotient
 from chasles.reading.spellings import Make
 from chasles.vocabulary import Quotient, Skew
 from chasles.vocabulary.spelling import Precedence
@@ -89,18 +89,13 @@ def _with_total(pieces: Pieces, place: int, ctx: FittingContext) -> list[Fit]:
 
 def _infix(makes: list[Make], one: Fit, other: Fit, sign: Token, usual: int, ctx: FittingContext) -> Iterator[Fit]:
     for k, make in enumerate(makes):
-        left, right = one, other
-        if left.node is None or right.node is None:
-            shape = left.shape or right.shape or (1, 1)
-            left, right = left.at(shape), right.at(shape)  # type: ignore[assignment]
-            if left is None or right is None:
-                continue
-        if not (ctx.is_as_printed(left) and ctx.is_as_printed(right)):
+        shape = one.shape or other.shape or (1, 1)
+        left, right = one.sized_as(shape), other.sized_as(shape)
+        if left is None or right is None:
             continue
-        (a, _), (b, _) = ctx.inside(left, Precedence.PRODUCT), ctx.inside(right, Precedence.PRODUCT)
-        node = made(make, a, b)
+        node = made(make, ctx.inside(left, Precedence.PRODUCT), ctx.inside(right, Precedence.PRODUCT))
         if node is not None:
-            yield Fit(node, ctx.said(node), one.cost + other.cost + usual + UNUSUAL * k)
+            yield Fit(node, one.cost + other.cost + usual + UNUSUAL * k)
             return
     if one.shape and other.shape:
         sizes = " and ".join(f"{rows} x {columns}" for rows, columns in (one.shape, other.shape))
@@ -113,24 +108,20 @@ def _stroke(left: Pieces, right: Pieces, usual: int, ctx: FittingContext) -> Ite
         divisors = _product(right[:end], ctx)  # type: ignore[arg-type]
         for top in _signed(left, ctx):
             for bottom in divisors:
-                one = top if top.node is not None else top.at((1, 1))
-                divisor = bottom if bottom.node is not None else bottom.at((1, 1))
-                if divisor is None or divisor.shape != (1, 1):
+                one, divisor = top.sized_as((1, 1)), bottom.at((1, 1))
+                if divisor is None:
                     continue
                 if top.node is None and end == len(right):
-                    yield sized_quotient(top, divisor, ctx, "/")
+                    yield ctx.of_open_size(partial(Quotient, slash=True), Precedence.PRODUCT, top, divisor)
                 if one is None:
                     continue
-                (a, a_said), (b, b_said) = ctx.inside(one, Precedence.PRODUCT), ctx.inside(divisor, Precedence.POWER)
-                node = made(Quotient, a, b, True, tolerant=ctx.tolerant)
-                if node is None:
-                    continue
-                fit = Fit(node, (*a_said, "/", *b_said), one.cost + divisor.cost + usual + 3 * (end - 1))
-                if end == len(right):
-                    yield fit
-                    continue
-                for rest in _product(right[end:], ctx):  # type: ignore[arg-type]
-                    yield from times(fit, rest, ctx)
+                parts = ctx.inside(one, Precedence.PRODUCT), ctx.inside(divisor, Precedence.POWER)
+                for fit in ctx.made(Quotient, *parts, True, cost=one.cost + divisor.cost + usual + 3 * (end - 1)):
+                    if end == len(right):
+                        yield fit
+                        continue
+                    for rest in _product(right[end:], ctx):  # type: ignore[arg-type]
+                        yield from times(fit, rest, ctx)
 
 
 def _product(items: tuple[Atom, ...], ctx: FittingContext) -> list[Fit]:
@@ -197,12 +188,12 @@ def _ill_formed(items: tuple[Atom, ...], single: dict[tuple[int, int], list[Fit]
         if total is None:
             total = fit
             continue
-        (a, a_said), (b, b_said) = ctx.inside(total, Precedence.PRODUCT), ctx.inside(fit, Precedence.PRODUCT)
-        node = made(multiplied, a, b, tolerant=True)
+        parts = ctx.inside(total, Precedence.PRODUCT), ctx.inside(fit, Precedence.PRODUCT)
+        node = made(multiplied, *parts, tolerant=True)
         if node is not None and node.fault and ctx.notation.quaternions and total.shape == fit.shape == (4, 1):
             ctx.note("no word for quaternions side by side: quaternion_product = '# #' is one", items[start - 1].place)
             return []
         if node is not None and node.fault and ctx.mixes(total, fit):
             return []
-        total = Fit(node, (*a_said, *b_said), total.cost + fit.cost)
+        total = Fit(node, total.cost + fit.cost)
     return [] if total is None else [total]

@@ -91,13 +91,10 @@ def _of_shape(signs: tuple[str, ...], rows: list[list[Fit]], shape: Shape, ctx: 
 
 def _first(sign: str, fit: Fit, ctx: FittingContext) -> Fit | None:
     if not sign:
-        node, said = ctx.inside(fit, Precedence.NEGATIVE)
-        return Fit(node, said, fit.cost)
+        return Fit(ctx.inside(fit, Precedence.NEGATIVE), fit.cost)
     if sign == "+":
         return None
-    node, said = ctx.inside(fit, Precedence.DOT)
-    negative = made(Negative, node, tolerant=ctx.tolerant)
-    return None if negative is None else Fit(negative, ("-", *said), fit.cost)
+    return next(iter(ctx.made(Negative, ctx.inside(fit, Precedence.DOT), cost=fit.cost)), None)
 
 
 def _plus(one: Fit, sign: str, other: Fit, ctx: FittingContext, is_first: bool, tolerant: bool = False) -> Fit | None:
@@ -106,24 +103,21 @@ def _plus(one: Fit, sign: str, other: Fit, ctx: FittingContext, is_first: bool, 
     assert one.node is not None
     if tolerant and ctx.mixes(one, other):
         return None
-    node, said = ctx.inside(other, Precedence.DOT)
+    node = ctx.inside(other, Precedence.DOT)
     term = Negative(node) if sign == "-" else node
     before = one.node.terms if isinstance(one.node, Sum) and not is_first else (one.node,)
     total = made(Sum, (*before, term), tolerant=tolerant)
-    return None if total is None else Fit(total, (*one.said, sign, *said), one.cost + other.cost)
+    return None if total is None else Fit(total, one.cost + other.cost)
 
 
 def _sized(signs: tuple[str, ...], rows: list[list[Fit]], ctx: FittingContext) -> Fit:
     """A sum of zeros and identities alone."""
-    said = tuple(
-        token for sign, fits in zip(signs, rows, strict=True) for token in (*(sign,) * bool(sign), *fits[0].printed)
-    )
 
     def at(shape: Shape) -> Node | None:
         found = _of_shape(signs, rows, shape, ctx)
         return found[0].node if found else None
 
-    return Fit(None, said, sum(fits[0].cost for fits in rows), sized=at, usual=rows[0][0].usual)
+    return Fit(None, sum(fits[0].cost for fits in rows), sized=at, usual=rows[0][0].usual)
 
 
 def _ill_formed(signs: tuple[str, ...], rows: list[list[Fit]], ctx: FittingContext) -> list[Fit]:
