@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 import chasles
+from chasles.reading.atoms import marks_of
 from chasles.reading.equations import read_equations
 from chasles.reading.glyphs import letter_in, spelled
 from chasles.reading.notation_file import load_notation
@@ -127,7 +128,7 @@ def test_macros_of_a_style_file_are_those_of_any_page() -> None:
     )
     for kind, page in (("rst", ".. math::\n\n   %s\n"), ("md", "$$%s$$"), ("tex", "\\[%s\\]")):
         (found,) = displayed(page % r"\LU{1}{a} = \vr{1}{2}{3}", kind, macros=macros)  # type: ignore[arg-type]
-        texts = [token.text for token in found.tokens]
+        texts = [*marks_of(found.atoms)]
         assert r"\vr" not in texts
         assert r"\begin{bmatrix}" in texts
 
@@ -192,7 +193,7 @@ def test_displays_keep_what_stands_in_them(text: str, expected: int) -> None:
 )
 def test_scripts_at_the_left_are_one_whatever_the_package(text: str) -> None:
     (found,) = displayed(f"{text} = 0", "equation")
-    assert "".join(token.text for token in found.tokens) == "{}_{B}^{A}R=0"
+    assert "".join(marks_of(found.atoms)) == "{}_{B}^{A}R=0"
 
 
 def test_displays_of_doxygen() -> None:

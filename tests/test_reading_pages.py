@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from chasles.reading.atoms import marks_of
 from chasles.reading.equations import read_equations
 from chasles.reading.lexemes import BadPage
 from chasles.reading.notation_file import load_notation
@@ -20,7 +21,7 @@ from .counted import at_most
 
 
 def texts(found: tuple[PrintedEquation, ...]) -> list[str]:
-    return ["".join(token.text for token in each.tokens) for each in found]
+    return ["".join(marks_of(each.atoms)) for each in found]
 
 
 def in_document(body: str, head: str = "") -> tuple[PrintedEquation, ...]:
@@ -129,7 +130,7 @@ def test_macros_of_another_file_are_known() -> None:
 
 def test_what_a_macro_writes_has_the_place_of_its_use() -> None:
     (found,) = displayed("\\newcommand{\\f}[1]{#1\n+\nc}\n$$\n  \\f{ab} = d\n$$", "tex")
-    assert [(token.text, token.line, token.column) for token in found.tokens] == [
+    assert [(atom.text, atom.place.line, atom.place.column) for atom in found.atoms] == [
         ("a", 5, 6), ("b", 5, 7), ("+", 5, 3), ("c", 5, 3), ("=", 5, 10), ("d", 5, 12),
     ]  # fmt: skip
 
@@ -261,7 +262,7 @@ def test_a_broken_display_is_said_and_the_others_are_read(page: str, fault: str,
     assert (broken.fault, broken.line) == (fault, line)
     assert texts(tuple(others)) == ["d=e"]
     with pytest.raises(BadPage):
-        assert broken.tokens
+        assert broken.atoms
 
 
 def test_bombs_are_bounded() -> None:
@@ -382,7 +383,7 @@ def test_broken_pages_are_read_as_far_as_they_go(page: str, kind: Kind) -> None:
         assert each.line >= 1
         assert "\n" not in each.fault
         if not each.fault:
-            assert each.tokens
+            assert each.atoms
 
 
 @pytest.mark.parametrize(
@@ -419,3 +420,14 @@ def test_signs_side_by_side_are_told(text: str) -> None:
     (found,) = read_equations(displayed(f"$$ a = {text} $$", "tex"), notation)
     assert found.status == "unread"
     assert found.why or found.printed.fault
+
+
+def test_no_equation_is_lost_that_has_a_comma_or_a_word_in_its_scripts() -> None:
+    page = r"\begin{align} \dot x &= v_{1,2} \\ \dot y &= w_{\text{a, b}} \end{align} $$p = q_{1,2},\quad i = 1,2$$"
+    assert texts(displayed(page, "tex")) == [
+        r"\dot{x}=v_{1,2}", r"\dot{y}=w_{\text{a, b}}", r"p=q_{1,2},\quadi=1,2",
+    ]  # fmt: skip
+    letters = {name: {"is": "scalar"} for name in ("x", "y", "p", "v_{##}", "w_{##}", "q_{##}")}
+    chains = r"\begin{aligned} \dot x &= v_{1,2} \\ \dot y &= w_{1,3} \end{aligned}"
+    (read,) = read_equations([PrintedEquation(chains)], load_notation({"symbols": letters}))
+    assert len(read.readings[0].parts) == 2

@@ -9,8 +9,8 @@ from typing import Any
 
 from chasles.pages.attempts import named
 from chasles.pages.quantities import Quantity, quantity, symbols_in
+from chasles.reading.atoms import Unread
 from chasles.reading.equations import expressions, read_equations
-from chasles.reading.grouping import Unread
 from chasles.reading.letter_table import BadNotation
 from chasles.reading.lexemes import BadPage
 from chasles.reading.page_notation import PageNotation

@@ -6,10 +6,10 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import product
 
+from chasles.reading.atoms import Atom, said_of
 from chasles.reading.context import FittingContext
 from chasles.reading.fits import Fit, Shape, made
-from chasles.reading.glyphs import Glyph, in_latex, said_of
-from chasles.reading.grammar import Atom
+from chasles.reading.glyphs import Glyph, in_latex
 from chasles.reading.spellings import Make
 from chasles.vocabulary import Call, Dot, Node, Power, latex
 from chasles.vocabulary.functions import PRINTED, FunctionOf

@@ -6,10 +6,10 @@ from collections.abc import Callable
 from itertools import product
 from typing import NamedTuple
 
+from chasles.reading.atoms import RELATIONS, Atom, Atoms, lines_of
 from chasles.reading.context import FittingContext
 from chasles.reading.fits import Fit
-from chasles.reading.grouping import RELATIONS, Grid, Tokens, lines_of
-from chasles.reading.tokens import without_layout
+from chasles.reading.respelling import without_layout
 from chasles.vocabulary.functions import Cases
 
 ENVIRONMENTS = ("cases", "dcases", "rcases")
@@ -18,7 +18,7 @@ OPPOSITE = {"<": r"\geq", ">": r"\leq", r"\leq": ">", r"\geq": "<"}
 ELSE = (r"\text{otherwise}", r"\operatorname{otherwise}", r"\text{else}", r"\operatorname{else}")
 
 
-def case_fits(grid: Grid, ctx: FittingContext, read: Callable[[Tokens, FittingContext], list[Fit]]) -> list[Fit]:
+def case_fits(grid: Atom, ctx: FittingContext, read: Callable[[Atoms, FittingContext], list[Fit]]) -> list[Fit]:
     """The readings of an environment of cases; of the last row nothing is asked where it has what else there is."""
     values = [read(_bare(row[0]), ctx) for row in grid.rows]
     *asked, last = (_comparison(_bare(row[1]) if len(row) > 1 else ()) for row in grid.rows)
@@ -43,16 +43,16 @@ def case_fits(grid: Grid, ctx: FittingContext, read: Callable[[Tokens, FittingCo
 class CaseCondition(NamedTuple):
     """The sides of a condition and its sign; without a sign it is "otherwise"."""
 
-    left: Tokens = ()
-    right: Tokens = ()
+    left: Atoms = ()
+    right: Atoms = ()
     sign: str = ""
 
 
-def _bare(cell: Tokens) -> Tokens:
+def _bare(cell: Atoms) -> Atoms:
     return tuple(without_layout(list(cell)))
 
 
-def _comparison(condition: Tokens) -> CaseCondition | None:
+def _comparison(condition: Atoms) -> CaseCondition | None:
     """What the cell says of the case; None where it cannot be read."""
     if not condition or condition[0].text in ELSE:
         return CaseCondition()

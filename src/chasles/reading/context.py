@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from chasles.reading.atoms import Atoms, Unread
 from chasles.reading.fits import Fit, Shape, made, own_quantity
-from chasles.reading.grammar import Atom, Terms
-from chasles.reading.grouping import Unread
+from chasles.reading.grammar import Terms
+from chasles.reading.lexemes import Token
 from chasles.reading.page_notation import PageNotation
 from chasles.vocabulary import NO_DIMENSION, Group, Node, uniform
 from chasles.vocabulary.dimension import has_units
@@ -31,7 +32,7 @@ class FittingContext:
         self.problems: list[Unread] = []
         self.work = 0
         self.terms: Callable[[Terms], list[Fit]] = lambda terms: []
-        self.product: Callable[[tuple[Atom, ...]], list[Fit]] = lambda items: []
+        self.product: Callable[[Atoms], list[Fit]] = lambda items: []
         self._style = Latex(notation.forms)
         self._pieces: dict[Node, Piece] = {}
 
@@ -94,8 +95,6 @@ class FittingContext:
             self.note("a scalar, a vector or a quaternion stands for another of them: write columns of four", None)
         return mixed
 
-    def note(self, why: str, place: object) -> None:
+    def note(self, why: str, place: Token | None) -> None:
         """Keep why something cannot be read, for the case that nothing else explains the equation."""
-        from chasles.reading.lexemes import Token
-
-        self.problems.append(Unread(why, place if isinstance(place, Token) else None))
+        self.problems.append(Unread(why, place))

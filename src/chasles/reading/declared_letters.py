@@ -8,8 +8,8 @@ from dataclasses import replace
 from typing import Any
 
 from chasles.nearest import nearest
+from chasles.reading.atoms import Unread
 from chasles.reading.glyphs import Glyph, letter_in, spelled
-from chasles.reading.grouping import Unread
 from chasles.reading.letter_table import BadNotation, LetterTable, require
 from chasles.reading.lexemes import BadPage
 from chasles.reading.page_notation import PageNotation

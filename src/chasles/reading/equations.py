@@ -6,19 +6,19 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
-from chasles.reading.alignment import tokens_of_equation
+from chasles.reading.alignment import atoms_of_equation
+from chasles.reading.atoms import RELATIONS, Atoms, Unread
 from chasles.reading.context import FittingContext
 from chasles.reading.fits import MOST, UNUSUAL, Fit, letters_agree
 from chasles.reading.grammar import Chain, formula
-from chasles.reading.grouping import RELATIONS, Tokens, Unread
 from chasles.reading.lexemes import BadPage
 from chasles.reading.page_functions import functions_in, shown_alone
 from chasles.reading.page_notation import PageNotation
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.reading import Part, ReadEquation, Reading, settled
+from chasles.reading.respelling import atoms_in
 from chasles.reading.segments import chains_of, segments
 from chasles.reading.sums import sum_fits
-from chasles.reading.tokens import tokens
 from chasles.vocabulary import Misfit, Node, Rate, Symbol, symbols_of, walk
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.measure import added
@@ -39,7 +39,7 @@ class PrintedChain:
 def read_equations(printed: Sequence[PrintedEquation], notation: PageNotation) -> tuple[ReadEquation, ...]:
     """Each printed equation with its readings; one that begins with a relation goes on with the side before."""
     found: list[ReadEquation] = []
-    before: Tokens | None = None
+    before: Atoms | None = None
     chains = [chain for equation in printed for chain in chains_of(equation)]
     notation = replace(notation, functions=functions_in(chains), alone=shown_alone(chains))
     for equation in printed:
@@ -57,7 +57,7 @@ def read_equations(printed: Sequence[PrintedEquation], notation: PageNotation) -
 def expressions(latex: str, notation: PageNotation) -> list[Node]:
     """The readings of one expression that are well formed; raises `Unread` where there is none."""
     ctx = _context(notation, 0)
-    chain = formula(tokens(latex))
+    chain = formula(atoms_in(latex))
     if chain.relations or chain.sides[0] is None:
         raise Unread("expected one expression without a relation")
     fits = ctx.terms(chain.sides[0])
@@ -73,20 +73,20 @@ def _context(notation: PageNotation, level: int, where: str = "") -> FittingCont
     return ctx
 
 
-def _as_noted(equation: PrintedEquation, notation: PageNotation) -> Tokens:
-    """The tokens of the equation, or of what the notation says that the print should be."""
+def _as_noted(equation: PrintedEquation, notation: PageNotation) -> Atoms:
+    """The atoms of the equation, or of what the notation says that the print should be."""
     for name in (equation.number, equation.label):
         if name is not None and "reading" in notation.notes.get(name, {}):
-            return tokens_of_equation(notation.notes[name]["reading"])
-    return equation.tokens
+            return atoms_of_equation(notation.notes[name]["reading"])
+    return equation.atoms
 
 
 def _read(
-    equation: PrintedEquation, marks: Tokens, before: Tokens | None, notation: PageNotation
-) -> tuple[ReadEquation, Tokens | None]:
+    equation: PrintedEquation, marks: Atoms, before: Atoms | None, notation: PageNotation
+) -> tuple[ReadEquation, Atoms | None]:
     lines = [line for line in segments(marks) if line[0]]
     chains = [
-        PrintedChain(formula(line), condition, max(equation.line, line[0].line))
+        PrintedChain(formula(line), condition, max(equation.line, line[0].place.line))
         for line, condition in lines
         if not _is_range(line, notation)
     ]
@@ -95,7 +95,7 @@ def _read(
         chains[0] = replace(chains[0], chain=formula(whole))
         lines[0] = whole, lines[0][1]
     if not any(said.chain.relations for said in chains):
-        raise Unread("no relation stands in it", marks[0] if marks else None)
+        raise Unread("no relation stands in it", marks[0].place if marks else None)
     for level in range(3):
         ctx = _context(notation, level, f"{equation.file}:{equation.line}:{equation.column}")
         readings = _readings(chains, ctx)
@@ -112,7 +112,7 @@ def _read(
     return ReadEquation(equation, tuple(readings)), last[end + 1 :]
 
 
-def _is_range(marks: Tokens, notation: PageNotation) -> bool:
+def _is_range(marks: Atoms, notation: PageNotation) -> bool:
     """Whether it says what indices run over."""
     left = [mark.text for mark in marks if mark.text not in ("=", r"\dots", r"\ldots", r"\in", ".")]
     names = [text for text in left if not text.isdigit()]

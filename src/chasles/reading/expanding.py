@@ -7,31 +7,28 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from chasles.reading.atoms import Atom, Atoms
 from chasles.reading.context import FittingContext
+from chasles.reading.derivatives import derivative
 from chasles.reading.fits import Fit, made
 from chasles.reading.glyphs import in_latex, letter_of, text_of_row
-from chasles.reading.grammar import Atom, FlatRow
-from chasles.reading.lexemes import Token
 from chasles.reading.page_notation import PageNotation
-from chasles.reading.quotients import awaits, of_tokens
+from chasles.reading.quotients import of_atoms
 from chasles.reading.spellings import called
 from chasles.vocabulary import Node, Norm, Number, Power, Symbol, symbols_of
 from chasles.vocabulary.dimension import has_units
 from chasles.vocabulary.expansions import Limit, UpTo
 
-Pieces = tuple[Atom | Token, ...]
 TOTALS = (r"\sum", r"\lim", r"\prod", r"\int", r"\oint")
 OPEN = TOTALS[:3]
 Order = tuple[Symbol, int]
 
 
-def order_of(row: FlatRow, ctx: FittingContext) -> Order | None:
+def order_of(row: Atoms, ctx: FittingContext) -> Order | None:
     """What is small and to which power, where a row is O(x^3) or O(|v|^2) and O is no letter of the notation."""
-    if len(row.pieces) != 2 or not all(isinstance(piece, Atom) for piece in row.pieces):
+    if len(row) != 2:
         return None
-    name, bracket = row.pieces
-    assert isinstance(name, Atom)
-    assert isinstance(bracket, Atom)
+    name, bracket = row
     letter = letter_of(name)
     if letter.loose.base != "O" or name.is_marked or bracket.kind != "BRACKET" or len(bracket.inside) != 1:
         return None
@@ -67,8 +64,8 @@ def limits(sign: Atom, terms: Sequence[Node], ctx: FittingContext) -> list[Fit]:
     arrows = [place for place, token in enumerate(sign.sub or ()) if token.text in (r"\to", r"\rightarrow")]
     if sign.text != r"\lim" or not sign.sub or len(arrows) != 1 or sign.sups:
         return []
-    small = [fit.node for fit in of_tokens(sign.sub[: arrows[0]], ctx)]
-    behind = [fit.node for fit in of_tokens(sign.sub[arrows[0] + 1 :], ctx)]
+    small = [fit.node for fit in of_atoms(sign.sub[: arrows[0]], ctx)]
+    behind = [fit.node for fit in of_atoms(sign.sub[arrows[0] + 1 :], ctx)]
     if Number(0) not in behind:  # type: ignore[arg-type]
         return []
     words = [made(Limit, term, each) for term in terms for each in small if symbols_of(term) == (each,)]
@@ -79,27 +76,28 @@ def takes_all(atom: Atom, notation: PageNotation) -> bool:
     """Whether it makes a quantity of its own of the product behind it: a derivative, or a nabla in any typeface."""
     letter = letter_of(atom)
     is_known = called(atom) in notation.spellings.names or next(notation.letters.meanings(letter), None) is not None
-    return awaits(atom) or (letter.loose.base == r"\nabla" and not is_known)
+    found = derivative(atom)
+    return bool(found and found.is_of_its_own and not found.of) or (letter.loose.base == r"\nabla" and not is_known)
 
 
-def totals(sign: Atom, inside: Pieces, read: Callable[[Pieces], list[Fit]], ctx: FittingContext) -> list[Fit]:
+def totals(sign: Atom, inside: Atoms, read: Callable[[Atoms], list[Fit]], ctx: FittingContext) -> list[Fit]:
     """The sum or integral of all that stands inside, differentials included; none, and a note why, if it is none."""
     is_sum = sign.text in OPEN
-    if not any(isinstance(piece, Atom) for piece in inside) or (has_units(ctx.notation.home) and not is_sum):
+    if not any(piece.kind != "INFIX" for piece in inside) or (has_units(ctx.notation.home) and not is_sum):
         ctx.note(f"no word for {sign.text} here", sign.place)
         return []
     fits = read(inside) if is_sum else []
     terms = [fit.node for fit in fits if fit.node is not None and fit.shape]
-    return limits(sign, terms, ctx) or ctx.of_its_own(in_latex(text_of_row(FlatRow((sign, *inside)))), terms)
+    return limits(sign, terms, ctx) or ctx.of_its_own(in_latex(text_of_row((sign, *inside))), terms)
 
 
-def end_of_total(sign: Atom, inside: Pieces) -> int:
+def end_of_total(sign: Atom, inside: Atoms) -> int:
     """Where what the sign is put before ends: behind the last differential, or all that is a product with a sum's."""
     ends = [k + 2 for k in range(len(inside) - 1) if _is_differential(inside[k], inside[k + 1])]
     return len(inside) if sign.text not in TOTALS[len(OPEN) :] or 2 in ends or not ends else ends[-1]
 
 
-def _is_differential(sign: Atom | Token, of: Atom | Token) -> bool:
-    if isinstance(sign, Token) or isinstance(of, Token) or of.kind == "BRACKET" or sign.is_marked:
+def _is_differential(sign: Atom, of: Atom) -> bool:
+    if "INFIX" in (sign.kind, of.kind) or of.kind == "BRACKET" or sign.is_marked:
         return False
     return letter_of(sign).base in ("d", r"\mathrm d")

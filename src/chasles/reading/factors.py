@@ -7,23 +7,23 @@ from dataclasses import replace
 from functools import partial
 
 from chasles.reading.applying import applied, made_of, with_marks
+from chasles.reading.atoms import Atom, Atoms, said_of
 from chasles.reading.context import FittingContext
+from chasles.reading.derivatives import derivative
 from chasles.reading.fits import UNUSUAL, Fit, made, own_quantity
 from chasles.reading.glyphs import (
     Glyph,
     in_latex,
     is_operator,
     letter_of,
-    said_of,
     spelled,
     text_of_atom,
     with_arguments,
 )
-from chasles.reading.grammar import Atom
 from chasles.reading.marks import atom_fits, letter_fits
 from chasles.reading.page_functions import lists_letters, makes_difference
 from chasles.reading.page_notation import repeated_rate
-from chasles.reading.quotients import of_tokens, order_of_rate, partial_by, upright
+from chasles.reading.quotients import of_atoms, partial_by
 from chasles.reading.spellings import Make, called
 from chasles.vocabulary import At, Group, Node, Symbol, latex, symbols_of
 from chasles.vocabulary.fitting import measured
@@ -31,7 +31,7 @@ from chasles.vocabulary.partial import PartialDerivative
 from chasles.vocabulary.spelling import Precedence
 
 
-def factors(items: tuple[Atom, ...], start: int, ctx: FittingContext) -> Iterator[tuple[int, list[Fit]]]:
+def factors(items: Atoms, start: int, ctx: FittingContext) -> Iterator[tuple[int, list[Fit]]]:
     """What begins here and is one factor: an atom, a function of something, a quantity with its argument."""
     atom = items[start]
     spellings = ctx.notation.spellings
@@ -47,7 +47,7 @@ def factors(items: tuple[Atom, ...], start: int, ctx: FittingContext) -> Iterato
         if any(fits for _, fits in values) or not _is_letter(atom, ctx):
             return
     if (makes := spellings.subscripted.get(name)) and atom.sub:
-        yield start + 1, list(made_of(makes, [[fit] for fit in of_tokens(atom.sub, ctx)], atom, ctx))
+        yield start + 1, list(made_of(makes, [[fit] for fit in of_atoms(atom.sub, ctx)], atom, ctx))
         return
     if (operators := operators_of(atom, ctx)) and start + 1 < len(items):
         for end in range(start + 2, len(items) + 1):
@@ -118,25 +118,21 @@ def _is_argument(atom: Atom) -> bool:
     """Whether it is (t), the time at which a quantity is taken."""
     if atom.text != "()" or atom.sub or len(atom.inside) != 1 or atom.inside[0].signs != ("",):
         return False
-    row = atom.inside[0].rows[0].pieces
-    return len(row) == 1 and isinstance(row[0], Atom) and row[0].text == "t" and not row[0].sub
+    row = atom.inside[0].rows[0]
+    return len(row) == 1 and row[0].text == "t" and not row[0].sub
 
 
 def operators_of(atom: Atom, ctx: FittingContext) -> list[Make]:
     """What d/dt, or a partial derivative without what it is of, makes of what stands behind it."""
-    if atom.kind != "COMMAND_OF_TWO" or "frac" not in atom.text:
+    found = derivative(atom)
+    if found is None or found.of:
         return []
-    above = upright(atom.arguments[0])
-    order = order_of_rate(*atom.arguments)
-    if order and len(above) == (1 if order == 1 else 3):
-        return [repeated_rate(order)]
-    variables = partial_by(atom.arguments[0], atom.arguments[1], ctx) if above == [r"\partial"] else []
-    return [partial(PartialDerivative, by=by) for by in variables]
+    if found.rate:
+        return [repeated_rate(found.rate)]
+    return [] if found.is_of_its_own else [partial(PartialDerivative, by=by) for by in partial_by(found, ctx)]
 
 
-def _applications(
-    items: tuple[Atom, ...], start: int, makes: list[Make], ctx: FittingContext
-) -> Iterator[tuple[int, list[Fit]]]:
+def _applications(items: Atoms, start: int, makes: list[Make], ctx: FittingContext) -> Iterator[tuple[int, list[Fit]]]:
     """A function of what stands in brackets behind its name, or of one or several of the next factors."""
     name, first = items[start], items[start + 1]
     if first.kind == "BRACKET" and first.text in ("()", "[]", r"\{\}"):
@@ -165,7 +161,7 @@ def _is_function(atom: Atom, ctx: FittingContext) -> bool:
     return called(atom) in ctx.notation.spellings.names and not _is_letter(atom, ctx)
 
 
-def _integral(items: tuple[Atom, ...], start: int, ctx: FittingContext) -> tuple[int, list[Fit]] | None:
+def _integral(items: Atoms, start: int, ctx: FittingContext) -> tuple[int, list[Fit]] | None:
     """An integral over a body, up to the d of what it is printed to run over."""
     make, atom = ctx.notation.integral, items[start]
     if make is None or atom.text != r"\int" or not atom.sub:

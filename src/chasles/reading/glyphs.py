@@ -8,19 +8,15 @@ from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from itertools import pairwise
 
+from chasles.reading.atoms import BOLD, TYPEFACES, Atom, Atoms, Unread, in_braces, said_of
 from chasles.reading.commands import MARKS
-from chasles.reading.grammar import Atom, Chain, FlatRow, Terms, formula
-from chasles.reading.grouping import TYPEFACES, Tokens, Unread
+from chasles.reading.grammar import Chain, Terms, formula
 from chasles.reading.lexemes import Token
-from chasles.reading.tokens import tokens
+from chasles.reading.respelling import atoms_in
 
-BOLD = {r"\boldsymbol": r"\mathbf"}
 _LETTERS = TYPEFACES | MARKS
 ARROWS = frozenset({r"\vec", r"\underline", r"\overrightarrow", r"\underrightarrow"})
 """Accents that say that a letter is a vector: they are part of its name, whatever else is put under them."""
-NAME = re.compile(r"\\(?:operatorname|text)\{(.*)\}$")
-
-
 OTHER_BRACKETS = ("[]", r"\{\}")
 OF_OPERATORS = frozenset((r"\mathbb", r"\mathcal", r"\mathscr", r"\mathrm"))
 
@@ -51,54 +47,28 @@ def _unstyled(text: str) -> str:
     return " ".join(word for word in text.split() if word not in TYPEFACES)
 
 
-def said_of(marks: Tokens) -> str:
-    """The tokens as one text: without braces, bold in one way, upright names as one word."""
-    return " ".join(word for word in in_braces(marks).split() if word not in ("{", "}"))
-
-
-def in_braces(marks: Tokens) -> str:
-    """The same with its braces."""
-    return " ".join(_named(BOLD.get(token.text, token.text)) for token in marks)
-
-
-def _named(text: str) -> str:
-    """A name as one word."""
-    return NAME.sub(lambda found: found[1].replace(" ", "~"), text)
-
-
 def only_atom(chain: Chain) -> Atom | None:
     """The atom, where the chain is nothing else."""
     if chain.relations or chain.sides[0] is None or chain.sides[0].signs != ("",):
         return None
-    pieces = chain.sides[0].rows[0].pieces
-    return pieces[0] if len(pieces) == 1 and isinstance(pieces[0], Atom) else None
+    pieces = chain.sides[0].rows[0]
+    return pieces[0] if len(pieces) == 1 else None
 
 
 def _inside(chain: Chain, is_accented: bool) -> Atom | None:
     """The letter in an argument: under an accent also one of several letters side by side."""
     side = chain.sides[0]
-    row = side.rows[0].pieces if is_accented and side and not chain.relations and side.signs == ("",) else ()
+    row = side.rows[0] if is_accented and side and not chain.relations and side.signs == ("",) else ()
     return only_atom(chain) or joined(row)
 
 
 def _text(atom: Atom) -> str:
     """What scripts are put on, as one text."""
-    match atom.kind:
-        case "BRACKET":
-            inside = " , ".join(text_of(terms) for terms in atom.inside)
-            half = len(atom.text) // 2
-            return f"{atom.text[:half]} {inside} {atom.text[half:]}"
-        case "GROUP":
-            return said_of(atom.arguments[0])
-        case "COMMAND_OF_TWO":
-            return " ".join((atom.text, *(f"{{ {in_braces(each)} }}" for each in atom.arguments)))
-        case "COMMAND":
-            return " ".join((BOLD.get(atom.text, atom.text), *(said_of(each) for each in atom.arguments)))
-        case "GRID":
-            cells = [" & ".join(map(in_braces, row)) for row in atom.grid.rows] if atom.grid else []
-            return rf"\begin{{{atom.text}}} " + r" \\ ".join(cells) + rf" \end{{{atom.text}}}"
-        case _:
-            return _named(atom.text)
+    if atom.kind == "BRACKET":
+        inside = " , ".join(text_of(terms) for terms in atom.inside)
+        half = len(atom.text) // 2
+        return f"{atom.text[:half]} {inside} {atom.text[half:]}"
+    return (said_of if atom.kind in ("GROUP", "COMMAND") else in_braces)((atom.bare,))
 
 
 def latex_of(atom: Atom) -> str:
@@ -111,9 +81,9 @@ def text_of(terms: Terms) -> str:
     return " ".join(f"{sign} {text_of_row(row)}" for sign, row in zip(terms.signs, terms.rows, strict=True)).strip()
 
 
-def text_of_row(row: FlatRow) -> str:
-    """The pieces of a row as one text."""
-    return " ".join(piece.text if isinstance(piece, Token) else text_of_atom(piece) for piece in row.pieces)
+def text_of_row(row: Atoms) -> str:
+    """The atoms of a row as one text."""
+    return " ".join(map(text_of_atom, row))
 
 
 def text_of_atom(atom: Atom) -> str:
@@ -173,14 +143,14 @@ def is_operator(letter: Glyph) -> bool:
     )
 
 
-def joined(atoms: Sequence[Atom | Token]) -> Atom | None:
+def joined(atoms: Sequence[Atom]) -> Atom | None:
     r"""Letters side by side as one name, as in \Delta t and GM; None where something else is among them."""
-    found = [atom for atom in atoms if isinstance(atom, Atom) and (atom.kind == "LETTER" or atom.text in _LETTERS)]
+    found = [atom for atom in atoms if atom.kind == "LETTER" or atom.text in _LETTERS]
     if len(found) < max(2, len(atoms)) or any(atom.is_marked or atom.text in MARKS for atom in found[:-1]):
         return None
     first, last = found[0], found[-1]
     if last.text in MARKS:  # an accent on the last of them is put on all: \delta\dot\theta
-        signs = [atom.place for atom in found[:-1] if atom.kind == "LETTER"]
+        signs = [atom for atom in found[:-1] if atom.kind == "LETTER"]
         held = ((*signs, *last.arguments[0]),)
         return replace(last, arguments=held, place=first.place) if len(signs) == len(found) - 1 else None
     text = " ".join(map(_text, found))
@@ -190,13 +160,13 @@ def joined(atoms: Sequence[Atom | Token]) -> Atom | None:
 @lru_cache(maxsize=4096)
 def letter_in(text: str) -> Glyph | None:
     """The letter that a notation writes, with arguments where it is a function; None where that is several."""
-    chain = formula(tokens(text))
+    chain = formula(atoms_in(text))
     if chain.relations or chain.sides[0] is None or chain.sides[0].signs != ("",):
         return None
-    *name, last = chain.sides[0].rows[0].pieces
-    bracket = last if name and isinstance(last, Atom) and last.kind == "BRACKET" and not last.is_marked else None
+    *name, last = chain.sides[0].rows[0]
+    bracket = last if name and last.kind == "BRACKET" and not last.is_marked else None
     row = name if bracket else [*name, last]
-    atom = row[0] if len(row) == 1 and isinstance(row[0], Atom) else joined(row)
+    atom = row[0] if len(row) == 1 else joined(row)
     letter = None if atom is None else letter_of(atom)
     return with_arguments(letter, bracket) if letter and bracket else letter
 

@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from functools import reduce
 
+from chasles.reading.atoms import Atom, Atoms, Unread
+from chasles.reading.derivatives import Derivative, derivative
 from chasles.reading.glyphs import Glyph, letter_of, with_arguments
-from chasles.reading.grammar import Atom, Chain, FlatRow, Terms, formula
-from chasles.reading.grouping import Grid, Tokens, Unread
-from chasles.reading.lexemes import Token
+from chasles.reading.grammar import Chain, Terms, formula
 from chasles.reading.page_functions import lists_letters
-from chasles.reading.quotients import order_of_rate, upright
 from chasles.reading.spellings import called
 
 Shape = tuple[int, int]
@@ -59,24 +58,23 @@ class _PieceShapes:
     def terms(self, terms: Terms) -> Shape | None:
         return reduce(_same, map(self.row, terms.rows), None)
 
-    def tokens(self, tokens: Tokens) -> Shape | None:
+    def atoms(self, atoms: Atoms) -> Shape | None:
         try:
-            sides = formula(tokens).sides if tokens else ()
+            sides = formula(atoms).sides if atoms else ()
         except Unread:
             return None
         return self.terms(sides[0]) if len(sides) == 1 and sides[0] is not None else None
 
-    def row(self, row: FlatRow) -> Shape | None:
-        pieces = row.pieces
-        if len(pieces) == 1 and isinstance(pieces[0], Atom) and pieces[0].text in ("0", "1"):
+    def row(self, pieces: Atoms) -> Shape | None:
+        if len(pieces) == 1 and pieces[0].text in ("0", "1"):
             return None
-        if any(isinstance(piece, Atom) and letter_of(piece).loose.base in (r"\nabla", "!") for piece in pieces):
+        if any(piece.kind != "INFIX" and letter_of(piece).loose.base in (r"\nabla", "!") for piece in pieces):
             return None
         parts: list[list[Atom]] = [[]]
         for piece in pieces:
-            parts = [*parts, []] if isinstance(piece, Token) else [*parts[:-1], [*parts[-1], piece]]
+            parts = [*parts, []] if piece.kind == "INFIX" else [*parts[:-1], [*parts[-1], piece]]
         shape, is_number = self.product(parts[0]), all(atom.kind == "NUMBER" for atom in parts[0])
-        for sign, part in zip((piece.text for piece in pieces if isinstance(piece, Token)), parts[1:], strict=True):
+        for sign, part in zip((piece.text for piece in pieces if piece.kind == "INFIX"), parts[1:], strict=True):
             shape = _combined(sign, shape, self.product(part), is_number) if part else self.marked(shape, (sign,))
         return shape
 
@@ -90,8 +88,8 @@ class _PieceShapes:
                 continue
             if behind is not None and (name == "d" or (name in self.names and atom.kind in ("LETTER", "COMMAND"))):
                 shape, at = shape if name == "d" else _times(shape, self.value(name, behind)), at + 1
-            elif atom.kind == "COMMAND_OF_TWO" and upright(atom.arguments[0]) in (["d"], [r"\partial"]):
-                shape = shape if order_of_rate(*atom.arguments) else None
+            elif (found := derivative(atom)) and not found.of:
+                shape = shape if found.rate else None
             elif behind is not None and behind.text == "()" and atom.kind != "NUMBER" and _is_argument(behind):
                 shape, at = _times(shape, self.marked(self.atom(atom), letter_of(behind).sups)), at + 1
             else:
@@ -122,17 +120,17 @@ class _PieceShapes:
                 shape = cells[0] if len(cells) == 1 else _stacked([[cell] for cell in cells])
             case "BRACKET":
                 return SCALAR if text == "||" else None
-            case "GRID" if isinstance(atom.grid, Grid) and atom.grid.name.endswith(("matrix", "array")):
-                shape = _stacked([[self.tokens(cell) for cell in row] for row in atom.grid.rows])
+            case "GRID" if atom.text.endswith(("matrix", "array")):
+                shape = _stacked([[self.atoms(cell) for cell in row] for row in atom.rows])
             case "COMMAND_OF_TWO" if "frac" in text:
-                shape = self.fraction(*atom.arguments)
+                shape = self.fraction(atom)
             case "COMMAND" if text == r"\sqrt":
-                if self.tokens(atom.arguments[0]) not in (SCALAR, None):
+                if self.atoms(atom.arguments[0]) not in (SCALAR, None):
                     raise Misshapen
             case "GROUP" if not letter.accents:
-                shape = self.tokens(atom.arguments[0])
+                shape = self.atoms(atom.arguments[0])
             case "LETTER" if text == "e" and len(atom.sups) == 1 and not atom.sub:
-                shape = self.tokens(atom.sups[0])
+                shape = self.atoms(atom.sups[0])
                 if shape not in (SCALAR, MATRIX, None):
                     raise Misshapen
                 return shape
@@ -141,20 +139,20 @@ class _PieceShapes:
                 return self.marked(shape, marks)
         return self.marked(shape, letter.sups)
 
-    def fraction(self, above: Tokens, below: Tokens) -> Shape | None:
-        top, bottom = upright(above), upright(below)
-        if top[:1] in (["d"], [r"\partial"]) and bottom[:1] == top[:1]:
-            start = next(at for at, token in enumerate(above) if token.text in ("d", r"\partial")) + 1
-            if order_of_rate(above, below) == 1:
-                return self.tokens(above[start:])
-            return self.derivative(above[start:], below[1:]) if top[0] == r"\partial" else None
-        if self.tokens(below) not in (SCALAR, None):
+    def fraction(self, atom: Atom) -> Shape | None:
+        found = derivative(atom)
+        if found and found.sign in ("d", "D", r"\partial"):
+            if found.rate:
+                return self.atoms(found.of)
+            return self.derivative(found) if found.sign == r"\partial" and not found.is_of_its_own else None
+        above, below = atom.arguments
+        if self.atoms(below) not in (SCALAR, None):
             raise Misshapen
-        return SCALAR if top in (["1"], ["0"]) else self.tokens(above)
+        return SCALAR if [each.text for each in above] in (["1"], ["0"]) else self.atoms(above)
 
-    def derivative(self, of: Tokens, by: Tokens) -> Shape | None:
+    def derivative(self, partial: Derivative) -> Shape | None:
         """The shape of a partial derivative: by a scalar, or of a column by a column."""
-        shape, variable = self.tokens(of), self.tokens(by)
+        shape, variable = self.atoms(partial.of), self.atoms(partial.by)
         if shape is None or variable is None or variable == SCALAR:
             return shape if variable == SCALAR else None
         if shape[1] != 1 or variable[1] != 1:

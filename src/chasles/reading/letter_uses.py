@@ -7,17 +7,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 from chasles.reading.applying import EVALUATED
+from chasles.reading.atoms import TYPEFACES, Atom, said_of
 from chasles.reading.commands import MARKS
-from chasles.reading.glyphs import ARROWS, Glyph, joined, letter_of, said_of, spelled, text_of
-from chasles.reading.grammar import Atom, Terms, terms_in
-from chasles.reading.grouping import TYPEFACES
-from chasles.reading.lexemes import Token
+from chasles.reading.derivatives import differential
+from chasles.reading.glyphs import ARROWS, Glyph, joined, letter_of, spelled, text_of
+from chasles.reading.grammar import Terms, terms_in
 from chasles.reading.marks import SIZE, WITHOUT_WORD
 from chasles.reading.notation_file import load_notation
 from chasles.reading.page_functions import DIFFERENCES, makes_difference, shown_alone
 from chasles.reading.page_notation import PageNotation
 from chasles.reading.printed import PrintedEquation
-from chasles.reading.quotients import upright
 from chasles.reading.segments import chains_of
 from chasles.reading.spellings import called
 from chasles.vocabulary.measure import Extent
@@ -30,7 +29,6 @@ NO_LETTERS = frozenset([*WITHOUT_WORD, r"\partial"])
 DIFFERENTIAL = re.compile(r"\\o?int\b|\bd t\b|\\mathrm \{ d \}")
 GRID = re.compile(r"\\begin\{(?:\w*matrix|array)\}|[])] \^ \{ (?:- 1|T) \}")
 """A matrix that is written out, or brackets that are inverted or transposed."""
-DERIVED = (["d"], [r"\partial"])
 IDENTITIES = (r"\mathbf 1", r"\mathbf I", "I")
 BARE = (r"\pi", "e", "0", r"\mathbf 0", r"\mathrm d", *IDENTITIES)
 """What is no letter of the page where it has no subscript."""
@@ -153,19 +151,19 @@ def _note(terms: Terms | None, within: str, noting: _Noting) -> None:
     """Note each letter of the terms, with what stands around it."""
     for row in terms.rows if terms else ():
         before = within
-        for place, piece in enumerate(row.pieces):
-            if isinstance(piece, Token):
+        for place, piece in enumerate(row):
+            if piece.kind == "INFIX":
                 before = piece.text
                 continue
-            after = row.pieces[place + 1] if place + 1 < len(row.pieces) else None
-            around = {before, after.text if isinstance(after, Token) else ""} - {""}
-            around |= {"{}"} if isinstance(after, Atom) and after.kind == "GROUP" else set()
+            after = row[place + 1] if place + 1 < len(row) else None
+            around = {before, after.text if after and after.kind == "INFIX" else ""} - {""}
+            around |= {"{}"} if after and after.kind == "GROUP" else set()
             name = called(piece)
             if piece.kind == "LETTER" and name in noting.usual.spellings.names:
                 before = name
                 continue
             if (
-                isinstance(after, Atom)
+                after is not None
                 and makes_difference(piece, after, noting.alone)
                 and (after.kind == "LETTER" or after.text in TYPEFACES)
                 and not _is_derivative(terms, within)
@@ -180,7 +178,9 @@ def _note(terms: Terms | None, within: str, noting: _Noting) -> None:
                 else inside
             )
             inside = "[]" if piece.text == "[]" and _is_letter_alone(piece) else inside
-            inside = "d" if len(piece.arguments) == 2 and upright(piece.arguments[0])[:1] in DERIVED else inside
+            inside = (
+                "d" if len(piece.arguments) == 2 and differential(piece.arguments[0]) in ("d", r"\partial") else inside
+            )
             for inner in terms_in(piece):
                 _note(inner, inside, noting)
             if piece.kind == "LETTER" or piece.text in TYPEFACES or piece.text in MARKS:
@@ -190,7 +190,7 @@ def _note(terms: Terms | None, within: str, noting: _Noting) -> None:
 
 def _is_letter_alone(bracket: Atom) -> bool:
     rows = [row for terms in bracket.inside for row in terms.rows]
-    return len(rows) == len(rows[0].pieces) == 1
+    return len(rows) == len(rows[0]) == 1
 
 
 def _is_derivative(terms: Terms | None, within: str) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from typing import NamedTuple
+from typing import NamedTuple, Protocol, TypeVar
 
 SPACE_BEHIND = r"\*?(?:\s*\[\s*-?[\d.]*\s*(?:em|ex|pt|px|pc|bp|mm|cm|in|mu|sp|\\\w+)\s*\])?"
 LEXEME = re.compile(rf"%[^\n]*(?:\n[ \t]*|$)|\\\\{SPACE_BEHIND}|\\(?:[A-Za-z@]+|.|$)|\s+|.", re.DOTALL)
@@ -27,6 +27,16 @@ class Token(NamedTuple):
     text: str
     line: int = 1
     column: int = 1
+
+
+class Printed(Protocol):
+    """What stands on a page."""
+
+    @property
+    def text(self) -> str: ...
+
+
+Piece = TypeVar("Piece", bound=Printed)
 
 
 def lexemes(latex: str, line: int = 1, column: int = 1) -> list[Token]:
@@ -60,16 +70,16 @@ def spelled(raw: Iterable[Token]) -> str:
 
 
 def cut(
-    tokens: Iterable[Token], signs: tuple[str, ...], opening: tuple[str, ...] = (), closing: tuple[str, ...] = ()
-) -> list[list[Token]]:
-    """The tokens parted at these signs, where they are in no group, no environment and no such brackets."""
-    parts: list[list[Token]] = [[]]
+    pieces: Iterable[Piece], signs: tuple[str, ...], opening: tuple[str, ...] = (), closing: tuple[str, ...] = ()
+) -> list[list[Piece]]:
+    """The pieces parted at these signs, where they are in no group, no environment and no such brackets."""
+    parts: list[list[Piece]] = [[]]
     depth = 0
-    for token in tokens:
-        depth += bool(GROUP_OPENING.match(token.text)) or token.text in opening
-        depth -= depth > 0 and (bool(GROUP_CLOSING.match(token.text)) or token.text in closing)
-        if depth == 0 and token.text in signs:
+    for piece in pieces:
+        depth += bool(GROUP_OPENING.match(piece.text)) or piece.text in opening
+        depth -= depth > 0 and (bool(GROUP_CLOSING.match(piece.text)) or piece.text in closing)
+        if depth == 0 and piece.text in signs:
             parts.append([])
         else:
-            parts[-1].append(token)
+            parts[-1].append(piece)
     return parts

@@ -8,14 +8,16 @@ from fractions import Fraction
 from itertools import product
 
 from chasles.reading.applying import applied, made_of, with_marks
+from chasles.reading.atoms import Atom, said_of
 from chasles.reading.case_grids import ENVIRONMENTS, case_fits
 from chasles.reading.context import KINDS, FittingContext
 from chasles.reading.fits import UNUSUAL, Fit, Shape, kept
-from chasles.reading.glyphs import Glyph, latex_of, letter_of, said_of, spelled
-from chasles.reading.grammar import Atom, Terms
+from chasles.reading.glyphs import Glyph, latex_of, letter_of, spelled
+from chasles.reading.grammar import Terms
 from chasles.reading.matrices import block_fits, grid_fits, row_of_blocks
-from chasles.reading.quotients import exponential_fits, fraction_fits, of_tokens
+from chasles.reading.quotients import exponential_fits, fraction_fits, of_atoms
 from chasles.reading.spellings import signed
+from chasles.reading.typefaces import UNBRACKETED
 from chasles.vocabulary import Group, Identity, Node, Number, Symbol, Transpose, Zero, latex
 from chasles.vocabulary.families import Entry, Kronecker
 
@@ -131,23 +133,21 @@ def _nucleus(atom: Atom, letter: Glyph, ctx: FittingContext) -> list[Fit]:
             fits = ctx.of_its_own(latex_of(atom))
         case "BRACKET" if atom.inside and atom.text in ("()", "[]"):
             return _column(atom, rest, ctx)
-        case "GRID" if atom.grid is not None and any(said_of(each) in DOTS for row in atom.grid.rows for each in row):
+        case "GRID" if any(said_of(each) in DOTS for row in atom.rows for each in row):
             fits = ctx.of_its_own(latex_of(atom))
         case "COMMAND_OF_TWO" if atom.text == r"\binom":
             fits = ctx.of_its_own(latex_of(atom))
-        case "GRID" if atom.grid is not None and atom.grid.name in ENVIRONMENTS:
-            fits = case_fits(atom.grid, ctx, of_tokens)
-        case "GRID" if atom.grid is not None:
-            fits = grid_fits(atom.grid, ctx, of_tokens)
+        case "GRID":
+            fits = (case_fits if atom.text in ENVIRONMENTS else grid_fits)(atom, ctx, of_atoms)
         case "COMMAND_OF_TWO" if "frac" in atom.text:
             fits = fraction_fits(atom, ctx)
         case "GROUP" if atom.arguments[0]:
-            fits = of_tokens(atom.arguments[0], ctx)
+            fits = of_atoms(atom.arguments[0], ctx)
         case "COMMAND" if atom.text in spellings.names:
-            fits = applied(spellings.names[atom.text], of_tokens(atom.arguments[0], ctx), ctx, rest, atom.text)
+            fits = applied(spellings.names[atom.text], of_atoms(atom.arguments[0], ctx), ctx, rest, atom.text)
         case "COMMAND" if atom.text.replace("wide", "") in spellings.accents:
             makes = spellings.accents[atom.text.replace("wide", "")]
-            fits = applied(makes, of_tokens(atom.arguments[0], ctx), ctx, rest, atom.text)
+            fits = applied(makes, of_atoms(atom.arguments[0], ctx), ctx, rest, atom.text)
         case _:
             return []
     return with_marks(fits, rest, ctx)
@@ -223,9 +223,9 @@ def _column(atom: Atom, rest: Glyph, ctx: FittingContext) -> list[Fit]:
 
 def _grid_of(terms: Terms) -> Atom | None:
     """The array without brackets of its own, where nothing else stands here."""
-    piece = terms.rows[0].pieces[0]
-    bare = isinstance(piece, Atom) and piece.grid is not None and piece.text in ("array", "matrix", "smallmatrix")
-    return piece if bare and terms.signs == ("",) and len(terms.rows[0].pieces) == 1 else None  # type: ignore[return-value]
+    piece = terms.rows[0][0]
+    is_bare = piece.kind == "GRID" and piece.text in UNBRACKETED
+    return piece if is_bare and terms.signs == ("",) and len(terms.rows[0]) == 1 else None
 
 
 def _in_brackets(fit: Fit, brackets: str) -> Fit:

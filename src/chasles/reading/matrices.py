@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from itertools import islice, product
 
+from chasles.reading.atoms import Atom, Atoms, single
 from chasles.reading.context import FittingContext
 from chasles.reading.fits import MOST, Fit, Shape
-from chasles.reading.grammar import FlatRow, Terms
-from chasles.reading.grouping import Grid, Tokens
+from chasles.reading.grammar import Terms
 from chasles.vocabulary import Block, Determinant, Symbol, symbols_of
 from chasles.vocabulary.measure import Extent
 from chasles.vocabulary.spelling import Precedence
@@ -17,16 +17,16 @@ MOST_SIZES = 1000
 MATRICES = ("bmatrix", "pmatrix", "Bmatrix", "matrix", "array", "smallmatrix", "bsmallmatrix", "psmallmatrix")
 
 
-def grid_fits(grid: Grid, ctx: FittingContext, read: Callable[[Tokens, FittingContext], list[Fit]]) -> list[Fit]:
+def grid_fits(grid: Atom, ctx: FittingContext, read: Callable[[Atoms, FittingContext], list[Fit]]) -> list[Fit]:
     """The readings of an environment with rows and columns."""
-    name = grid.name.rstrip("*")
+    name = grid.text.rstrip("*")
     if name not in (*MATRICES, "vmatrix"):
-        ctx.note(f"the environment {grid.name} stands inside a formula", grid.place)
+        ctx.note(f"the environment {grid.text} stands inside a formula", grid.place)
         return []
     rows, width = grid.rows, max(map(len, grid.rows), default=0)
     if len(rows) == width > 1 and all(row[at:] and row[at] for at, row in enumerate(rows)):  # what is left out is zero
-        zero = (grid.place._replace(text="0"),)
-        rows = tuple(tuple(cell or zero for cell in (*row, *[()] * (width - len(row)))) for row in rows)
+        zero = (single(grid.place._replace(text="0")),)
+        rows = [[cell or zero for cell in (*row, *[()] * (width - len(row)))] for row in rows]
     if not rows or not all(len(row) == width and all(row) for row in rows):
         ctx.note("the rows of the matrix differ in length, or an entry is empty", grid.place)
         return []
@@ -83,13 +83,11 @@ def row_of_blocks(terms: Terms, ctx: FittingContext) -> list[Fit]:
     """Two blocks side by side without a mark between them, as in [A b]: wherever the terms can be cut."""
     found = []
     for k, (sign, row) in enumerate(zip(terms.signs, terms.rows, strict=True)):
-        cuts = range(1 if sign != "-" or not k else 0, len(row.pieces))
-        for cut in cuts if k or len(row.pieces) > 1 else ():
-            before = (*terms.rows[:k], *((FlatRow(row.pieces[:cut]),) if cut else ()))
+        cuts = range(1 if sign != "-" or not k else 0, len(row))
+        for cut in cuts if k or len(row) > 1 else ():
+            before = (*terms.rows[:k], *((row[:cut],) if cut else ()))
             left = Terms(terms.signs[: len(before)], before)
-            right = Terms(
-                ("" if cut else sign, *terms.signs[k + 1 :]), (FlatRow(row.pieces[cut:]), *terms.rows[k + 1 :])
-            )
+            right = Terms(("" if cut else sign, *terms.signs[k + 1 :]), (row[cut:], *terms.rows[k + 1 :]))
             found += block_fits([[ctx.terms(left), ctx.terms(right)]], ctx)
     return [fit for fit in found if fit.shape and fit.shape[0] != 1]
 

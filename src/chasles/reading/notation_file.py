@@ -15,10 +15,10 @@ from types import ModuleType
 from typing import Any, cast
 
 from chasles.nearest import nearest
+from chasles.reading.atoms import Unread
 from chasles.reading.declared_letters import declare_letter
 from chasles.reading.fits import own_quantity
 from chasles.reading.glyphs import letter_in
-from chasles.reading.grouping import Unread
 from chasles.reading.letter_table import BadNotation, LetterTable, require
 from chasles.reading.lexemes import BadPage
 from chasles.reading.one_meaning import one_meaning_each

@@ -6,10 +6,11 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import pairwise
 
+from chasles.reading.atoms import TYPEFACES, Atom
 from chasles.reading.commands import MARKS
-from chasles.reading.glyphs import Glyph, is_operator, letter_of, said_of, with_arguments
-from chasles.reading.grammar import Atom, Chain, Terms, terms_in
-from chasles.reading.grouping import TYPEFACES
+from chasles.reading.derivatives import derivative
+from chasles.reading.glyphs import Glyph, is_operator, letter_of, with_arguments
+from chasles.reading.grammar import Chain, Terms, terms_in
 
 
 def functions_in(chains: Iterable[Chain]) -> dict[Glyph, bool]:
@@ -35,10 +36,11 @@ def _neighbours(chains: Iterable[Chain]) -> Iterator[tuple[Atom, Atom | None]]:
     waiting = [side for chain in chains for side in chain.sides if side is not None]
     while waiting:
         for row in waiting.pop().rows:
-            for one, behind in pairwise((*row.pieces, None)):
-                if isinstance(one, Atom):
-                    yield one, behind if isinstance(behind, Atom) else None
-                    waiting += [*terms_in(one)][_is_derivative(one) :]
+            for one, behind in pairwise((*row, None)):
+                if one is not None and one.kind != "INFIX":
+                    yield one, None if behind is None or behind.kind == "INFIX" else behind
+                    found = derivative(one)
+                    waiting += [*terms_in(one)][found is not None and not found.of :]
 
 
 DIFFERENCES = (r"\Delta", r"\delta", "d", r"\mathrm d", r"\partial")
@@ -56,12 +58,6 @@ def _sign(letter: Glyph) -> str:
     if letter.sub and not (letter.base == r"\Delta" or (by and letter.base in ("D", r"\mathrm D", r"\partial"))):
         return ""
     return letter.base if letter.base in DIFFERENCES else f"{letter.base}_{letter.sub}" if letter.sub else ""
-
-
-def _is_derivative(atom: Atom) -> bool:
-    """Whether it is a derivative without what it is of, as d/dt is."""
-    above, below = (said_of(each).removeprefix(r"\mathrm ").split() for each in (*atom.arguments, (), ())[:2])
-    return above[:1] == below[:1] and above[1:2] in ([], ["^"]) and bool(above) and above[0] in DIFFERENCES
 
 
 def makes_difference(sign: Atom, behind: Atom | None, alone: frozenset[str]) -> bool:
@@ -85,7 +81,7 @@ def lists_letters(bracket: Atom) -> bool:
 
 def _is_letter(terms: Terms) -> bool:
     (row, *more) = terms.rows
-    piece = row.pieces[0]
-    if more or len(row.pieces) != 1 or terms.signs != ("",) or not isinstance(piece, Atom) or piece.sups:
+    piece = row[0]
+    if more or len(row) != 1 or terms.signs != ("",) or piece.kind == "INFIX" or piece.sups:
         return False
     return piece.kind in ("LETTER", "NUMBER") or piece.text in TYPEFACES or piece.text in MARKS

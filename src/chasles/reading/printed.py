@@ -5,15 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from chasles.reading.alignment import tokens_of_equation
-from chasles.reading.lexemes import BadPage, Token
+from chasles.reading.alignment import atoms_of_equation
+from chasles.reading.atoms import Atoms
+from chasles.reading.lexemes import BadPage
 
 
 @dataclass(frozen=True)
 class PrintedEquation:
     """A displayed equation: its LaTeX with macros expanded, where it stands in the page, and what it is called there.
 
-    `fault` says why a display cannot be split into tokens, if so; the rows of one have the number of their `display`.
+    `fault` says why a display cannot be split, if so; the rows of one have the number of their `display`.
     """
 
     latex: str
@@ -25,11 +26,11 @@ class PrintedEquation:
     file: str = ""
     fault: str = ""
     display: int = 0
-    found: tuple[Token, ...] = field(default=(), repr=False, compare=False)
+    found: Atoms = field(default=(), repr=False, compare=False)
 
     @cached_property
-    def tokens(self) -> tuple[Token, ...]:
-        """The equation's tokens with their places in the page; raises `BadPage` for a display that has a fault."""
+    def atoms(self) -> Atoms:
+        """What is printed, with its places in the page; raises `BadPage` for a display that has a fault."""
         if self.fault:
             raise BadPage(self.fault, self.line, self.column)
-        return self.found or tokens_of_equation(self.latex, self.line, self.column)
+        return self.found or atoms_of_equation(self.latex, self.line, self.column)

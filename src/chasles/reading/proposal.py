@@ -9,9 +9,9 @@ from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
+from chasles.reading.atoms import TYPEFACES, Unread, marks_of
 from chasles.reading.commands import LETTERS, MARKS
 from chasles.reading.glyphs import Glyph, in_latex, letter_in, spelled
-from chasles.reading.grouping import TYPEFACES, Unread
 from chasles.reading.letter_uses import BARE, IDENTITIES, OPERATORS, RATES, TRANSPOSES, LetterUse, inertias
 from chasles.reading.lexemes import BadPage
 from chasles.reading.printed import PrintedEquation
@@ -62,7 +62,7 @@ def proposed(equations: Sequence[PrintedEquation]) -> str:
 
 def _text_of(equation: PrintedEquation) -> str:
     try:
-        return " ".join(token.text for token in equation.tokens)
+        return " ".join(marks_of(equation.atoms))
     except BadPage:
         return ""
 

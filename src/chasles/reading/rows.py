@@ -7,55 +7,50 @@ from dataclasses import replace
 from functools import partial
 
 from chasles.reading.applying import applied, made_of
+from chasles.reading.atoms import Atom, Atoms
 from chasles.reading.context import FittingContext
 from chasles.reading.expanding import OPEN, TOTALS, end_of_total, takes_all, totals
 from chasles.reading.factors import factors, operators_of
 from chasles.reading.fits import UNUSUAL, Fit, kept, made
 from chasles.reading.glyphs import Glyph, joined, letter_of
-from chasles.reading.grammar import Atom, FlatRow
-from chasles.reading.lexemes import Token
 from chasles.reading.products import multiplied, times
 from chasles.reading.spellings import Make
 from chasles.vocabulary import Quotient, Skew
 from chasles.vocabulary.spelling import Precedence
 
-Pieces = tuple[Atom | Token, ...]
 
-
-def row_fits(row: FlatRow, ctx: FittingContext) -> list[Fit]:
+def row_fits(row: Atoms, ctx: FittingContext) -> list[Fit]:
     """The readings of a row: the signs between factors hold less tightly than their juxtaposition."""
     ctx.product = lambda items: _product(items, ctx)
-    return _signed(row.pieces, ctx)
+    return _signed(row, ctx)
 
 
-def _signed(pieces: Pieces, ctx: FittingContext) -> list[Fit]:
+def _signed(pieces: Atoms, ctx: FittingContext) -> list[Fit]:
     signs = TOTALS[: len(OPEN) if ctx.notation.integral else None]
     for place, piece in enumerate(pieces):
-        if isinstance(piece, Atom) and (piece.text in signs or takes_all(piece, ctx.notation)):
+        if piece.kind != "INFIX" and (piece.text in signs or takes_all(piece, ctx.notation)):
             return _with_total(pieces, place, ctx)
-    cuts = [k for k, piece in enumerate(pieces) if isinstance(piece, Token)]
+    cuts = [k for k, piece in enumerate(pieces) if piece.kind == "INFIX"]
     if not cuts:
-        return _product(tuple(piece for piece in pieces if isinstance(piece, Atom)), ctx)
+        return _product(pieces, ctx)
     if cuts[-1] == len(pieces) - 1 > 0 and pieces[-1].text == r"\times":  # what is multiplied is still to come
         return applied((Skew,), _signed(pieces[:-1], ctx), ctx, Glyph(""), r"\times")
     found: list[Fit] = []
-    texts = {k: piece.text for k, piece in enumerate(pieces) if isinstance(piece, Token)}
+    texts = {k: piece.text for k, piece in enumerate(pieces) if piece.kind == "INFIX"}
     step = 1 if r"\times" in texts.values() else UNUSUAL
     # The sign that binds least is the outermost: a stroke binds most, and of equal ones the last is outermost.
     for rank, cut in enumerate(sorted(cuts, key=lambda k: (texts[k] == "/", -k))):
         usual = rank * step
-        sign = pieces[cut]
-        assert isinstance(sign, Token)
-        left, right = pieces[:cut], pieces[cut + 1 :]
+        sign, left, right = pieces[cut], pieces[:cut], pieces[cut + 1 :]
         if not left or not right:
-            ctx.note(f"{sign.text} has nothing on one side", sign)
+            ctx.note(f"{sign.text} has nothing on one side", sign.place)
             return []
         if sign.text == "/":
             found += _stroke(left, right, usual, ctx)
             continue
         makes = ctx.notation.spellings.infixes.get(sign.text, [])
         if not makes:
-            ctx.note(f"no word for {sign.text}", sign)
+            ctx.note(f"no word for {sign.text}", sign.place)
             return []
         for one in _signed(left, ctx):
             for other in _signed(right, ctx):
@@ -63,17 +58,16 @@ def _signed(pieces: Pieces, ctx: FittingContext) -> list[Fit]:
     return kept(found)
 
 
-def _with_total(pieces: Pieces, place: int, ctx: FittingContext) -> list[Fit]:
+def _with_total(pieces: Atoms, place: int, ctx: FittingContext) -> list[Fit]:
     """A row with the sign of a sum over what is no numbers, or of an integral."""
     sign, before, inside = pieces[place], pieces[:place], pieces[place + 1 :]
-    assert isinstance(sign, Atom)
     end = end_of_total(sign, inside)
     found = totals(sign, inside[:end], lambda each: _signed(each, ctx), ctx)
     if inside[end:]:
         found = [each for one in found for other in _signed(inside[end:], ctx) for each in times(one, other, ctx)]
-    cut = max((k for k, piece in enumerate(before) if isinstance(piece, Token)), default=-1)
+    cut = max((k for k, piece in enumerate(before) if piece.kind == "INFIX"), default=-1)
     last = before[-1] if before else None
-    if isinstance(last, Atom) and (operators := operators_of(last, ctx)):
+    if last and (operators := operators_of(last, ctx)):
         found, before = list(made_of(operators, [[fit] for fit in found], None, ctx)), before[:-1]
     if before[cut + 1 :]:
         factors = _signed(before[cut + 1 :], ctx)
@@ -81,13 +75,12 @@ def _with_total(pieces: Pieces, place: int, ctx: FittingContext) -> list[Fit]:
     if cut < 0:
         return kept(found)
     infix = before[cut]
-    assert isinstance(infix, Token)
     makes = ctx.notation.spellings.infixes.get(infix.text, [])
     left = _signed(before[:cut], ctx) if cut else []
     return kept(each for one in left for other in found for each in _infix(makes, one, other, infix, 0, ctx))
 
 
-def _infix(makes: list[Make], one: Fit, other: Fit, sign: Token, usual: int, ctx: FittingContext) -> Iterator[Fit]:
+def _infix(makes: list[Make], one: Fit, other: Fit, sign: Atom, usual: int, ctx: FittingContext) -> Iterator[Fit]:
     for k, make in enumerate(makes):
         shape = one.shape or other.shape or (1, 1)
         left, right = one.sized_as(shape), other.sized_as(shape)
@@ -99,13 +92,13 @@ def _infix(makes: list[Make], one: Fit, other: Fit, sign: Token, usual: int, ctx
             return
     if one.shape and other.shape:
         sizes = " and ".join(f"{rows} x {columns}" for rows, columns in (one.shape, other.shape))
-        ctx.note(f"no word for {sign.text} between {sizes}", sign)
+        ctx.note(f"no word for {sign.text} between {sizes}", sign.place)
 
 
-def _stroke(left: Pieces, right: Pieces, usual: int, ctx: FittingContext) -> Iterator[Fit]:
+def _stroke(left: Atoms, right: Atoms, usual: int, ctx: FittingContext) -> Iterator[Fit]:
     """A quotient on one line: of the product before the stroke by the next factor, or by all that follows."""
-    for end in range(1, len(right) + 1 if all(isinstance(piece, Atom) for piece in right) else 0):
-        divisors = _product(right[:end], ctx)  # type: ignore[arg-type]
+    for end in range(1, len(right) + 1 if all(piece.kind != "INFIX" for piece in right) else 0):
+        divisors = _product(right[:end], ctx)
         for top in _signed(left, ctx):
             for bottom in divisors:
                 one, divisor = top.sized_as((1, 1)), bottom.at((1, 1))
@@ -120,11 +113,11 @@ def _stroke(left: Pieces, right: Pieces, usual: int, ctx: FittingContext) -> Ite
                     if end == len(right):
                         yield fit
                         continue
-                    for rest in _product(right[end:], ctx):  # type: ignore[arg-type]
+                    for rest in _product(right[end:], ctx):
                         yield from times(fit, rest, ctx)
 
 
-def _product(items: tuple[Atom, ...], ctx: FittingContext) -> list[Fit]:
+def _product(items: Atoms, ctx: FittingContext) -> list[Fit]:
     """The readings of atoms side by side, whichever way they can be grouped, factors taken from the left first."""
     items = _names_whole(items, ctx)
     count = len(items)
@@ -152,7 +145,7 @@ def _product(items: tuple[Atom, ...], ctx: FittingContext) -> list[Fit]:
     return spans[0, count]
 
 
-def _names_whole(items: tuple[Atom, ...], ctx: FittingContext) -> tuple[Atom, ...]:
+def _names_whole(items: Atoms, ctx: FittingContext) -> Atoms:
     r"""The atoms with a name that is printed bold as one: \mathbf{1tr} is \mathbf{1} and tr."""
     names = [name for name in ctx.notation.spellings.names if name.isalpha() and len(name) > 1]
     letters = ctx.notation.letters
@@ -173,7 +166,7 @@ def _names_whole(items: tuple[Atom, ...], ctx: FittingContext) -> tuple[Atom, ..
     return tuple(found)
 
 
-def _ill_formed(items: tuple[Atom, ...], single: dict[tuple[int, int], list[Fit]], ctx: FittingContext) -> list[Fit]:
+def _ill_formed(items: Atoms, single: dict[tuple[int, int], list[Fit]], ctx: FittingContext) -> list[Fit]:
     """The product as it stands, though its factors do not fit together."""
     total: Fit | None = None
     start = 0

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 from chasles.reading.abbreviations import written_out
+from chasles.reading.atoms import RELATIONS, Atom, Atoms, Unread, lines_of, single
 from chasles.reading.commands import IMPLICATIONS
 from chasles.reading.grammar import Chain, formula
-from chasles.reading.grouping import RELATIONS, Tokens, Unread, lines_of
-from chasles.reading.lexemes import BadPage, Token, cut
+from chasles.reading.lexemes import BadPage, cut
 from chasles.reading.printed import PrintedEquation
 
 CONDITIONS = re.compile(r"(?:(?:for|if|when|where|provided|with|as)\b|i\.e\.)", re.IGNORECASE)
@@ -20,9 +21,9 @@ ABBREVIATIONS = [[*"s.t."], [*"i.e."], [*"w.r.t."]]
 DOTS = (r"\dots", r"\ldots", r"\cdots", "..")
 
 
-def segments(marks: Tokens) -> list[tuple[Tokens, bool]]:
+def segments(marks: Atoms) -> list[tuple[Atoms, bool]]:
     """What stands side by side or line by line, and whether it is a condition, without what says of what kind it is."""
-    found: list[tuple[Tokens, bool]] = []
+    found: list[tuple[Atoms, bool]] = []
     for line in filter(None, lines_of(marks, (r"\\",))):
         condition = is_used = for_all = False
         pieces = _side_by_side(line)
@@ -52,16 +53,16 @@ def segments(marks: Tokens) -> list[tuple[Tokens, bool]]:
 def chains_of(equation: PrintedEquation) -> list[Chain]:
     """What stands side by side or line by line in the equation; nothing where that cannot be read."""
     try:
-        return [formula(line) for line, _ in segments(equation.tokens) if line]
+        return [formula(line) for line, _ in segments(equation.atoms) if line]
     except (Unread, BadPage):
         return []
 
 
-def _relations(part: Sequence[Token]) -> list[str]:
+def _relations(part: Sequence[Atom]) -> list[str]:
     return [token.text for token in part if token.text in RELATIONS]
 
 
-def closing_bracket(part: Sequence[Token]) -> int:
+def closing_bracket(part: Sequence[Atom]) -> int:
     """Where the round bracket that the part begins with closes; -1 where it does not begin with one."""
     depth = 0
     for place, token in enumerate(part):
@@ -71,20 +72,20 @@ def closing_bracket(part: Sequence[Token]) -> int:
     return -1
 
 
-def _is_membership(part: Tokens) -> bool:
+def _is_membership(part: Atoms) -> bool:
     """Whether it says of what kind something is, and nothing else."""
     return _relations(part) == [r"\in"]
 
 
-def _lists_values(part: Tokens) -> bool:
+def _lists_values(part: Atoms) -> bool:
     """Whether it says which values letters run through, as i = 1, 2, 3 and j = 1, ..., n do."""
     sides = lines_of(part, ("=", r"\in"))
     return len(sides) == 2 and any(token.text == "," or token.text in DOTS for token in sides[1])
 
 
-def _side_by_side(line: list[Token]) -> list[tuple[list[Token], str]]:
+def _side_by_side(line: list[Atom]) -> list[tuple[list[Atom], str]]:
     """The parts between commas, wide spaces and words, each with the words before it."""
-    parts: list[tuple[list[Token], str]] = [([], "")]
+    parts: list[tuple[list[Atom], str]] = [([], "")]
     words = tuple({mark.text for mark in line if mark.text.startswith(r"\text{")})
     marks = (",", ";", r"\quad", r"\forall", *words)
     place = 0
@@ -95,18 +96,18 @@ def _side_by_side(line: list[Token]) -> list[tuple[list[Token], str]]:
     return parts
 
 
-def _are_values(marks: Tokens) -> bool:
+def _are_values(marks: Atoms) -> bool:
     return all(mark.text.isdigit() or mark.text in DOTS for mark in marks)
 
 
-def _joined_lists(parts: list[tuple[Tokens, bool]]) -> list[tuple[Tokens, bool]]:
+def _joined_lists(parts: list[tuple[Atoms, bool]]) -> list[tuple[Atoms, bool]]:
     """Parts without a relation, such as the i and the 2 of i, j = 1, 2, belong to the part behind or before."""
-    found: list[tuple[Tokens, bool]] = []
-    waiting: Tokens = ()
+    found: list[tuple[Atoms, bool]] = []
+    waiting: Atoms = ()
     for marks, condition in parts:
-        comma = marks[0]._replace(text=",")
+        comma = single(marks[0].place._replace(text=","))
         if _relations(marks) or any(mark.text == ":" for mark in marks):
-            is_closed = closing_bracket((comma._replace(text="("), *marks)) < 0
+            is_closed = closing_bracket((replace(comma, text="("), *marks)) < 0
             found.append(((*(waiting if is_closed else waiting[:-1]), *marks), condition))
             waiting = ()
         elif found and marks[0].text in "+-":
@@ -118,5 +119,5 @@ def _joined_lists(parts: list[tuple[Tokens, bool]]) -> list[tuple[Tokens, bool]]
     if waiting and not found:
         found.append((waiting[:-1], False))
     elif waiting:
-        raise Unread("what stands here is no equation", waiting[0])
+        raise Unread("what stands here is no equation", waiting[0].place)
     return found

@@ -7,7 +7,7 @@ from functools import lru_cache
 from itertools import combinations, islice, product
 
 from chasles.reading.glyphs import ARROWS, Glyph, letter_of, spelled
-from chasles.reading.grammar import Atom, Chain, Terms
+from chasles.reading.grammar import Chain, Terms
 from chasles.reading.letter_shapes import Misshapen, Shape, shape_of_chain
 from chasles.reading.letter_uses import SKEW, LetterUse, is_declared, letter_uses, looks, parted, stem_of
 from chasles.reading.notation_file import load_notation
@@ -154,8 +154,8 @@ class _KindSearch:
             sides = [side for side in chain.sides if side is not None]
             shapes = {shape for side in sides if (shape := self._shape(side)) is not None}
             for side in sides:
-                piece = side.rows[0].pieces[0]
-                if len(side.rows) == len(side.rows[0].pieces) == 1 and isinstance(piece, Atom):
+                piece = side.rows[0][0]
+                if len(side.rows) == len(side.rows[0]) == 1 and piece.kind != "INFIX":
                     stem = stem_of(self.parted(letter_of(piece))[0])
                     yield from ((stem, shape) for shape in shapes if stem in self.uses)
 
@@ -168,7 +168,7 @@ class _KindSearch:
 
 def _has_grid(chain: Chain) -> bool:
     rows = (row for side in chain.sides if side is not None for row in side.rows)
-    return any(isinstance(piece, Atom) and piece.kind == "GRID" for row in rows for piece in row.pieces)
+    return any(piece.kind != "INFIX" and piece.kind == "GRID" for row in rows for piece in row)
 
 
 def _kinds(stem: Glyph, use: LetterUse) -> list[Kind]:

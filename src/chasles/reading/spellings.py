@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from chasles.reading.glyphs import letter_of, only_atom, said_of, text_of
-from chasles.reading.grammar import Atom, FlatRow, Terms, formula
-from chasles.reading.grouping import TYPEFACES, Unread
-from chasles.reading.lexemes import Token
-from chasles.reading.tokens import tokens
+from chasles.reading.atoms import TYPEFACES, Atom, Atoms, Unread, said_of
+from chasles.reading.glyphs import letter_of, only_atom, text_of
+from chasles.reading.grammar import Terms, formula
+from chasles.reading.respelling import atoms_in
 from chasles.vocabulary import Group, Misfit, Negative, Node, Scale, Skew
 from chasles.vocabulary.functions import FunctionOf
 from chasles.vocabulary.rotation_vectors import RotationByVector
@@ -33,8 +32,8 @@ class Spellings:
         """Let the form stand for what is made of its operands; raises `Unread` for a form that is no pattern."""
         for name, hole in (("#1", HOLES[0]), ("#2", HOLES[1]), ("#", HOLES[0])):
             form = form.replace(name, f"{hole} ")
-        chain = formula(tokens(form))
-        row = chain.sides[0].rows[0].pieces if chain.sides[0] and len(chain.sides[0].rows) == 1 else ()
+        chain = formula(atoms_in(form))
+        row = chain.sides[0].rows[0] if chain.sides[0] and len(chain.sides[0].rows) == 1 else ()
         found = _infix(row) or _applied(row)
         atom = only_atom(chain)
         if atom is not None:
@@ -68,11 +67,11 @@ class Spellings:
 def signed(atom: Atom) -> tuple[str, Terms]:
     r"""The brackets, with the sign that stands at their end as in [a \times], and what they hold without it."""
     (terms,) = atom.inside
-    *pieces, last = terms.rows[-1].pieces
-    if not isinstance(last, Token) or not pieces:
+    *pieces, last = terms.rows[-1]
+    if last.kind != "INFIX" or not pieces:
         return atom.text, terms
     half = len(atom.text) // 2
-    rows = (*terms.rows[:-1], FlatRow(tuple(pieces)))
+    rows = (*terms.rows[:-1], tuple(pieces))
     return f"{atom.text[:half]}{last.text}{atom.text[half:]}", Terms(terms.signs, rows)
 
 
@@ -82,15 +81,15 @@ def called(atom: Atom) -> str:
     return letter.base.removeprefix(r"\mathrm ")
 
 
-def _infix(row: tuple[Atom | Token, ...]) -> tuple[str, object] | None:
-    if len(row) == 3 and isinstance(row[1], Token) and isinstance(row[0], Atom):
+def _infix(row: Atoms) -> tuple[str, object] | None:
+    if len(row) == 3 and row[1].kind == "INFIX" != row[0].kind:
         return "infixes", row[1].text
     return None
 
 
-def _applied(row: tuple[Atom | Token, ...]) -> tuple[str, object] | None:
+def _applied(row: Atoms) -> tuple[str, object] | None:
     """A name before brackets, or before what it is applied to; or two operands side by side."""
-    if len(row) == 2 and isinstance(row[0], Atom) and isinstance(row[1], Atom):
+    if len(row) == 2 and "INFIX" not in (row[0].kind, row[1].kind):
         if row[0].text in HOLES and row[1].text in HOLES:
             return "infixes", ""
         subscript = f" _ {said_of(row[0].sub)}" if row[0].sub else ""

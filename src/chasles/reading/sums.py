@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from chasles.reading.atoms import Atoms, Unread
 from chasles.reading.context import FittingContext
 from chasles.reading.expanding import order_of, up_to_order
 from chasles.reading.fits import MOST, Fit, Shape, kept, made
 from chasles.reading.glyphs import in_latex, text_of, text_of_row
-from chasles.reading.grammar import Atom, FlatRow, Terms
-from chasles.reading.grouping import Unread
+from chasles.reading.grammar import Terms
 from chasles.reading.rows import row_fits
 from chasles.reading.spellings import called
 from chasles.vocabulary import Negative, Node, Sum
@@ -51,16 +51,16 @@ def sum_fits(terms: Terms, ctx: FittingContext) -> list[Fit]:
     return kept(found)
 
 
-def _row(row: FlatRow, ctx: FittingContext) -> list[Fit]:
+def _row(row: Atoms, ctx: FittingContext) -> list[Fit]:
     """The readings of a row; one with factors that are left out is a quantity of its own."""
-    if has_units(ctx.notation.home) or not any(piece.text in DOTS for piece in row.pieces):
+    if has_units(ctx.notation.home) or not any(piece.text in DOTS for piece in row):
         return row_fits(row, ctx)
     return ctx.of_its_own(in_latex(text_of_row(row)), here=True)
 
 
-def _is_open(row: FlatRow) -> bool:
+def _is_open(row: Atoms) -> bool:
     """Whether these are dots for what is left out, or a constant that is not named."""
-    return len(row.pieces) == 1 and isinstance(row.pieces[0], Atom) and called(row.pieces[0]) in OPEN
+    return len(row) == 1 and called(row[0]) in OPEN
 
 
 def _either(terms: Terms, ctx: FittingContext) -> list[Fit]:

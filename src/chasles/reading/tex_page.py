@@ -208,13 +208,13 @@ class TexPage:
             fault = bad
         if fault:
             first, number = (rows[0], numbers[0]) if rows else (DisplayRow(raw), None)
-            equations = [DisplayedEquation([opening], raw, first.tag or number, first.label, fault=str(fault))]
+            equations = [DisplayedEquation([], raw, first.tag or number, first.label, fault=str(fault), place=opening)]
         for each in equations:
-            if each.fault or states_relation(each.tokens):
+            if each.fault or states_relation(each.atoms):
                 line, column = (fault.line, fault.column) if fault else each.place[1:]
                 named = each.label or label or None
                 where = self.numbering.name, source.file, each.fault
-                found = tuple(each.tokens)
+                found = tuple(each.atoms)
                 self.found.append(
                     PrintedEquation(each.latex, line, column, each.number, named, *where, self.displays, found)
                 )

@@ -1,0 +1,122 @@
+"""Typefaces, scripts, brackets and texts in one spelling."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from chasles.reading import commands
+from chasles.reading.atoms import ROW_END, Atom, Atoms, single
+from chasles.reading.lexemes import Token, cut, spelled
+
+BRACKETED = {"[": ("]", "bmatrix"), "(": (")", "pmatrix"), "|": ("|", "vmatrix")}
+UNIT = re.compile(
+    r"(?:(?:[kcmnMG]?(?:m|g|s|N|J|W|Pa|Hz|V|A|K|T)|rad|deg|h|min|ft|lbf?|rev)(?:\^?-?\d)?(?:[ /*](?=\w)|$))+", re.ASCII
+)
+UNBRACKETED = ("array", "matrix", "smallmatrix")
+Scripts = tuple[Atoms | None, int, tuple[Atoms, ...]]
+
+
+def with_scripts(nuclei: Sequence[Atom], scripts: Scripts, place: Token) -> list[Atom]:
+    """Scripts go to what stands alone in its group; a group of several things keeps its braces."""
+    sub, primes, sups = scripts
+    if len(nuclei) == 1:
+        (one,) = nuclei
+        if not ((one.sub is not None and sub is not None) or (one.primes and primes) or (one.sups and sups)):
+            sub = one.sub if sub is None else sub
+            return [replace(one, sub=sub, primes=one.primes + primes, sups=one.sups + sups)]
+    return [Atom("GROUP", "", place._replace(text="{"), (tuple(nuclei),), (), sub, primes, sups)]
+
+
+def styled(style: str, atoms: list[Atom], place: Token) -> list[Atom]:
+    """The atoms in another typeface: each letter by itself, upright letters beside each other as one name."""
+    found: list[Atom] = []
+    for atom in atoms if style else []:
+        name = _upright_name(found[-1]) if style == r"\mathrm" and found and atom.text.isalnum() else ""
+        if name and not atom.arguments:
+            text = rf"\operatorname{{{name}{atom.text}}}"
+            found[-1] = replace(atom, kind="LETTER", text=text, place=found[-1].place)
+        else:
+            found.append(_in_style(style, atom))
+    if found:  # the command begins where the person wrote it
+        found[0] = replace(found[0], place=Token(found[0].place.text, *place[1:]))
+    return found if style else atoms
+
+
+def _upright_name(atom: Atom) -> str:
+    """The letters of an upright name without scripts."""
+    if atom.is_marked:
+        return ""
+    if atom.text == r"\mathrm":
+        name = re.fullmatch(r"(\w)", " ".join(each.text for each in atom.arguments[0] if not each.is_marked))
+    else:
+        name = re.fullmatch(r"\\operatorname\{(\w+)\}", atom.text)
+    return name[1] if name else ""
+
+
+def _in_style(style: str, atom: Atom) -> Atom:
+    """The atom with each letter in it in a typeface, scripts as they are; of what has one already the whole."""
+    if atom.arguments and atom.text not in commands.STYLES:
+        held = (tuple(_in_style(style, each) for each in argument) for argument in atom.arguments)
+        return replace(atom, arguments=tuple(held))
+    is_letter = atom.text in commands.LETTERS or atom.text.isalnum()
+    if atom.text == style or not (atom.arguments or is_letter):
+        return atom
+    place = atom.place._replace(text=style)
+    return replace(atom, kind="COMMAND", text=style, place=place, arguments=((atom.bare,),))
+
+
+def without_empty_cells(inside: list[Atom]) -> list[Atom]:
+    """A matrix without columns that are there for their space alone."""
+    rows = [cut(row, ("&",)) for row in cut(inside, (ROW_END,)) if row]
+    width = max(map(len, rows), default=0)
+    kept = [at for at in range(width) if any(any(row[at : at + 1]) for row in rows)]
+    if not kept or not all(len(row) > max(kept) and all(row[at] for at in kept) for row in rows):
+        kept = [*range(width)]  # an empty cell beside full ones may be a zero
+    found: list[Atom] = []
+    for row in rows:
+        place = next(atom for cell in [*row, inside] for atom in cell).place
+        found += [single(place._replace(text=ROW_END))] if found else []
+        for at in kept[: max(len(row), 1)]:
+            found += [single(place._replace(text="&"))] if at != kept[0] else []
+            found += row[at] if at < len(row) else []
+    return found
+
+
+def array_in_brackets(atoms: list[Atom]) -> None:
+    r"""An array between brackets is a matrix with these brackets; scripts of \right. are put on what it closes."""
+    closing = atoms[-1] if atoms and atoms[-1].kind in ("CLOSE", "BAR", "END") else None
+    if closing is None:
+        return
+    array = atoms[-2] if len(atoms) > 2 else closing
+    if array.kind == "GRID" and array.text in UNBRACKETED and not (array.is_marked or atoms[-3].is_marked):
+        close, name = BRACKETED.get(atoms[-3].text, ("", ""))
+        if (name and closing.text == close) or (atoms[-3].text == r"\{" and closing.kind == "END"):
+            name = name or "cases"
+            place = atoms[-3].place._replace(text=rf"\begin{{{name}}}")
+            atoms[-3:] = [replace(closing, kind="GRID", text=name, place=place, arguments=array.arguments)]
+            return
+    if atoms.pop().kind != "END":
+        atoms.append(closing)
+    elif closing.is_marked:
+        atoms[-1:] = with_scripts(atoms[-1:], (closing.sub, closing.primes, closing.sups), closing.place)
+
+
+def text_atoms(command: Token, inside: list[Token], atoms_of: Callable[[list[Token]], list[Atom]]) -> list[Atom]:
+    """A text in an equation: a formula in it, a name such as tr, punctuation, or words between equations."""
+    words = " ".join(spelled(each for each in inside if each.text not in commands.TEXT).split())
+    words = words if "$" in words else re.sub(r"[{}]", "", words).strip()
+    if formula := re.fullmatch(r"(\\boldmath)?\s*\$[^$]*\$\s*(?:\\unboldmath)?", words):
+        start, end = (at for at, token in enumerate(inside) if token.text == "$")
+        return styled(r"\boldsymbol" if formula[1] else "", atoms_of(inside[start + 1 : end]), command)
+    if not words:
+        return []
+    if len(words) == 1:
+        style = commands.TEXT_STYLES.get(command.text, r"\mathrm") if words.isalpha() else ""
+        return styled(style, [single(command._replace(text=words))], command)
+    if UNIT.fullmatch(words) and not words.isalpha():
+        return [single(command._replace(text=rf"\operatorname{{{words}}}"))]
+    words = words[:-1] if words[:-1].isalpha() and words[-1] == "." else words  # an abbreviation
+    is_name = words.isalpha() and words.isascii() and "\\" + words.lower() not in commands.CONNECTIVES
+    return [single(command._replace(text=rf"\{'operatorname' if is_name else 'text'}{{{words}}}"))]
