@@ -341,6 +341,10 @@ REFUSED = [
     (lambda: chasles.compile(x + y, x), "y in x [+] y is not among the inputs"),
     (lambda: chasles.compile(X * v, [v]), "X in .* is not among the inputs"),
     (lambda: chasles.compile(x + sp.I, x), "no finite real number"),
+    *(
+        (lambda e=e: chasles.compile(e, x), "no finite real number")
+        for e in (x**sp.I, sp.sin(x) ** sp.cbrt(-5), 2 / x**sp.I)
+    ),
     (lambda: chasles.compile(x + sp.oo, x), "no finite real number|not among|no program"),
     (lambda: chasles.compile(sp.Contains(x, sp.ImageSet(sp.Lambda(y, y**2), sp.S.Naturals)), x), "condition"),
     (lambda: chasles.compile(sp.MatrixSymbol("Y", sp.Symbol("n"), 2), x), "extents must be numbers"),
@@ -350,6 +354,8 @@ REFUSED = [
     (lambda: chasles.compile([], x), "nothing to compile"),
     (lambda: chasles.compile(x, []), "inputs is empty"),
     (lambda: chasles.compile(x, "x"), "inputs must be symbols"),
+    (lambda: chasles.compile(x - y, {x, y}), "inputs is a set, which has no order"),
+    (lambda: chasles.compile([x, y], [x, y], outputs={"a", "b"}), "outputs is a set"),
     (lambda: chasles.compile(x, x + 1), "is none"),
     (lambda: chasles.compile(x, (x, sp.Matrix([x, y]))), "x comes twice"),
     (lambda: chasles.compile([x, x], x, outputs=("a",)), "names 1 results, and there are 2"),

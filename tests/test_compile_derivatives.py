@@ -189,6 +189,7 @@ REFUSED = [
     (x, [x], {"jacobian": True, "wrt": y}, "wrt names y, which is not among the inputs: x"),
     (x, {"q": v, "x": x}, {"vjp": True, "wrt": ["r"]}, "wrt names r, which is not among the inputs: q, x"),
     (x, [x], {"jacobian": True, "wrt": []}, "wrt is empty"),
+    (x, [x], {"jacobian": True, "wrt": {x}}, "wrt is a set, which has no order"),
     (x, [x], {"jacobian": True, "wrt": x + 1}, "wrt names x . 1, which is not among the inputs: x"),
     (x, [x], {"jacobian": True, "wrt": 3}, "wrt names 3, which is not among the inputs: x"),
     (x, [x, y], {"jacobian": True, "wrt": [x, "x"]}, "wrt names x twice"),

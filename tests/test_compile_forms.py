@@ -106,6 +106,20 @@ def test_any_other_quotient_by_zero_has_no_value(expression):
 
 
 @pytest.mark.parametrize(
+    ("expression", "real"),
+    [
+        (sp.exp(sp.I * x) + sp.exp(-sp.I * x), 2 * sp.cos(x)),
+        (sp.exp(sp.Matrix([[0, x], [-x, 0]]))[0, 1], sp.sin(x)),
+        ((x + 2 * sp.I) * (x - 2 * sp.I), x**2 + 4),
+        (sp.Abs(sp.exp(sp.I * x) * x), sp.Abs(x)),
+        (x * sp.rootof(y**5 - y - 1, y, 0), x * 1.1673039782614187),
+    ],
+)
+def test_what_is_real_may_be_written_otherwise(expression, real):
+    assert chasles.compile(expression, [x])(0.3) == pytest.approx(float(real.subs(x, 0.3)), rel=1e-15)
+
+
+@pytest.mark.parametrize(
     ("expression", "operations"),
     [
         (x**5 + 3 * x**4 - 2 * x**3 + x - 7, 8),

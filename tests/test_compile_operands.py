@@ -88,6 +88,7 @@ REFUSED = [
     (f(x, m), [f(m, x)], r"f\(x, m\) in"),
     (b[sp.Symbol("i")], [b], r"b\[i\] in"),
     (b[3], [b], r"b\[3\] in"),
+    (M[sp.Symbol("i"), 0], [M, sp.Symbol("i")], r"M\[i, 0\] is no entry of M: give its row and column as numbers"),
     (up - down, [up], "s is the name of variables that only assumptions tell apart"),
     ([up, down], [sp.Symbol("s", real=True)], "s is the name of variables that only assumptions tell apart"),
     (sp.Symbol("s", integer=True), [up, down], "s is the name of variables that only assumptions tell apart"),

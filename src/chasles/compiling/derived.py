@@ -12,7 +12,7 @@ from dataclasses import replace as with_fields
 from typing import Any
 
 from chasles.compiling.derivatives import Sums, derivatives, pulled_back, pushed_forward
-from chasles.compiling.operands import Input, ResultEntries, require_room, variables_in
+from chasles.compiling.operands import Input, ResultEntries, require_order, require_room, variables_in
 from chasles.lowering.builder import Builder
 from chasles.lowering.names import Names
 from chasles.lowering.program import Argument, Pattern, Program, Result
@@ -152,6 +152,7 @@ def _chosen(given: Sequence[Input], places: Mapping[Any, tuple[int, int]], wrt: 
         named.setdefault(str(entry), []).append(place)
     whole = {item.argument.name: [(k, n) for n in range(len(item.entries))] for k, item in enumerate(given)}
     several = isinstance(wrt, list | tuple)
+    require_order(wrt, "wrt")
     if several and not wrt:
         raise LoweringError("wrt is empty: name what to derive by, or leave it out to derive by all inputs")
     for item in wrt if several else (wrt,):

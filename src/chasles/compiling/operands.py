@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, KeysView, Mapping, Sequence, Set
 from dataclasses import dataclass
 from itertools import product
 from keyword import iskeyword
@@ -62,6 +62,7 @@ def inputs_of(given: Any) -> tuple[Input, ...]:
         raise LoweringError("inputs is missing: name the symbols that go in, as in compile(x*y, [x, y])")
     if isinstance(given, str) or not isinstance(given, Iterable):
         raise LoweringError(f"inputs must be symbols, not {given!r}")
+    require_order(given, "inputs")
     names, symbols = Names(OPTIONS), Names(())
     met: set[sympy.Basic] = set()
     found: list[Input] = []
@@ -105,6 +106,12 @@ def outputs_of(expression: Any, given: Sequence[Input], names: Any) -> tuple[Res
         ResultEntries(name, shape, tuple(map(standing.of, entries)))
         for name, (shape, entries) in zip(called, parts, strict=True)
     )
+
+
+def require_order(given: Any, what: str) -> None:
+    """Raises `LoweringError` for a set: Python gives what is in it in another order each time."""
+    if isinstance(given, Set) and not isinstance(given, KeysView):
+        raise LoweringError(f"{what} is a set, which has no order: give a list, as sorted({what}, key=str)")
 
 
 def require_room(numbers: int) -> None:
@@ -182,6 +189,7 @@ def _meaning(name: str, shape: tuple[int, ...], entries: Sequence[sympy.Expr], w
 def _names(names: Any, count: int) -> tuple[str, ...]:
     if names is None:
         return ("result",) if count == 1 else tuple(f"result_{k}" for k in range(1, count + 1))
+    require_order(names, "outputs")
     found = (names,) if isinstance(names, str) else tuple(names)
     if len(found) != count:
         raise LoweringError(f"outputs names {len(found)} results, and there are {count} expressions")

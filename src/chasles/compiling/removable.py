@@ -35,7 +35,9 @@ MOST_ORDER = 8
 def without_removable(expression: sympy.Basic) -> sympy.Basic:
     """The same expression; it has a value where an angle is zero by which it divides, if it has a limit there."""
     parts = parts_of(expression, ())
-    divided = {part.base for part in parts if isinstance(part, sympy.Pow) and part.exp.is_number and part.exp < 0}
+    divided = {
+        part.base for part in parts if isinstance(part, sympy.Pow) and part.exp.is_number and part.exp.is_negative
+    }
     quotients = {angle_of(part) for part in parts if isinstance(part, QUOTIENTS)}
     below = quotients.union(*map(angles_in, divided))
     by_angle: dict[sympy.Expr, list[sympy.Expr]] = {}

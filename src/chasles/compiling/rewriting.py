@@ -33,13 +33,19 @@ _DEPTH = 4
 
 def in_known_functions(expressions: Iterable[sympy.Basic]) -> list[Any]:
     """The expressions; what SymPy writes in no other functions is left."""
-    found = list(expressions)
+    found = list(map(_without_i, expressions))
     for _ in range(_DEPTH):
         table = dict(_rewritten(outermost(found, _is_unknown)))
         if not table:
             break
         found = list(map(Substitution(table).of, found))
     return found
+
+
+def _without_i(expression: Any) -> Any:
+    """The expression without the imaginary unit where it drops out, as from an exponential of a rotation."""
+    parts = sympy.expand_complex(expression) if expression.has(sympy.I) else expression
+    return expression if parts.has(sympy.I) else parts
 
 
 def _is_unknown(node: object) -> bool:

@@ -14,13 +14,14 @@ import sympy
 from sympy.concrete.expr_with_limits import ExprWithLimits
 from sympy.core.function import AppliedUndef
 from sympy.matrices.expressions.matexpr import MatrixElement
+from sympy.polys.rootoftools import RootOf
 
 from chasles.compiling.identifiers import name_of_group
 from chasles.compiling.scalars import shown
 from chasles.lowering.refusal import LoweringError
 
 _KINDS = (sympy.Symbol, sympy.Derivative, AppliedUndef, sympy.Indexed)
-_BINDING = (ExprWithLimits, sympy.Lambda, sympy.Subs)
+_BINDING = (ExprWithLimits, sympy.Lambda, sympy.Subs, RootOf, sympy.RootSum)
 HELD = (sympy.sin, sympy.cos, sympy.exp, sympy.log)
 _MATRICES = (sympy.MatrixExpr, sympy.MatrixBase)
 
@@ -51,8 +52,7 @@ def correspondence(
         for variable in variables_of(expression, known, seen):
             same = [variable] if variable in known else named.get(_key(variable), [])
             if not same:
-                whole = variable.parent if isinstance(variable, MatrixElement) else variable
-                strays.setdefault(whole, expression)
+                strays.setdefault(_whole(variable, known), expression)
                 continue
             if len(same) > 1 or owners.setdefault(same[0], variable) != variable:
                 raise LoweringError(
@@ -148,6 +148,15 @@ def _key(variable: sympy.Basic) -> object:
     if isinstance(variable, sympy.Dummy) or not isinstance(variable, _KINDS):
         return variable
     return next(kind for kind in _KINDS if isinstance(variable, kind)), str(variable)
+
+
+def _whole(variable: sympy.Basic, known: Container[sympy.Basic]) -> sympy.Basic:
+    """What is to be an input for the variable to have a value. Raises `LoweringError` where it is one already."""
+    if not isinstance(variable, MatrixElement):
+        return variable
+    if variable.parent in known:
+        raise LoweringError(f"{variable} is no entry of {variable.parent}: give its row and column as numbers")
+    return variable.parent
 
 
 def _missing(strays: Mapping[sympy.Basic, sympy.Basic]) -> str:
