@@ -8,6 +8,7 @@ from typing import Any
 import sympy
 
 from chasles.compiling.elementary import functions_by_class
+from chasles.compiling.sums_of_angles import parts_of
 from chasles.compiling.variables import Substitution, outermost
 from chasles.lowering.builder import Builder
 
@@ -33,7 +34,9 @@ _DEPTH = 4
 
 def in_known_functions(expressions: Iterable[sympy.Basic]) -> list[Any]:
     """The expressions; what SymPy writes in no other functions is left."""
-    found = list(map(_without_i, expressions))
+    found = list(expressions)
+    if sympy.I in parts_of(sympy.Tuple(*found), ()):
+        found = list(map(_without_i, found))
     for _ in range(_DEPTH):
         table = dict(_rewritten(outermost(found, _is_unknown)))
         if not table:
@@ -44,7 +47,7 @@ def in_known_functions(expressions: Iterable[sympy.Basic]) -> list[Any]:
 
 def _without_i(expression: Any) -> Any:
     """The expression without the imaginary unit where it drops out, as from an exponential of a rotation."""
-    parts = sympy.expand_complex(expression) if expression.has(sympy.I) else expression
+    parts = sympy.expand_complex(expression)
     return expression if parts.has(sympy.I) else parts
 
 
