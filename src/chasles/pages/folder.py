@@ -1,4 +1,4 @@
-"""What is written of a page: its findings, what is asked of a person, and what could not be read."""
+"""What is written of a page: a chapter, its findings, what is asked of a person, and what could not be read."""
 
 from __future__ import annotations
 
@@ -8,7 +8,10 @@ from collections.abc import Mapping
 from typing import Any
 
 from chasles.pages.findings_told import told
+from chasles.pages.kept_declarations import merged
+from chasles.pages.package import package_of
 from chasles.pages.page import Page, PageEquation
+from chasles.pages.page_chapter import chapter_of
 
 QUESTIONS = "questions.toml"
 ASKED = """\
@@ -26,9 +29,16 @@ def answers(text: str) -> dict[str, dict[str, str]]:
     return {name: said for name, said in filled.items() if said}
 
 
-def files_of(page: Page, given: Mapping[str, Mapping[str, Any]]) -> dict[str, str]:
-    """The text of each file by its name; answers that are `given` stay where they are asked for."""
+def files_of(page: Page, given: Mapping[str, Mapping[str, Any]], found: Mapping[str, str]) -> dict[str, str]:
+    """The text of each file by its name; answers that are `given` stay where they are asked for.
+
+    Of the files that are `found` in the folder, declarations that a person has changed are kept. Raises SyntaxError for
+    a module that is no Python, and ValueError for a record of another form.
+    """
+    chapter, read = chapter_of(page.file or "page", page.equations)
+    said = {name: f"{each.printed.file or page.file}:{each.line}" for name, each in read.items()}
     return {
+        **merged(package_of(chapter, said), found),
         "README.md": _table(page),
         QUESTIONS: _questions(page, given),
         "unread.md": _unread(page),

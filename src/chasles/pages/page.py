@@ -18,6 +18,7 @@ from chasles.pages.facts import facts_of, kind_in_meaning
 from chasles.pages.finding import PageFinding
 from chasles.pages.known_answers import KnownAnswers
 from chasles.pages.notes import DEFINING, NOTHING, EquationNote, notes_of, parts_of
+from chasles.pages.page_chapter import chapter_of
 from chasles.pages.premises import Premises
 from chasles.reading.equations import read_equations
 from chasles.reading.notation_file import load_notation
@@ -25,7 +26,7 @@ from chasles.reading.page_notation import PageNotation
 from chasles.reading.pages import Kind, displayed
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.reading import Part, ReadEquation, Reading
-from chasles.statements import Chapter, Claim, Entry, Section
+from chasles.statements import Chapter, Claim
 from chasles.vocabulary import latex
 
 MOST_READINGS = 4
@@ -122,12 +123,7 @@ class Page(Displayed):
     @cached_property
     def chapter(self) -> Chapter:
         """What was read as a chapter: its statements with the premises that they need."""
-        entries: list[Entry] = []
-        for each in self.equations:
-            if each.finding is not None and each.finding.statement is not None:
-                section = Section(each.printed.section or "", "")
-                entries.append(Entry(f"equation_{len(entries) + 1}", section, each.finding.statement))
-        return Chapter(self.file or "page", tuple(entries), "")
+        return chapter_of(self.file or "page", self.equations)[0]
 
 
 def read(text: str, notation: str | Path | ModuleType | Chapter | Mapping[str, Any], kind: Kind | None = None) -> Page:

@@ -47,7 +47,7 @@ class Fingerprints:
 
     def _declared(self, value: Any) -> list[Any]:
         """The class and, in the order of their declaration, what is said in its fields: a default says nothing."""
-        said = [each.name for each in fields(value) if each.name not in (*PROSE, *DERIVED) and _is_said(value, each)]
+        said = [each.name for each in fields(value) if each.name not in (*PROSE, *DERIVED) and is_said(value, each)]
         return [type(value).__name__, *([name, self._plain(getattr(value, name))] for name in said)]
 
     def _plain(self, value: Any) -> Any:
@@ -73,6 +73,7 @@ class Fingerprints:
         return known[id(value)][1]
 
 
-def _is_said(value: Any, each: Field[Any]) -> bool:
+def is_said(value: Any, each: Field[Any]) -> bool:
+    """Whether a field of a declaration holds anything else than its default."""
     held = getattr(value, each.name)
     return type(held) is not type(each.default) or held != each.default

@@ -40,7 +40,9 @@ _Read = tuple["Page", tuple[str, ...], tuple[str, ...]]
 @click.option("--inline", is_flag=True, help="Read the equations between single dollars too.")
 @click.option("--input", "follow", is_flag=True, help="Read the files that the page names with \\input too.")
 @click.option("--propose", is_flag=True, help="Print a first notation for the letters of the page instead.")
-@click.option("--out", type=click.Path(path_type=Path), help="A folder for the findings, and what is asked of you.")
+@click.option(
+    "--out", type=click.Path(path_type=Path), help="A folder for a chapter of what is read, and what is asked of you."
+)
 @click.option("-q", "--quiet", is_flag=True, help="Show only what is wrong, open, ambiguous or unread.")
 @click.option("--github", is_flag=True, help="Show what is wrong, open, ambiguous or unread as annotations of GitHub.")
 @click.option(
@@ -189,7 +191,6 @@ def _read(page: Path, printed: tuple[PrintedEquation, ...], name: str, out: Path
 
     What came of it is written to the folder.
     """
-    from chasles.pages.folder import QUESTIONS, answers, files_of
     from chasles.pages.page import read_page
     from chasles.reading.letter_table import BadNotation
     from chasles.reading.notation_file import noted
@@ -198,20 +199,43 @@ def _read(page: Path, printed: tuple[PrintedEquation, ...], name: str, out: Path
         notation = _notation(name)
         if out is None:
             return _with_what_it_lacks(read_page(printed, notation, str(page), known), notation)
-        asked = out / QUESTIONS
-        given = answers(text_of_file(asked)) if asked.exists() else {}
+        asked, given = _answered(out)
         told = noted(given, f"{asked}: ")
         notes = {each: {**notation.notes.get(each, {}), **told.get(each, {})} for each in {**notation.notes, **told}}
         found = read_page(printed, replace(notation, notes=notes), str(page), known)
-        out.mkdir(parents=True, exist_ok=True)
-        replace_whole({out / file: text for file, text in files_of(found, given).items()})
     except BadNotation as error:
         raise Failure(str(error) if str(error).startswith(name) else f"{name}: {error}", BAD_INPUT) from error
+    _write(found, given, out)
+    return _with_what_it_lacks(found, notation)
+
+
+def _answered(out: Path) -> tuple[Path, dict[str, dict[str, str]]]:
+    """The file in the folder that asks a person, and what is filled in there."""
+    from chasles.pages.folder import QUESTIONS, answers
+
+    asked = out / QUESTIONS
+    try:
+        return asked, answers(text_of_file(asked)) if asked.exists() else {}
+    except ValueError as error:
+        raise Failure(f"{asked}: {error}", BAD_INPUT) from error
+
+
+def _write(page: Page, given: dict[str, dict[str, str]], out: Path) -> None:
+    """Write the chapter and what is asked to the folder, but for declarations in it that a person has changed."""
+    from chasles.pages.folder import files_of
+    from chasles.pages.kept_declarations import RECORD
+
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+        before = {file.name: text_of_file(file) for file in out.iterdir() if file.suffix in (".py", ".json")}
+        replace_whole({out / file: text for file, text in files_of(page, given, before).items()})
     except OSError as error:
         raise Failure(f"cannot write {out}: {error.strerror}", BAD_INPUT) from error
+    except SyntaxError as error:
+        where = f"{out / (error.filename or '')}:{error.lineno}"
+        raise Failure(f"{where}: {error.msg}: correct the module, or remove it", BAD_INPUT) from error
     except ValueError as error:
-        raise Failure(f"{out}: {QUESTIONS}: {error}", BAD_INPUT) from error
-    return _with_what_it_lacks(found, notation)
+        raise Failure(f"{out / RECORD}: {error}: correct the file, or remove it", BAD_INPUT) from error
 
 
 def _with_what_it_lacks(page: Page, notation: PageNotation) -> _Read:

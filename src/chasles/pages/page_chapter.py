@@ -1,0 +1,68 @@
+"""What was read of a page as a chapter: each statement behind those that it rests on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace as with_fields
+from typing import TYPE_CHECKING
+
+from chasles.pages.notes import EQUAL
+from chasles.pages.package import free_name, identifier
+from chasles.statements import Chapter, Entry, Postulate, Section, Statement
+
+if TYPE_CHECKING:
+    from chasles.pages.page import PageEquation
+
+Key = tuple[str, int]
+
+
+def chapter_of(title: str, equations: Iterable[PageEquation]) -> tuple[Chapter, dict[str, PageEquation]]:
+    """The chapter of all equations that are read, and from what on the page each entry, by its name, was made.
+
+    What is open is a claim there, or a postulate where something rests on it.
+    """
+    made = _Declarations(equations)
+    for key, (each, _) in made.equations.items():
+        made.declare(key, Section(each.printed.section or "1", ""))
+    return Chapter(title, tuple(made.entries), ""), made.read
+
+
+class _Declarations:
+    """Declares what is read in the order of the page; what stands further on and is rested on comes first."""
+
+    def __init__(self, equations: Iterable[PageEquation]) -> None:
+        self.entries: list[Entry] = []
+        self.read: dict[str, PageEquation] = {}
+        found = [(each, each.finding.statement) for each in equations if each.finding and each.finding.statement]
+        self.equations: dict[Key, tuple[PageEquation, Statement]] = {
+            (statement.number, statement.part): (each, statement)
+            for each, statement in found
+            if statement.sign in EQUAL
+        }
+        self._rested_on = {
+            (given.number, given.part) for _, statement in self.equations.values() for given in statement.given
+        }
+        self._declared: dict[Key, Statement] = {}
+
+    def declare(self, key: Key, section: Section) -> Statement:
+        """The declaration of an equation, in a section if it is in none before."""
+        if key in self._declared:
+            return self._declared[key]
+        each, statement = self.equations[key]
+        given = tuple(self._cited(other, section) for other in statement.given)
+        said = with_fields(statement, given=given, sic=statement.fault is not None)
+        if each.finding and each.finding.open and key in self._rested_on:
+            said = Postulate(key[0], *statement.printed, part=key[1], sign=statement.sign)
+        stem = identifier(key[0])
+        stem = stem if stem.isidentifier() else f"equation_{stem}".rstrip("_")
+        name = free_name(f"{stem}_{key[1]}" if key[1] > 1 else stem, self.read)
+        self.read[name] = each
+        self.entries.append(Entry(name, section, said))
+        self._declared[key] = said
+        return said
+
+    def _cited(self, given: Statement, section: Section) -> Statement:
+        """The declaration of what is given, or what is given itself where that says something else."""
+        key = given.number, given.part
+        found = self.equations.get(key)
+        return given if found is None or found[1].printed != given.printed else self.declare(key, section)

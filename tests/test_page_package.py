@@ -1,0 +1,75 @@
+"""What `chasles read --out` writes: a chapter that says the same, decided the same, in which edits are kept."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from click.testing import Result
+from tests.test_cli.test_cli_read import NOTATION, PAGE, run
+
+from chasles.decisions.session import Session
+from chasles.pages.kept_declarations import RECORD
+from chasles.pages.package import package_of
+from chasles.pages.page import read
+from chasles.pages.python_source import PythonSource, imports
+from chasles.statements import load
+from chasles.statements.fingerprint import fingerprint
+
+
+@pytest.mark.parametrize("package", ["chasles.derivations", "chasles.rotations"])
+def test_a_statement_written_as_python_is_the_same(package: str) -> None:
+    for entry in load(package).entries[::9]:
+        source = PythonSource()
+        text = source.text(entry.statement)
+        names = {"__name__": "written"}
+        exec(imports(source.used), names)
+        assert fingerprint(eval(text, names)) == fingerprint(entry.statement), entry.name
+
+
+def test_a_chapter_written_as_a_package_is_the_same(tmp_path: Path) -> None:
+    chapter = load(Path(__file__).parents[1] / "examples" / "planar")
+    folder = tmp_path / "written_planar"
+    folder.mkdir()
+    for name, text in package_of(chapter, {}).items():
+        (folder / name).write_text(text, "utf-8")
+    again = load(folder)
+    assert [(each.name, fingerprint(each.statement)) for each in again] == [
+        (each.name, fingerprint(each.statement)) for each in chapter
+    ]
+
+
+def out(tmp_path: Path, name: str) -> Result:
+    return run(tmp_path, "--out", str(tmp_path / name))
+
+
+def test_what_is_written_is_decided_as_the_page_was(tmp_path: Path) -> None:
+    out(tmp_path, "as_written")
+    session = Session()
+    found = [session.decide(entry.statement).verdict.name for entry in load(tmp_path / "as_written")]
+    page = read(PAGE, NOTATION)
+    told = [each.finding.verdict.name for each in page.equations if each.finding and not each.finding.open]
+    assert [each for each in found if each != "assumed"][: len(told)] == told
+
+
+def test_what_a_person_has_changed_is_kept(tmp_path: Path) -> None:
+    folder = tmp_path / "with_edits"
+    out(tmp_path, "with_edits")
+    (module,) = folder.glob("s*.py")
+    written = module.read_text("utf-8")
+    name = written.rpartition("\nequation_")[2].partition(" ")[0]
+    edited = written.replace(f"equation_{name} = Claim(", f"equation_{name} = Claim(  # mine", 1)
+    edited += "\nscale = Fraction(1, 2)\n"
+    edited = edited.replace('"""\n\n', '"""\n\nfrom fractions import Fraction\n', 1)
+    module.write_text(edited, "utf-8")
+    for _ in range(2):
+        assert out(tmp_path, "with_edits").exit_code in (0, 1)
+        again = module.read_text("utf-8")
+        assert again.count("# mine") == edited.count("# mine") == 1
+        assert "scale = Fraction(1, 2)" in again
+    assert load(folder).entries
+    (folder / RECORD).write_text("[", "utf-8")
+    assert RECORD in out(tmp_path, "with_edits").stderr
+    module.write_text("equation = (", "utf-8")
+    (folder / RECORD).unlink()
+    assert f"{module}:1: " in out(tmp_path, "with_edits").stderr
