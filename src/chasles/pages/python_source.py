@@ -32,7 +32,7 @@ KNOWN = {value: name for name, value in vars(vocabulary).items() if isinstance(v
 Operation = Callable[[Any, Any], Any]
 
 
-class Written(NamedTuple):
+class PythonText(NamedTuple):
     """The text of an expression, the value that it has, and how tightly its parts hold together."""
 
     text: str
@@ -105,23 +105,23 @@ class PythonSource:
         room = next((room for room in ROOMS if getattr(room, named.__name__, None) is named), None)
         return self._named(room.__name__ if room else named.__module__, named.__name__)
 
-    def _word(self, node: Node) -> Written:
+    def _word(self, node: Node) -> PythonText:
         name = self._variable(node)
         if name:
-            return Written(name, node)
+            return PythonText(name, node)
         ways = (self._with_operator, self._of_one, self._with_function)
         found = printed(lambda: next(filter(None, (write(node) for write in ways)), None))  # type: ignore[type-var]
-        return found or Written(self.made(node), node)
+        return found or PythonText(self.made(node), node)
 
-    def _with_operator(self, node: Node) -> Written | None:
+    def _with_operator(self, node: Node) -> PythonText | None:
         match node:
             case Number(value):
                 said = str(value) if value.denominator == 1 else self.text(value)
-                return Written(f"{self.called(vocabulary.number)}({said})", node)
+                return PythonText(f"{self.called(vocabulary.number)}({said})", node)
             case Negative(term):
-                return Written(f"-{self._word(term).within(POWER)}", node, SIGN)
+                return PythonText(f"-{self._word(term).within(POWER)}", node, SIGN)
             case Power(base, exponent):
-                return Written(f"{self._word(base).within(ATOM)}**{self.text(exponent)}", node, POWER)
+                return PythonText(f"{self._word(base).within(ATOM)}**{self.text(exponent)}", node, POWER)
             case Sum(terms):
                 signs = [("-", operator.sub) if isinstance(each, Negative) else ("+", operator.add) for each in terms]
                 bare = [each.term if isinstance(each, Negative) else each for each in terms[1:]]
@@ -137,7 +137,7 @@ class PythonSource:
 
     def _chained(
         self, node: Node, parts: tuple[Node, ...], signs: list[tuple[str, Operation]], level: int
-    ) -> Written | None:
+    ) -> PythonText | None:
         """The parts with signs between them, numbers among the first two as Python's own, if that makes the word."""
         variants = [list(self._operands(part)) if place < 2 else [self._word(part)] for place, part in enumerate(parts)]
         for first, *rest in product(*variants):
@@ -146,17 +146,17 @@ class PythonSource:
                 for (sign, operation), each in zip(signs, rest, strict=True):
                     value, text = operation(value, each.value), f"{text} {sign} {each.within(level + 1)}"
                 if value == node:
-                    return Written(text, node, level)
+                    return PythonText(text, node, level)
         return None
 
-    def _operands(self, part: Node) -> Iterator[Written]:
+    def _operands(self, part: Node) -> Iterator[PythonText]:
         if isinstance(part, Number) and part.value >= 0:
             value = part.value
             whole = value.denominator == 1
-            yield Written(str(value), int(value)) if whole else Written(self.text(value), value)
+            yield PythonText(str(value), int(value)) if whole else PythonText(self.text(value), value)
         yield self._word(part)
 
-    def _of_one(self, node: Node) -> Written | None:
+    def _of_one(self, node: Node) -> PythonText | None:
         """What is written behind its one part: `R.T`, `v.x`, `R[1, 2]`."""
         if len(node.below) != 1:
             return None
@@ -164,16 +164,16 @@ class PythonSource:
         for name in ("T", "x", "y", "z"):
             with suppress(ValueError, TypeError):
                 if getattr(of, name) == node:
-                    return Written(f"{self._word(of).within(ATOM)}.{name}", node)
+                    return PythonText(f"{self._word(of).within(ATOM)}.{name}", node)
         if isinstance(node, Submatrix):
             places = node.rows[0], node.columns[0]
             for place in (places, places[0], places[1]):
                 with suppress(ValueError, TypeError):
                     if of[place] == node:
-                        return Written(f"{self._word(of).within(ATOM)}[{str(place).strip('()')}]", node)
+                        return PythonText(f"{self._word(of).within(ATOM)}[{str(place).strip('()')}]", node)
         return None
 
-    def _with_function(self, node: Node) -> Written | None:
+    def _with_function(self, node: Node) -> PythonText | None:
         """A function of the vocabulary that makes the word of its parts, or of the rows of its only field."""
         held = [getattr(node, each.name) for each in fields(node)]  # type: ignore[arg-type]
         rows = [held[0]] if len(held) == 1 and isinstance(held[0], tuple) else []
@@ -181,7 +181,7 @@ class PythonSource:
         for taken, function in product((node.below, *rows) if node.below else (), makers):
             with suppress(TypeError, ValueError, AttributeError):
                 if function(*taken) == node:
-                    return Written(f"{self.called(function)}({', '.join(map(self.text, taken))})", node)
+                    return PythonText(f"{self.called(function)}({', '.join(map(self.text, taken))})", node)
         return None
 
     def _hypothesis(self, value: Hypothesis) -> str:
