@@ -43,6 +43,7 @@ class PlainExpressions:
         self.logarithms: dict[Any, Any] = {}
         self._symbols: dict[str, Any] = {}
         self._known: dict[Any, Any] = {}
+        self._pending: set[Any] = set()
         for atom in statement.names:
             if str(atom) in self.labels:
                 self.named[self.labels[str(atom)]] = self(atom)
@@ -51,7 +52,11 @@ class PlainExpressions:
     def __call__(self, e: Any) -> Any:
         """The expression as a rational function of symbols."""
         if e not in self._known:
+            if e in self._pending:
+                raise Unsaid(f"no proof is written of what {e} is, an exponential in another")
+            self._pending.add(e)
             self._known[e] = self._plain(e)
+            self._pending.discard(e)
         return self._known[e]
 
     def _plain(self, e: Any) -> Any:

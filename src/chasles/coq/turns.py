@@ -18,6 +18,8 @@ OPENED = (
     "repeat first [rewrite cos_plus | rewrite sin_plus | rewrite cos_minus | rewrite sin_minus | rewrite cos_neg "
     "| rewrite sin_neg | at_parts_of_pi]"
 )
+MOST_TURNS = 16
+"""Multiples of an angle beyond this are not taken apart."""
 KNOWN = tuple(sympy.pi / part for part in (2, 3, 4, 6))
 """Angles whose cosine and sine the theories know."""
 
@@ -29,7 +31,7 @@ def turned(plain: PlainExpressions, e: Any) -> Any:
         unit = _unit_of(plain, atom, multiple)
         turns = multiple / sympy.Rational(unit.numerator, unit.denominator)
         at = {each: sympy.Dummy() for each in plain.statement.names}
-        if not turns.is_Integer or not atom.xreplace(at).is_rational_function():
+        if not turns.is_Integer or abs(turns) > MOST_TURNS or not atom.xreplace(at).is_rational_function():
             raise Unsaid(f"no proof is written about the angle {e.args[0]}")
         angle = atom * sympy.Rational(unit.numerator, unit.denominator)
         c, s = _circle(plain, atom, angle)
