@@ -46,9 +46,6 @@ Proof.
   change (derivable_pt_lim (fun s => f s O + sum (S n) (fun i => f s (S i))) t (d O + sum (S n) (fun i => d (S i)))).
   apply D_plus; [apply H | apply (IH (fun s i => f s (S i))); intro i; apply H].
 Qed.
-Lemma D_entry {m n} (f : R -> M m n) t d i j :
-  rate_at f t d -> derivable_pt_lim (fun s => entry (f s) i j) t (entry d i j).
-Proof. intro H. apply H. Qed.
 Lemma D_the (f : R -> M 1 1) t d : rate_at f t d -> derivable_pt_lim (fun s => the (f s)) t (the d).
 Proof. intro H. apply H. Qed.
 Lemma sum_of_both n f g : sum n f + sum n g = sum n (fun i => f i + g i).

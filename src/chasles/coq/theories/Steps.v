@@ -129,8 +129,6 @@ Lemma norm_squared {m} (v : M m 1) : norm v ^ 2 - dot v v = 0.
 Proof. unfold norm. rewrite pow2_sqrt; [ring | apply dot_not_negative]. Qed.
 Lemma norm_not_negative {m} (v : M m 1) : 0 <= norm v.
 Proof. apply sqrt_pos. Qed.
-Lemma same_norm {m n} (u : M m 1) (v : M n 1) : dot u u = dot v v -> norm u = norm v.
-Proof. unfold norm. intros ->. reflexivity. Qed.
 
 (* A rotation equals its cofactor matrix, and its transpose is its inverse on both sides. *)
 Ltac in_entries A := destruct A as [[? [? [? []]]] [[? [? [? []]]] [[? [? [? []]]] []]]].
