@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
@@ -13,11 +13,15 @@ from chasles.cli.files import write_files
 from chasles.coq.accepted import accepted_before, keep_accepted
 from chasles.coq.checking import MISSING, CoqVerdict, coq_version, verdicts_of_coq
 from chasles.coq.folder import Chunk, chunks, files_of
+from chasles.coq.kernels import kernels_of
 from chasles.coq.recorded import RECORD, text_of
 from chasles.coq.theorems import Claimed, claims_of
 from chasles.decisions.decision import Decision, key_of
+from chasles.lowering.declaration import Decide
+from chasles.report.decisions import Decided
 from chasles.report.waiting import progress
 from chasles.report.words import number_of
+from chasles.statements import Problem
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,10 +43,13 @@ class Theorems:
             yield f"{number_of(sum(bool(claim.proof) for claim in self.claims), 'theorem')} in {self.folder}; {MISSING}"
         else:
             found = [each.claim for each in self.checked if each.accepted]
-            accepted = [claim for claim in found if not claim.is_witness]
-            of = number_of(sum(not claim.is_witness for claim in self.claims), "statement")
+            accepted = [claim for claim in found if not (claim.is_witness or claim.kernel)]
+            of = number_of(sum(not (claim.is_witness or claim.kernel) for claim in self.claims), "statement")
             yield f"Coq {self.version} accepted {len(accepted)} of {of} in {self.folder}"
-            if witnesses := len(found) - len(accepted):
+            if kernels := sum(bool(claim.kernel) for claim in self.claims):
+                programs = sum(bool(claim.kernel) for claim in found)
+                yield f"of {programs} of {number_of(kernels, 'kernel')} that they compute what their statements say"
+            if witnesses := sum(claim.is_witness for claim in found):
                 yield f"of {witnesses} of them also that there is what satisfies all that they assume"
             if parts := sum(not claim.whole for claim in accepted):
                 yield f"of {parts} of them, theorems, the equations that prove them"
@@ -72,8 +79,11 @@ class Theorems:
             ],
         }
 
-    def recorded(self, decisions: Sequence[Decision]) -> dict[str, str]:
-        """The file that says of which sentences all that is claimed is accepted; none where there is no Coq."""
+    def recorded(self, decisions: Iterable[Decision], problems: Mapping[str, Problem | None]) -> dict[str, str]:
+        """The file that says of which sentences and kernels all is accepted; none where there is no Coq.
+
+        The `problems` are those that kernels pose, by name.
+        """
         if self.version is None:
             return {}
         accepted = {each.claim.name for each in self.checked if each.accepted}
@@ -81,11 +91,17 @@ class Theorems:
         hashes = {part.number: _digest(part) for part in self.parts}
         found = {}
         for decision in decisions:
-            said = [each for each in self.claims if each.number == key_of(decision.statement) and not each.is_witness]
+            key = key_of(decision.statement)
+            said = [each for each in self.claims if each.number == key and not (each.is_witness or each.kernel)]
             if said and all(each.whole and each.name in accepted for each in said):
                 parts = [files[each.name] for each in said]
                 found[decision.statement] = {f"{part.statements}.v": hashes[part.number] for part in parts}
-        return {RECORD: text_of(self.version, found)}
+        kernels = {}
+        for each in self.claims:
+            if each.name in accepted and (problem := problems.get(each.kernel)):
+                part = files[each.name]
+                kernels[each.kernel] = problem, {f"{part.statements}.v": hashes[part.number]}
+        return {RECORD: text_of(self.version, found, kernels)}
 
     def _not_accepted(self) -> Iterator[tuple[Claimed, str]]:
         refused = {each.claim.name: each.why_not for each in self.checked}
@@ -98,14 +114,16 @@ def _digest(part: Chunk) -> str:
     return sha256(part.said().encode()).hexdigest()
 
 
-def written(folder: Path, decisions: Sequence[Decision], anew: bool = False) -> Theorems:
-    """Write the theorems of the decisions, checked by Coq if it is installed: then only proofs that it accepts.
+def written(folder: Path, decided: Sequence[Decided], decide: Decide, anew: bool = False) -> Theorems:
+    """Write the theorems of decisions and kernels, checked by Coq if it is installed: then only proofs that it accepts.
 
     Unless all are to be checked `anew`, those that it accepted in an earlier run are not checked again.
     The folder's files are written whole or not at all. Raises Failure where that is not possible.
     """
-    claims = tuple(claims_of(decisions))
-    parts = tuple(chunks(claims))
+    decisions = [decision for _, decision in decided]
+    kernels = dict(kernels_of((entry for entry, _ in decided), decide))
+    parts = (*chunks(said := tuple(claims_of(decisions))), *chunks(tuple(kernels), "of_kernels_"))
+    claims = (*said, *kernels)
     version = coq_version()
     proved = [claim for claim in claims if claim.proof]
     chosen = {claim.name for claim in proved}
@@ -119,5 +137,6 @@ def written(folder: Path, decisions: Sequence[Decision], anew: bool = False) -> 
             raise Failure(str(error), FAILED) from error
         chosen = {each.claim.name for each in checked if each.accepted}
     found = Theorems(folder, claims, parts, version, checked)
-    write_files(folder, files_of(parts, chosen) | found.recorded(decisions))
+    problems = {claim.kernel: problem for claim, problem in kernels.items()}
+    write_files(folder, files_of(parts, chosen) | found.recorded(decisions, problems))
     return found

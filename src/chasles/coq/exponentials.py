@@ -74,8 +74,9 @@ def _factors(plain: PlainExpressions, exponent: Any) -> Iterator[tuple[str, Any,
 
 def _unit(plain: PlainExpressions, term: Any, multiple: Any) -> Any:
     """What all multiples of a term in the exponents of the question are whole multiples of."""
-    everything = sympy.Tuple(*plain.statement.asked.expressions).atoms(sympy.Pow, *EXPONENTIAL)
-    exponents = [_exponent(plain, e) for e in sorted(everything, key=str) if e.func in EXPONENTIAL or not e.exp.is_Rational]
+    asked = sympy.Tuple(*plain.statement.asked.expressions)
+    everything = sorted(asked.atoms(sympy.Pow, *EXPONENTIAL), key=str)
+    exponents = [_exponent(plain, e) for e in everything if e.func in EXPONENTIAL or not e.exp.is_Rational]
     found = [multiple, *(each.as_coefficients_dict().get(term, sympy.Integer(0)) for each in exponents)]
     below = reduce(lcm, (int(each.q) for each in found))
     return sympy.Rational(reduce(gcd, (int(each * below) for each in found)), below)

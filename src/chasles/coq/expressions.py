@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from chasles import vocabulary as w
 from chasles.coq.names import CoqNames, bare_of
@@ -10,6 +10,11 @@ from chasles.coq.names import CoqNames, bare_of
 ATOM, APPLIED, POWER, MINUS, TIMES, PLUS, LOOSE = 0, 10, 30, 35, 40, 50, 200
 """How tightly the parts of a spelling hold together, as Coq counts it."""
 Spelled = tuple[str, int]
+EntryOf = tuple[w.Node, int, int]
+"""A matrix, a row and a column, counted from 0."""
+
+
+EMPTY: Mapping[w.Node, EntryOf] = {}
 
 
 class Unsaid(Exception):
@@ -17,10 +22,15 @@ class Unsaid(Exception):
 
 
 class Spelling:
-    """How expressions are spelled: numbers as reals, the rest as matrices, what moves at the instant t."""
+    """How expressions are spelled: numbers as reals, the rest as matrices, what moves at the instant t.
 
-    def __init__(self, names: CoqNames, applied: Callable[[w.Node, str], str]) -> None:
-        self.names = names
+    `entries` are expressions that are entries of a matrix, and are spelled so.
+    """
+
+    def __init__(
+        self, names: CoqNames, applied: Callable[[w.Node, str], str], entries: Mapping[w.Node, EntryOf] = EMPTY
+    ) -> None:
+        self.names, self.entries = names, entries
         self._applied = applied
 
     def side(self, node: w.Node) -> str:
@@ -45,6 +55,9 @@ class Spelling:
         node = bare_of(node)
         if not node.is_scalar:
             raise Unsaid(f"{node} is no number")
+        if node in self.entries:
+            of, i, j = self.entries[node]
+            return f"entry {self.matrix(of, ATOM)} {i} {j}", APPLIED
         match node:
             case w.Number(value):
                 text = f"{abs(value.numerator)}" + f" / {value.denominator}" * (value.denominator > 1)
@@ -80,7 +93,7 @@ class Spelling:
 
     def _matrix(self, node: w.Node) -> Spelled:
         node = bare_of(node)
-        if node.is_scalar and not isinstance(node, w.Contract | w.Block):
+        if node.is_scalar and (node in self.entries or not isinstance(node, w.Contract | w.Block)):
             return f"number {self.number(node, ATOM)}", APPLIED
         match node:
             case w.Zero(int() as rows, int() as columns):

@@ -52,8 +52,8 @@ class Chunk:
         return f"{HEAD}From Chasles Require Import {THEORIES[-1]} {self.statements}.\n\n" + "\n".join(parts)
 
 
-def chunks(claims: Sequence[Claimed]) -> list[Chunk]:
-    """The statements, in files of a size that Coq takes."""
+def chunks(claims: Sequence[Claimed], what: str = "") -> list[Chunk]:
+    """The statements, in files of a size that Coq takes; `what` they are is in the files' names."""
     said = [claim for claim in claims if claim.said]
     groups: list[list[Claimed]] = []
     for claim in said:
@@ -62,7 +62,7 @@ def chunks(claims: Sequence[Claimed]) -> list[Chunk]:
             groups.append([])
         groups[-1].append(claim)
     width = len(str(len(groups)))
-    return [Chunk(f"{count:0{width}}", tuple(group)) for count, group in enumerate(groups, 1)]
+    return [Chunk(f"{what}{count:0{width}}", tuple(group)) for count, group in enumerate(groups, 1)]
 
 
 def files_of(parts: Sequence[Chunk], chosen: Container[str]) -> dict[str, str]:

@@ -26,7 +26,7 @@ class Instant:
 
     def __init__(self, said: CoqStatement, problem: Problem, spell: Polynomials, sources: list[StatedEntry]) -> None:
         self.said, self.problem = said, problem
-        self.spelling = Spelling(said.names, lambda node, name: name + " b" * said.runs(node))
+        self.spelling = Spelling(said.names, lambda node, name: name + " b" * said.runs(node), said.spelling.entries)
         self._sources = list(_chains(sources))
         self._spins = list(self._turning(spell))
         self.defined: dict[w.Node, str] = {}

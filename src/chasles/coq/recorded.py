@@ -15,6 +15,7 @@ from typing import Any
 
 from chasles.coq.names import theory
 from chasles.decisions.decision import Sentence, key_of
+from chasles.statements import Problem
 from chasles.statements.elsewhere import chapter_of
 from chasles.statements.fingerprint import Fingerprints
 
@@ -37,13 +38,21 @@ class CoqCheck:
         return f"Coq {self.version} checked: {said}"
 
 
-def text_of(version: str, checked: Mapping[Sentence, Mapping[str, str]]) -> str:
-    """The record as text: of each sentence, the files of statements, with their hashes."""
-    found = {
-        key_of(sentence): {"declared": _fingerprints().of(sentence), "files": dict(where)}
-        for sentence, where in checked.items()
-    }
-    return json.dumps({"version": version, "words": _words(), "checked": found}, indent=1) + "\n"
+def text_of(
+    version: str,
+    checked: Mapping[Sentence, Mapping[str, str]],
+    kernels: Mapping[str, tuple[Problem, Mapping[str, str]]],
+) -> str:
+    """The record as text: of each sentence, and of each kernel by its name, the files of statements and their hashes.
+
+    Of a kernel it is the problem that has a fingerprint: the declaration and all steps of the program.
+    """
+    pairs = {key_of(sentence): (sentence, where) for sentence, where in checked.items()}
+    found, programs = (
+        {key: {"declared": _fingerprints().of(said), "files": dict(where)} for key, (said, where) in each.items()}
+        for each in (pairs, kernels)
+    )
+    return json.dumps({"version": version, "words": _words(), "checked": found, "kernels": programs}, indent=1) + "\n"
 
 
 def checked_by_coq(sentence: Sentence) -> CoqCheck | None:

@@ -7,13 +7,13 @@ element of a body is a function of the element; every rate has a name, and is as
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
 
 from chasles import vocabulary as w
-from chasles.coq.expressions import ATOM, Spelling, Unsaid
+from chasles.coq.expressions import ATOM, EMPTY, EntryOf, Spelling, Unsaid
 from chasles.coq.names import CoqNames, bare_of
 from chasles.statements import Hypothesis, Problem
 
@@ -36,10 +36,12 @@ class Premise:
 class CoqStatement:
     """The statement of a problem. Raises `Unsaid` where the theories have no words for it."""
 
-    def __init__(self, problem: Problem, like: CoqNames | None = None) -> None:
+    def __init__(
+        self, problem: Problem, like: CoqNames | None = None, entries: Mapping[w.Node, EntryOf] = EMPTY
+    ) -> None:
         self.problem = problem
         self.names = CoqNames(like)
-        self.spelling = Spelling(self.names, self.applied)
+        self.spelling = Spelling(self.names, self.applied, entries)
         self.rules = {bare_rate(left): right for left, right in problem.rules}
         self.nodes = list(self._nodes())
         for node in self.nodes:

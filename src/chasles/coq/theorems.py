@@ -27,9 +27,9 @@ ENDINGS = {"printed": "", "reading": "_as_read", "repair": "_repaired", "correct
 class Claimed:
     """One statement in Coq and its proof: `said` is empty where it cannot be said, `proof` where there is none yet.
 
-    `number` and `form` tell what it is of; `whole` says whether the statement is all that the verdict claims. Of a
-    misfit the proof is a command that succeeds because Coq refuses the equation; a witness says that there is what
-    satisfies the premises of another statement.
+    `number` and `form` tell what it is of, `kernel` of which kernel, if of one; `whole` says whether the statement is
+    all that the verdict claims. Of a misfit the proof is a command that succeeds because Coq refuses the equation; a
+    witness says that there is what satisfies the premises of another statement.
     """
 
     number: str
@@ -42,6 +42,7 @@ class Claimed:
     whole: bool = True
     is_misfit: bool = False
     is_witness: bool = False
+    kernel: str = ""
 
     @property
     def theorem(self) -> str:
@@ -69,7 +70,7 @@ def _forms(decision: Decision) -> Iterator[tuple[str, Verdict, Sentence]]:
 def _claims(decision: Decision, form: str, verdict: Verdict, sentence: Sentence, taken: set[str]) -> Iterator[Claimed]:
     certificate: Mapping[str, Any] | None = getattr(verdict, "certificate", None)
     key = key_of(decision.statement)
-    stem = _named(key) + ENDINGS[form]
+    stem = named(key) + ENDINGS[form]
     if isinstance(verdict, IllFormed) and isinstance(sentence, Statement):
         yield _misfit(key, form, _fresh(stem, taken), sentence)
     elif isinstance(verdict, Fails) and not isinstance(sentence, Inverse):
@@ -162,7 +163,7 @@ def _misfit(key: str, form: str, name: str, statement: Statement) -> Claimed:
     return Claimed(key, HOW[form], name, statement.says, said, proof, why_not, is_misfit=True)
 
 
-def _named(key: str) -> str:
+def named(key: str) -> str:
     """A number and part as a name for Coq: eq_3_97a_1."""
     plain = re.sub(r"\W+", "_", key, flags=re.ASCII).strip("_")
     return f"eq_{plain}" if plain[:1].isdigit() else plain

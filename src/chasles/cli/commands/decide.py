@@ -57,12 +57,12 @@ def command(
     from chasles.statements.loading import unlisted
 
     book = chapter()
-    outcome, _ = decide(chosen(book, numbers, sections), book, recheck=recheck, anew=anew)
+    outcome, session = decide(chosen(book, numbers, sections), book, recheck=recheck, anew=anew)
     theorems = None
     if coq is not None:
         from chasles.cli.theorems import written
 
-        theorems = written(coq, [decision for _, decision in outcome.decided], anew)
+        theorems = written(coq, outcome.decided, session.decide, anew)
     if json:
         records = [record(entry, decision) for entry, decision in outcome.decided]
         print_data({"statements": records} | ({"coq": theorems.record} if theorems else {}))
