@@ -86,9 +86,9 @@ def test_what_is_said_of_each_step_is_what_the_program_does() -> None:
         values = evaluated(program.steps, decimals(20), lambda argument, entry: inputs[argument, entry])  # noqa: B023
         scale = {f"s_{k}": float(v) for k, v in enumerate(values) if program.steps[k].op is Op.SELECT}
         for name, text in DEFINED.findall(claim.said):
-            text = ENTRY.sub(lambda m: repr(known[m[1], int(m[2]), int(m[3])]), text).replace("^", "**")  # noqa: B023
-            text = re.sub(r"\b(cos|sin) ([\w.]+)", r"\1(\2)", text)
-            scope[name] = eval(text, scope | scale)
+            told = ENTRY.sub(lambda m: repr(known[m[1], int(m[2]), int(m[3])]), text).replace("^", "**")  # noqa: B023
+            told = re.sub(r"\b(cos|sin) ([\w.]+)", r"\1(\2)", told)
+            scope[name] = eval(told, scope | scale)
             assert scope[name] == pytest.approx(float(values[int(name[2:])]), rel=1e-12), (claim.name, name, text)
             compared += 1
     assert compared > 100
