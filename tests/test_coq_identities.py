@@ -95,7 +95,7 @@ def test_a_statement_says_what_was_asked_and_what_it_needs() -> None:
 
 def test_functions_of_time_are_functions() -> None:
     said = asked(9, *QUESTIONS[9]).said
-    assert "(f : R -> R) (f_dot : R -> R)" in said
+    assert "(f g f_dot g_dot : R -> R)" in said
     assert "scalar_rate T f f_dot ->" in said
     assert "during T (fun t => f t ^ 2 + g t ^ 2 = 1) ->" in said
 

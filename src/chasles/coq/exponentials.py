@@ -75,8 +75,8 @@ def _factors(plain: PlainExpressions, exponent: Any) -> Iterator[tuple[str, Any,
 def _unit(plain: PlainExpressions, term: Any, multiple: Any) -> Any:
     """What all multiples of a term in the exponents of the question are whole multiples of."""
     asked = sympy.Tuple(*plain.statement.asked.expressions)
-    everything = sorted(asked.atoms(sympy.Pow, *EXPONENTIAL), key=str)
-    exponents = [_exponent(plain, e) for e in everything if e.func in EXPONENTIAL or not e.exp.is_Rational]
+    everything = sorted(asked.atoms(sympy.Pow, *EXPONENTIAL, sympy.coth, sympy.sech, sympy.csch), key=str)
+    exponents = [_exponent(plain, e) for e in everything if not (e.is_Pow and e.exp.is_Rational)]
     found = [multiple, *(each.as_coefficients_dict().get(term, sympy.Integer(0)) for each in exponents)]
     below = reduce(lcm, (int(each.q) for each in found))
     return sympy.Rational(reduce(gcd, (int(each * below) for each in found)), below)

@@ -22,6 +22,7 @@ from chasles.coq.of_sympy import ScalarStatement
 from chasles.coq.plain import PlainExpressions
 from chasles.coq.proof import theorem
 from chasles.coq.rational import text_of
+from chasles.coq.sentences import holding
 from chasles.coq.theorems import Claimed
 from chasles.verdict import Holds, HoldsUnder, Verdict
 
@@ -55,7 +56,7 @@ def as_theorem(
     said = ""
     try:
         statement = ScalarStatement(Asked(lhs, rhs, given, nonzero), verdict.needs)
-        said = statement.holding(name)
+        said = holding(name, statement)
         proof = theorem(name, BY_CASES if statement.has_cases else _ScalarProof(statement, verdict.certificate).steps())
     except (Rejected, Unsaid) as reason:
         return replace(claim, said=said, why_not=str(reason))
@@ -76,13 +77,12 @@ class _ScalarProof:
     def steps(self) -> Iterator[str]:
         """All steps."""
         said, plain = self.statement, self.plain
-        bound = ["T"] * said.moves + [name for name in said.names.values() if name != "t"]
-        bound += [premise.name for premise in said.premises]
+        bound = [*(name for name, _ in said.binders), *(premise.name for premise in said.premises)]
         moving = [premise.name for premise in said.premises if premise.moves]
         combined = [self._combined(count, *pair) for count, pair in enumerate(said.goals)]
-        if said.moves:
+        if said.timed:
             yield "unfold during."
-        yield f"intros {' '.join(bound)}{NOW * said.moves}." if bound else "intros."
+        yield f"intros {' '.join(bound)}{NOW * said.timed}." if bound else "intros."
         yield from self._rates
         rates = [line.split()[1][1:] for line in self._rates]
         for name in (*moving, *rates):
@@ -128,14 +128,15 @@ class _ScalarProof:
         if found is None or int(found[1]) >= len(self.statement.asked.given):
             raise Unsaid("no proof is written with all that follows from what is given")
         count, i, j = (int(found[k]) for k in (1, 2, 3))
-        left, right = self.statement.asked.given[count].pairs[i - 1, j - 1]
-        name = f"given'{count}_{i}_{j}"
+        places = [place for place, _ in self.statement.given]
+        at = places.index((count, i - 1, j - 1))
+        (left, right), name = self.statement.given[at][1], f"cond'{at}"
         sides = " ".join(f"(fun t => {self.statement.side(side)})" for side in (left, right))
-        parts = sympy.Tuple(left, right).atoms(sympy.Function, sympy.Pow) - self.statement.names.keys()
+        parts = sympy.Tuple(left, right).atoms(sympy.Function, sympy.Pow) - self.statement.words.atoms.keys()
         if found[4] and not all(e.func in RATED or (e.is_Pow and e.exp.is_Integer) for e in parts):
             raise Unsaid(f"no proof is written with the rate of {left} = {right}")
         for _ in range(int(found[4] or 0)):
-            left, right = left.diff(self.statement.time), right.diff(self.statement.time)
+            left, right = left.diff(self.statement.words.time), right.diff(self.statement.words.time)
             steps = (
                 f"eapply (equal_scalar_rates T {sides} s'); [exact open'T | exact now's | exact {name} | rates | rates]"
             )

@@ -1,31 +1,43 @@
-"""Expressions of SymPy in Coq: the statement of an identity of `prove`, as the question says it.
+"""Questions of `prove` as statements in Coq: expressions of SymPy in words, and with these a statement like any other.
 
-Symbols are real numbers; functions of one symbol move, as in declared statements: all is said during an open set of
-instants. Only this has to be read to know what is claimed.
+Symbols are real numbers; functions of one symbol move, and all is said during an open set of instants. Only this has to
+be read to know what is claimed, with what declared statements are written by.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from fractions import Fraction
+from functools import reduce
 from typing import Any
 
 import sympy
 from sympy.core.function import AppliedUndef
 
+from chasles import vocabulary as w
 from chasles.checker.expressions.asked import Asked
-from chasles.coq.expressions import APPLIED, ATOM, LOOSE, MINUS, PLUS, POWER, TIMES, Spelled, Unsaid, held
-from chasles.coq.names import identifier
+from chasles.coq.expressions import APPLIED, ATOM, LOOSE, PLUS, Spelled, Spelling, Unsaid
+from chasles.coq.names import CoqNames
+from chasles.coq.statement import CoqStatement
+from chasles.statements import Goal, Hypothesis, Problem
+from chasles.vocabulary.dimension import NO_DIMENSION
+from chasles.vocabulary.fitting import SCALAR
+from chasles.vocabulary.functions import FunctionOf
+from chasles.vocabulary.measure import uniform
 
+UNITS = False
 FUNCTIONS = {
-    sympy.sin: "sin", sympy.cos: "cos", sympy.tan: "tan", sympy.Abs: "Rabs", sympy.sign: "sign", sympy.exp: "exp",
-    sympy.log: "ln", sympy.sinh: "sinh", sympy.cosh: "cosh", sympy.tanh: "tanh",
+    sympy.tan: "tan", sympy.Abs: "Rabs", sympy.sign: "sign", sympy.exp: "exp", sympy.log: "ln", sympy.sinh: "sinh",
+    sympy.cosh: "cosh", sympy.tanh: "tanh",
 }  # fmt: skip
-CIRCULAR = {
+"""What Coq, or the theories, call functions of one number."""
+QUOTIENTS = {
     sympy.tan: lambda x: (sympy.sin(x), sympy.cos(x)), sympy.cot: lambda x: (sympy.cos(x), sympy.sin(x)),
     sympy.sec: lambda x: (sympy.Integer(1), sympy.cos(x)), sympy.csc: lambda x: (sympy.Integer(1), sympy.sin(x)),
+    sympy.coth: lambda x: (sympy.cosh(x), sympy.sinh(x)), sympy.sech: lambda x: (sympy.Integer(1), sympy.cosh(x)),
+    sympy.csch: lambda x: (sympy.Integer(1), sympy.sinh(x)),
 }  # fmt: skip
-"""Functions of an angle as quotients; but for the tangent, Coq has no words for them."""
+"""Functions as quotients; but for the tangent, Coq has no words for them."""
 OF_TWO = {sympy.Max: "Rmax", sympy.Min: "Rmin"}
 BY_CASES = (sympy.sign, *OF_TWO)
 SIGNS = {
@@ -35,178 +47,58 @@ SIGNS = {
     "nonpositive": "{} <= 0",
     "nonzero": "{} <> 0",
 }
-RELATIONS = {" != 0": "{} <> 0", " >= 0": "0 <= {}", " > 0": "0 < {}"}
+RELATIONS = {" != 0": "nonzero", " >= 0": "nonnegative", " > 0": "positive"}
 
 
-@dataclass(frozen=True, slots=True)
-class ScalarPremise:
-    """Something assumed, and the equation if it is one; it `moves` if it holds at each instant."""
+class SympyWords:
+    """Expressions of SymPy in words: `atoms` are the symbols, functions and rates; `time` is what functions are of."""
 
-    name: str
-    says: str
-    moves: bool = False
-    pair: tuple[Any, Any] | None = None
-
-
-class ScalarStatement:
-    """What was asked, under what the verdict needs. Raises `Unsaid` where there are no words for it."""
-
-    def __init__(self, asked: Asked, needs: tuple[str, ...]) -> None:
-        self.asked = asked
-        everything = sympy.Tuple(*asked.expressions)
-        functions = sorted(everything.atoms(AppliedUndef), key=str)
+    def __init__(self, expressions: sympy.Tuple) -> None:
+        functions = sorted(expressions.atoms(AppliedUndef), key=str)
         times = {each.args[0] for each in functions if len(each.args) == 1}
         if len(times) > 1 or any(len(each.args) > 1 or not each.args[0].is_Symbol for each in functions):
             raise Unsaid("functions of something else than one symbol")
         self.time = next(iter(times), None)
-        self.names: dict[Any, str] = {self.time: "t"} if times else {}
-        self.orders = dict.fromkeys(functions, 0)
-        for each in everything.atoms(sympy.Derivative):
-            if each.expr not in self.orders:
+        self.atoms: dict[Any, w.Node] = {}
+        for each in (*sorted(expressions.free_symbols, key=str), *functions):
+            name = each.name if each.is_Symbol else each.func.__name__
+            size = uniform(SCALAR, NO_DIMENSION)
+            self.atoms[each] = w.Symbol(name, name, size, constant=each.is_Symbol, home=__name__)
+        for each in sorted(expressions.atoms(sympy.Derivative), key=str):
+            if each.expr not in functions:
                 raise Unsaid(f"the rate of {each.expr}")
-            self.orders[each.expr] = max(self.orders[each.expr], each.derivative_count)
-        for atom in sorted(everything.free_symbols - times, key=str):
-            self._name(atom, atom.name)
-        for each, order in self.orders.items():
-            for k in range(order + 1):
-                self._name(
-                    each.diff((self.time, k)) if k else each,
-                    f"{each.func.__name__}_{'d' * k}ot" if k else each.func.__name__,
-                )
-        self.goals = [(left, asked.right[place]) for place, left in asked.left.items()]
-        self.positive: list[Any] = []
-        self.premises = [*self._rates(), *self._signs(), *self._given(), *self._needs(needs)]
+            rate = self.atoms[each.expr]
+            for order in range(each.derivative_count):
+                rate = self.atoms[each.expr.diff((self.time, order + 1))] = w.Rate(rate)
 
-    def _name(self, atom: Any, text: str) -> None:
-        name = identifier(text)
-        while name in self.names.values():
-            name += "_"
-        self.names[atom] = name
-
-    @property
-    def moves(self) -> bool:
-        """Whether there are functions of time."""
-        return self.time is not None
-
-    @property
-    def has_cases(self) -> bool:
-        """Whether something is spoken of whose value is told by cases, all else being rational and at rest."""
-        everything = sympy.Tuple(*self.asked.expressions)
-        others = everything.atoms(sympy.Function) - everything.atoms(sympy.Abs, *BY_CASES)
-        return everything.has(*BY_CASES) and not others
-
-    def _rates(self) -> Iterator[ScalarPremise]:
-        if self.moves:
-            yield ScalarPremise("open'T", "open_set T")
-        for each, order in self.orders.items():
-            for k in range(order):
-                of, rate = (self.names[each.diff((self.time, n)) if n else each] for n in (k, k + 1))
-                yield ScalarPremise(f"rate'{rate}", f"scalar_rate T {of} {rate}")
-
-    def _signs(self) -> Iterator[ScalarPremise]:
-        for atom, name in self.names.items():
-            moves = isinstance(atom, AppliedUndef)
-            kind = next((kind for kind in SIGNS if getattr(atom, f"is_{kind}")), None)
-            if kind and atom != self.time:
-                yield self._premise(f"sign'{name}", SIGNS[kind].format(f"{name} t" if moves else name), atom)
-
-    def _given(self) -> Iterator[ScalarPremise]:
-        """The equations that are given, and that they divide by nothing that is zero."""
-        sides = sympy.Tuple(*(side for item in self.asked.given for pair in item.pairs.values() for side in pair))
-        divisors = {power.base for power in sides.atoms(sympy.Pow) if power.exp.is_negative}
-        for count, divisor in enumerate(sorted(divisors, key=str)):
-            yield self._premise(f"divisor'{count}", f"{self.side(divisor, PLUS)} <> 0", divisor)
-        for count, item in enumerate(self.asked.given):
-            for (i, j), pair in item.pairs.items():
-                yield self._premise(f"given'{count}_{i + 1}_{j + 1}", self.equation(*pair), sympy.Tuple(*pair), pair)
-
-    def _needs(self, needs: tuple[str, ...]) -> Iterator[ScalarPremise]:
-        spelled = {str(atom): atom for atom in self.names}
-        said = {*self.asked.real, *(item.text for item in self.asked.given)}
-        for count, text in enumerate(need for need in needs if need not in said):
-            ending = next((each for each in RELATIONS if text.endswith(each)), None)
-            if ending is None:
-                raise Unsaid(f"the need {text}")
-            local = {str(atom.func): atom.func for atom in self.orders} | {
-                k: v for k, v in spelled.items() if k.isidentifier()
-            }
-            value = sympy.sympify(text.removesuffix(ending), locals=local)
-            if not value.atoms(sympy.Symbol, AppliedUndef) <= self.names.keys():
-                raise Unsaid(f"the need {text}")
-            self.positive += [value] * (ending == " > 0")
-            yield self._premise(f"need'{count}", RELATIONS[ending].format(self.side(value, PLUS)), value)
-
-    def _premise(self, name: str, says: str, about: Any, pair: Any = None) -> ScalarPremise:
-        moves = bool(about.atoms(AppliedUndef, sympy.Derivative)) or self.time in about.free_symbols
-        return ScalarPremise(name, says, moves, pair)
-
-    def holding(self, name: str) -> str:
-        """The definition of the statement, under its name."""
-        bound = [("T", "R -> Prop")] * self.moves
-        bound += [
-            (n, "R -> R" if isinstance(a, AppliedUndef | sympy.Derivative) else "R")
-            for a, n in self.names.items()
-            if n != "t"
-        ]
-        lines = [f"  forall {' '.join(f'({each} : {kind})' for each, kind in bound)},"] if bound else []
-        lines += [f"  {f'during T (fun t => {p.says})' if p.moves else p.says} ->" for p in self.premises]
-        goal = " /\\\n  ".join(self.equation(*pair) for pair in self.goals)
-        lines.append(f"  during T (fun t =>\n  {goal})" if self.moves else f"  {goal}")
-        return f"Definition {name} : Prop :=\n" + "\n".join(lines) + ".\n"
-
-    def equation(self, left: Any, right: Any) -> str:
-        """Two sides that are said to be equal."""
-        return f"{self.side(left)} = {self.side(right)}"
-
-    def side(self, e: Any, most: int = LOOSE) -> str:
-        """An expression, in brackets if it is looser than `most`."""
-        return held(self._spelled(e), most)
-
-    def _spelled(self, e: Any) -> Spelled:
-        if e in self.names:
-            moves = isinstance(e, AppliedUndef | sympy.Derivative)
-            return (f"{self.names[e]} t", APPLIED) if moves else (self.names[e], ATOM)
+    def __call__(self, e: Any) -> w.Node:
+        """An expression; raises `Unsaid` where there is no word for it."""
+        if e in self.atoms:
+            return self.atoms[e]
         if e is sympy.pi:
-            return "PI", ATOM
+            return w.PI
         if e.is_Rational:
-            text = f"{abs(e.p)}" + f" / {e.q}" * (e.q > 1)
-            level = TIMES if e.q > 1 else ATOM
-            return (f"- {text}", max(level, MINUS)) if e < 0 else (text, level)
+            return w.Number(Fraction(int(e.p), int(e.q)))
+        if e.func in (sympy.cos, sympy.sin):
+            return w.Call(e.func.__name__, self(e.args[0]))
         if e.func in FUNCTIONS:
-            return f"{FUNCTIONS[e.func]} {self.side(e.args[0], ATOM)}", APPLIED
-        if e.func in CIRCULAR:
-            above, below = CIRCULAR[e.func](e.args[0])
-            return f"{self.side(above, TIMES)} / {self.side(below, TIMES - 1)}", TIMES
+            return FunctionOf(FUNCTIONS[e.func], (self(e.args[0]),))
+        if e.func in QUOTIENTS:
+            above, below = QUOTIENTS[e.func](e.args[0])
+            return w.Quotient(self(above), self(below))
         if e is sympy.E:
-            return "exp 1", APPLIED
+            return FunctionOf("exp", (self(sympy.Integer(1)),))
         if e.func in OF_TWO:
-            *others, text = [self.side(each, ATOM) for each in e.args]
-            for each in reversed(others):
-                text = f"({OF_TWO[e.func]} {each} {text})"
-            return text, ATOM
+            return reduce(lambda rest, each: FunctionOf(OF_TWO[e.func], (each, rest)), map(self, reversed(e.args)))
         if e.is_Add:
-            first, *others = e.as_ordered_terms()
-            text = self.side(first, PLUS)
-            for term in others:
-                minus = term.could_extract_minus_sign()
-                text += f" {'-' if minus else '+'} {self.side(-term if minus else term, PLUS - 1)}"
-            return text, PLUS
+            return w.Sum(tuple(map(self, e.as_ordered_terms())))
         if e.is_Mul:
-            return self._product(e)
-        if e.is_Pow and (2 * e.exp).is_Integer:
-            if e.exp < 0:
-                return f"1 / {self.side(1 / e, TIMES - 1)}", TIMES
-            if e.exp.is_Integer:
-                return f"{self.side(e.base, POWER - 1)} ^ {e.exp}", POWER
-            root = f"sqrt {self.side(e.base, ATOM)}"
-            return (root, APPLIED) if e.exp == sympy.Rational(1, 2) else (f"({root}) ^ {2 * e.exp}", POWER)
-        if e.is_Pow and not e.exp.is_Rational:
-            return f"Rpower {self.side(e.base, ATOM)} {self.side(e.exp, ATOM)}", APPLIED
+            return w.Negative(self(-e)) if e.could_extract_minus_sign() else self._product(e)
+        if e.is_Pow:
+            return self._power(e)
         raise Unsaid(f"{e.func if e.is_Function else e} is no word of the theories")
 
-    def _product(self, e: Any) -> Spelled:
-        if e.could_extract_minus_sign():
-            return f"- {self.side(-e, TIMES)}", PLUS
+    def _product(self, e: Any) -> w.Node:
         above, below = [], []
         for factor in e.as_ordered_factors():
             if factor.is_Rational and not factor.is_Integer:
@@ -216,7 +108,100 @@ class ScalarStatement:
                 below.append(1 / factor)
             else:
                 above.append(factor)
-        text = " * ".join(self.side(each, TIMES - 1) for each in above) or "1"
-        for each in below:
-            text += f" / {self.side(each, TIMES - 1)}"
-        return text, TIMES
+        return reduce(w.Quotient, map(self, below), reduce(w.Scale, map(self, above or [sympy.Integer(1)])))
+
+    def _power(self, e: Any) -> w.Node:
+        base, exponent = e.as_base_exp() if e.exp.is_Rational and e.exp > 0 else (e.base, e.exp)
+        if not exponent.is_Rational:
+            return FunctionOf("Rpower", (self(base), self(exponent)))
+        if exponent < 0:
+            return w.Quotient(self(sympy.Integer(1)), self(1 / e))
+        if exponent.q > 2:
+            raise Unsaid(f"{e} is no word of the theories")
+        root = self(base) if exponent.q == 1 else FunctionOf("sqrt", (self(base),))
+        return root if exponent.p == 1 else w.Power(root, int(exponent.p))
+
+
+class _ScalarSpelling(Spelling):
+    def _number(self, node: w.Node) -> Spelled:
+        if isinstance(node, FunctionOf):
+            return f"{node.function} {' '.join(self.number(each, ATOM) for each in node.arguments)}", APPLIED
+        return super()._number(node)
+
+
+class ScalarStatement(CoqStatement):
+    """What was asked, under what the verdict needs. Raises `Unsaid` where there are no words for it."""
+
+    def __init__(self, asked: Asked, needs: tuple[str, ...]) -> None:
+        self.asked = asked
+        self.words = words = SympyWords(sympy.Tuple(*asked.expressions))
+        self.goals = [(left, asked.right[place]) for place, left in asked.left.items()]
+        self.given = [
+            ((count, *place), pair) for count, item in enumerate(asked.given) for place, pair in item.pairs.items()
+        ]
+        self.positive: list[Any] = []
+        goals, conditions = (
+            tuple(Goal("", words(left), words(right)) for left, right in pairs)
+            for pairs in (self.goals, [pair for _, pair in self.given])
+        )
+        assumed = tuple(dict.fromkeys((*self._signs(), *self._divisors(), *self._needs(needs))))
+        names = CoqNames()
+        self._clock = words.atoms.get(words.time)
+        if isinstance(self._clock, w.Symbol):
+            names.symbols[self._clock] = "t"
+        super().__init__(Problem(goals, conditions=conditions, hypotheses=assumed), names)
+        self.timed = words.time is not None
+        self.spelling = _ScalarSpelling(self.names, self.applied)
+
+    @property
+    def has_cases(self) -> bool:
+        """Whether something is spoken of whose value is told by cases, all else being rational and at rest."""
+        everything = sympy.Tuple(*self.asked.expressions)
+        others = everything.atoms(sympy.Function) - everything.atoms(sympy.Abs, *BY_CASES)
+        return everything.has(*BY_CASES) and not others
+
+    def _signs(self) -> Iterator[Hypothesis]:
+        for atom, node in self.words.atoms.items():
+            kind = next((kind for kind in SIGNS if getattr(atom, f"is_{kind}")), None)
+            if kind and atom != self.words.time:
+                yield Hypothesis(kind, (node,))
+
+    def _divisors(self) -> Iterator[Hypothesis]:
+        """That the given equations divide by nothing that is zero."""
+        sides = sympy.Tuple(*(side for _, pair in self.given for side in pair))
+        divisors = {power.base for power in sides.atoms(sympy.Pow) if power.exp.is_negative}
+        for divisor in sorted(divisors, key=str):
+            yield Hypothesis("nonzero", (self.words(divisor),))
+
+    def _needs(self, needs: tuple[str, ...]) -> Iterator[Hypothesis]:
+        atoms = self.words.atoms
+        said = {*self.asked.real, *(item.text for item in self.asked.given)}
+        names = {str(atom): atom for atom in atoms if str(atom).isidentifier()}
+        names |= {str(atom.func): atom.func for atom in atoms if isinstance(atom, AppliedUndef)}
+        for text in (need for need in needs if need not in said):
+            ending = next((each for each in RELATIONS if text.endswith(each)), None)
+            value = sympy.sympify(text.removesuffix(str(ending)), locals=names) if ending else sympy.nan
+            if ending is None or not value.atoms(sympy.Symbol, AppliedUndef) <= atoms.keys():
+                raise Unsaid(f"the need {text}")
+            self.positive += [value] * (ending == " > 0")
+            yield Hypothesis(RELATIONS[ending], (self.words(value),))
+
+    def _hypothesis(self, hypothesis: Hypothesis) -> str:
+        return SIGNS[hypothesis.kind].format(self.spelling.number(hypothesis.subjects[0], PLUS))
+
+    def moves(self, node: w.Node) -> bool:
+        """Whether a symbol is a function of time, or time itself."""
+        return super().moves(node) or (self.timed and node == self._clock)
+
+    def applied(self, node: w.Node, name: str) -> str:
+        """A symbol or rate at the instant."""
+        return name if node == self._clock else super().applied(node, name)
+
+    @property
+    def binders(self) -> list[tuple[str, str]]:
+        """What the statement is for all of, with types."""
+        return [(name, kind) for name, kind in super().binders if name != "t"]
+
+    def side(self, e: Any, most: int = LOOSE) -> str:
+        """An expression, in brackets if it is looser than `most`."""
+        return self.spelling.number(self.words(e), most)

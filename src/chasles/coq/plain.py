@@ -16,7 +16,7 @@ import sympy
 from chasles.checker.sparse import Rejected, exponents, parsed
 from chasles.coq.exponentials import EXPONENTIAL, exponential, logarithm
 from chasles.coq.expressions import ATOM, Unsaid
-from chasles.coq.of_sympy import CIRCULAR, SIGNS, ScalarStatement
+from chasles.coq.of_sympy import QUOTIENTS, SIGNS, ScalarStatement
 from chasles.coq.rational import divisors_of, polynomial, rank, text_of
 from chasles.coq.roots import root, words_named
 from chasles.coq.turns import turned
@@ -44,7 +44,7 @@ class PlainExpressions:
         self._symbols: dict[str, Any] = {}
         self._known: dict[Any, Any] = {}
         self._pending: set[Any] = set()
-        for atom in statement.names:
+        for atom in statement.words.atoms:
             if str(atom) in self.labels:
                 self.named[self.labels[str(atom)]] = self(atom)
         words_named(self)
@@ -60,7 +60,7 @@ class PlainExpressions:
         return self._known[e]
 
     def _plain(self, e: Any) -> Any:
-        if e in self.statement.names or e is sympy.pi:
+        if e in self.statement.words.atoms or e is sympy.pi:
             sign = next((kind for kind in SIGNS if getattr(e, f"is_{kind}")), "real")
             return self.symbol(self.statement.side(e, ATOM), sign)
         if e.is_Rational:
@@ -76,8 +76,8 @@ class PlainExpressions:
             return root(self, e, e.args[0], "abs")
         if e.func in (sympy.cos, sympy.sin):
             return turned(self, e)
-        if e.func in CIRCULAR:
-            above, below = CIRCULAR[e.func](e.args[0])
+        if e.func in QUOTIENTS:
+            above, below = QUOTIENTS[e.func](e.args[0])
             return self(above) / self(below)
         if e.func in EXPONENTIAL or e is sympy.E or (e.is_Pow and not e.exp.is_Rational):
             return exponential(self, e)

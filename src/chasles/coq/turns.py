@@ -30,7 +30,7 @@ def turned(plain: PlainExpressions, e: Any) -> Any:
     for atom, multiple in sympy.expand(e.args[0]).as_coefficients_dict().items():
         unit = _unit_of(plain, atom, multiple)
         turns = multiple / sympy.Rational(unit.numerator, unit.denominator)
-        at = {each: sympy.Dummy() for each in plain.statement.names}
+        at = {each: sympy.Dummy() for each in plain.statement.words.atoms}
         if not turns.is_Integer or abs(turns) > MOST_TURNS or not atom.xreplace(at).is_rational_function():
             raise Unsaid(f"no proof is written about the angle {e.args[0]}")
         angle = atom * sympy.Rational(unit.numerator, unit.denominator)
