@@ -22,7 +22,7 @@ from chasles.checker.sparse import (
     product,
     variable,
 )
-from chasles.coq.sources import ProofReading
+from chasles.coq.sources import ProofReading, multiples, replaced
 from chasles.vocabulary import Node
 
 MOST_REPLACED = 10**5
@@ -100,18 +100,15 @@ class Reckoning:
     def _divided(self, polynomial: Polynomial, divides: bool) -> Iterator[tuple[str, Polynomial]]:
         """The quotients by what vanishes."""
         quotients = [ZERO] * len(self._divisions)
-        before, replaced = -1, 0
-        while before < replaced and divides:
-            before = replaced
+        before, count = -1, 0
+        while before < count and divides:
+            before = count
             for k, (_, factors, equal) in enumerate(self._divisions):
-                guard = sum(128 << 8 * place for place, _ in exponents(factors))
-                while found := {m for m in polynomial.terms if (m | guard) - factors & guard == guard}:
-                    quotient = Polynomial({m - factors: polynomial.terms[m] for m in found}, polynomial.below)
-                    kept = {m: c for m, c in polynomial.terms.items() if m not in found}
-                    polynomial = Polynomial(kept, polynomial.below) + quotient * equal
+                while quotient := multiples(polynomial, factors):
+                    polynomial = replaced(polynomial, factors, quotient, equal)
                     quotients[k] += quotient
-                    replaced += len(found)
-                    if replaced > MOST_REPLACED:
+                    count += len(quotient.terms)
+                    if count > MOST_REPLACED:
                         raise Rejected("the division is too long")
         if polynomial:
             raise Rejected("something is left when the certificate's division is done")

@@ -37,6 +37,10 @@ class Spelling:
         """One side of an equation."""
         return self.number(node) if node.is_scalar else self.matrix(node)
 
+    def function(self, node: w.Node) -> str:
+        """An expression as a function of time."""
+        return f"(fun t => {self.number(node)})" if node.shape == (1, 1) else f"(fun t => ({self.matrix(node)})%M)"
+
     def equation(self, left: w.Node, right: w.Node) -> str:
         """Two sides that are said to be equal."""
         if left.is_scalar and right.is_scalar:

@@ -167,7 +167,7 @@ class Instant:
         else:
             opened = self._opened(self.said.rules.get(of, of))
             sides, equal = (
-                f"{self._function(of)} {self._function(opened)}",
+                f"{self.said.spelling.function(of)} {self.said.spelling.function(opened)}",
                 self._by_definitions(isinstance(opened, w.Integral)),
             )
         yield (
@@ -203,15 +203,11 @@ class Instant:
             return self._opened(self.said.rules[node])
         return w.rebuilt(node, tuple(map(self._opened, w.children(node)))) if w.children(node) else node
 
-    def _function(self, node: w.Node) -> str:
-        text = self.said.spelling.side(node)
-        return f"(fun t => {text})" if node.shape == (1, 1) else f"(fun t => ({text})%M)"
-
     def _rate_of(self, source: StatedEntry) -> Iterator[str]:
         """The rate of what is assumed."""
         lemma = "equal_scalar_rates" if source.left.shape == (1, 1) else "equal_rates"
         if source.order == 1:
-            sides = f"{self._function(source.left)} {self._function(source.right)}"
+            sides = f"{self.said.spelling.function(source.left)} {self.said.spelling.function(source.right)}"
             premise = self._premise(source.about)
             if not premise.moves:
                 raise Unsaid(f"the rate of {source.left}, which does not move")

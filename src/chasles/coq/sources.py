@@ -10,7 +10,7 @@ from operator import mul
 
 from chasles import vocabulary as w
 from chasles.checker.reading import Reading
-from chasles.checker.sparse import ZERO, Polynomial, cleared
+from chasles.checker.sparse import ZERO, Polynomial, cleared, exponents
 from chasles.coq.expressions import Unsaid
 from chasles.statements import Hypothesis, Problem
 from chasles.statements.goals import Goal
@@ -41,6 +41,19 @@ class StatedEntry:
     def name(self) -> str:
         """What the equation is called in a proof, differentiated."""
         return f"{self.stem}_{self.order}"
+
+
+def multiples(polynomial: Polynomial, factors: int) -> Polynomial:
+    """By what a product of variables, packed as a monomial, is multiplied in a polynomial."""
+    guard = sum(128 << 8 * place for place, _ in exponents(factors))
+    terms = {m - factors: c for m, c in polynomial.terms.items() if (m | guard) - factors & guard == guard}
+    return Polynomial(terms, polynomial.below)
+
+
+def replaced(polynomial: Polynomial, factors: int, quotient: Polynomial, equal: Polynomial) -> Polynomial:
+    """The polynomial with something equal in place of the product of variables that is multiplied by the quotient."""
+    kept = {m: c for m, c in polynomial.terms.items() if m - factors not in quotient.terms}
+    return Polynomial(kept, polynomial.below) + quotient * equal
 
 
 class ProofReading(Reading):
@@ -93,13 +106,10 @@ class ProofReading(Reading):
             label = f"norm |{what[1]}|" if what[0] == "norm" else ""
             if not label or not polynomial:
                 continue
-            square, guard = 2 << 8 * place, 128 << 8 * place
             equal = self(w.Dot(what[1], what[1]))[0][0]
             below = Polynomial({cleared(equal, self.nonzero)[1]: 1})
-            while terms := {m for m in polynomial.terms if (m | guard) - square & guard == guard}:
-                quotient = Polynomial({m - square: polynomial.terms[m] for m in terms}, polynomial.below)
-                kept = {m: c for m, c in polynomial.terms.items() if m not in terms}
-                polynomial = Polynomial(kept, polynomial.below) + quotient * equal
+            while quotient := multiples(polynomial, 2 << 8 * place):
+                polynomial = replaced(polynomial, 2 << 8 * place, quotient, equal)
                 found[label] = found.get(label, ZERO) + quotient * below
         if polynomial:
             raise Unsaid("norms whose squares are not told apart")

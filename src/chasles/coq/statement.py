@@ -151,8 +151,7 @@ class CoqStatement:
                 return self.names.symbol(symbol)
             case w.Rate() as rate:
                 return self.names.rate(rate)
-        text = self.spelling.side(node)
-        return f"(fun t => {text})" if node.shape == (1, 1) else f"(fun t => ({text})%M)"
+        return self.spelling.function(node)
 
     def _definitions(self) -> Iterator[Premise]:
         for left, right in self.rules.items():
