@@ -59,6 +59,10 @@ class PlainExpressions:
             self._pending.discard(e)
         return self._known[e]
 
+    def knows(self, e: Any) -> bool:
+        """Whether it has been asked what an expression is."""
+        return e in self._known
+
     def _plain(self, e: Any) -> Any:
         if e in self.statement.words.atoms or e is sympy.pi:
             sign = next((kind for kind in SIGNS if getattr(e, f"is_{kind}")), "real")

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import sympy
 
+from chasles.coq.expressions import Unsaid
 from chasles.coq.rational import divisors_of, text_of
 
 if TYPE_CHECKING:
@@ -75,10 +76,11 @@ def _known(plain: PlainExpressions, square: Any) -> Iterator[Any]:
     """Products and quotients of roots that the certificate knows, with the right square; the simplest first."""
     certificate, one = plain.certificate, sympy.Integer(1)
     even = _even_part(square)
-    roots = certificate.get("roots", ())
+    words = certificate.get("words", ())
+    roots = certificate.get("roots", ()) if all(name in plain.named for name, *_ in words) else ()
     known = [(plain.parsed(text), reduce(mul, map(plain.parsed, factors), one)) for text, factors in roots]
-    words = (each for each in certificate.get("words", ()) if each[0] in plain.named)
-    known += [(plain.parsed(text) ** (1 if kind == "sqrt" else 2), plain.named[word]) for word, kind, text in words]
+    named = ((plain.parsed(text), kind, plain.named[name]) for name, kind, text in words if name in plain.named)
+    known += [(of if kind == "sqrt" else of**2, value) for of, kind, value in named]
     ways = (0, 1, -1) if divisors_of(square / even**2) else (0, 1)
     for powers in sorted(product(ways, repeat=min(len(known), MOST_KNOWN)), key=lambda each: sum(map(abs, each))):
         made = reduce(mul, (of**n for (of, _), n in zip(known, powers, strict=False)), even**2)
@@ -95,14 +97,22 @@ def _even_part(square: Any) -> Any:
 
 
 def _roots_of(plain: PlainExpressions, kind: str) -> list[Any]:
-    """The roots, or absolute values, of the question, the innermost first."""
-    expressions = sympy.Tuple(*plain.statement.asked.expressions)
-    powers = (sympy.sqrt(e.base) for e in expressions.atoms(sympy.Pow) if e.exp.is_Rational and e.exp.q == 2)
-    found = powers if kind == "sqrt" else expressions.atoms(sympy.Abs)
-    return sorted(set(found), key=lambda e: (e.count_ops(), str(e)))
+    """The roots, or absolute values, of the question that are made of what is known; the innermost first."""
+    everything = _roots_in(sympy.Tuple(*plain.statement.asked.expressions))
+    found = {e for e in everything if e.is_Pow == (kind == "sqrt") and all(map(plain.knows, _roots_in(e.args[0])))}
+    return sorted(found, key=lambda e: (e.count_ops(), str(e)))
+
+
+def _roots_in(e: Any) -> set[Any]:
+    """All roots and absolute values in an expression."""
+    powers = {sympy.sqrt(power.base) for power in e.atoms(sympy.Pow) if power.exp.is_Rational and power.exp.q == 2}
+    return powers | e.atoms(sympy.Abs)
 
 
 def _same(plain: PlainExpressions, said: Any, kind: str, text: str) -> bool:
-    """Whether a root, or an absolute value, is that of the certificate."""
-    value = plain.parsed(text)
+    """Whether a root, or an absolute value, is that of the certificate, of which all has a name that is in it."""
+    try:
+        value = plain.parsed(text)
+    except Unsaid:
+        return False
     return not sympy.expand(said - value) or (kind == "abs" and not sympy.expand(said + value))
