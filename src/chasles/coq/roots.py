@@ -105,8 +105,8 @@ def _roots_of(plain: PlainExpressions, kind: str) -> list[Any]:
 
 def _roots_in(e: Any) -> set[Any]:
     """All roots and absolute values in an expression."""
-    powers = {sympy.sqrt(power.base) for power in e.atoms(sympy.Pow) if power.exp.is_Rational and power.exp.q == 2}
-    return powers | e.atoms(sympy.Abs)
+    powers = (sympy.sqrt(power.base) for power in e.atoms(sympy.Pow) if power.exp.is_Rational and power.exp.q == 2)
+    return {*powers, *e.atoms(sympy.Abs)}
 
 
 def _same(plain: PlainExpressions, said: Any, kind: str, text: str) -> bool:
