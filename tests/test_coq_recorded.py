@@ -37,7 +37,7 @@ NOT_RECORDED = {
 @pytest.fixture
 def kept(monkeypatch: pytest.MonkeyPatch) -> dict[str, Any]:
     """The record of a chapter of which Coq has accepted one sentence."""
-    data: dict[str, Any] = json.loads(text_of("8.16.1", {ENTRY.statement: FILES}))
+    data: dict[str, Any] = json.loads(text_of("8.16.1", {ENTRY.statement: FILES}, {}))
     monkeypatch.setattr(recorded, "_record", lambda package: data)
     return data
 
