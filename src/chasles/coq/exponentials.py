@@ -90,7 +90,9 @@ def logarithm(plain: PlainExpressions, e: Any) -> Any:
         of = plain.exponents.get(factor)
         text = polynomial(factor)
         if of is None:
-            of = plain.symbol(f"(ln {text})")
+            of = plain.symbol(f"(ln {text})", "positive" if factor.is_Integer else "real")
+            if factor.is_Integer:
+                plain.facts.append(f"assert (0 < ln {text}) by (rewrite <- ln_1; apply ln_increasing; lra).")
             plain.logarithms[of] = factor
         total += count * of
         (above if count > 0 else below).extend([text] * abs(count))

@@ -7,7 +7,8 @@ both sides is a combination of what vanishes. Nothing here has to be believed.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import replace
 from functools import reduce
 from operator import mul
@@ -41,6 +42,7 @@ OTHERWISE = {
 """Parts of certificates of which no proof is written for Coq."""
 NOW = " t now'"
 BY_CASES = ("intros.", "repeat apply conj; by_cases.")
+AS_SPELLED = ("intros.", "repeat apply conj; reflexivity.")
 
 
 def as_theorem(
@@ -57,7 +59,11 @@ def as_theorem(
     try:
         statement = ScalarStatement(Asked(lhs, rhs, given, nonzero), verdict.needs)
         said = holding(name, statement)
-        proof = theorem(name, BY_CASES if statement.has_cases else _ScalarProof(statement, verdict.certificate).steps())
+        if all(left == right for left, right in statement.goals) and not statement.timed:
+            steps: Iterable[str] = AS_SPELLED
+        else:
+            steps = BY_CASES if statement.has_cases else _ScalarProof(statement, verdict.certificate).steps()
+        proof = theorem(name, steps)
     except (Rejected, Unsaid) as reason:
         return replace(claim, said=said, why_not=str(reason))
     except (ArithmeticError, LookupError, ValueError, sympy.PolynomialError):
@@ -80,6 +86,9 @@ class _ScalarProof:
         bound = [*(name for name, _ in said.binders), *(premise.name for premise in said.premises)]
         moving = [premise.name for premise in said.premises if premise.moves]
         combined = [self._combined(count, *pair) for count, pair in enumerate(said.goals)]
+        for value in said.needed:
+            with suppress(Unsaid):  # then it is of no use here
+                plain(value)
         if said.timed:
             yield "unfold during."
         yield f"intros {' '.join(bound)}{NOW * said.timed}." if bound else "intros."

@@ -77,6 +77,8 @@ class SympyWords:
             return self.atoms[e]
         if e is sympy.pi:
             return w.PI
+        if e.is_Rational and e < 0:
+            return w.Negative(self(-e))
         if e.is_Rational:
             return w.Number(Fraction(int(e.p), int(e.q)))
         if e.func in (sympy.cos, sympy.sin):
@@ -139,6 +141,7 @@ class ScalarStatement(CoqStatement):
         self.given = [
             ((count, *place), pair) for count, item in enumerate(asked.given) for place, pair in item.pairs.items()
         ]
+        self.needed: list[Any] = []
         self.positive: list[Any] = []
         goals, conditions = (
             tuple(Goal("", words(left), words(right)) for left, right in pairs)
@@ -183,6 +186,7 @@ class ScalarStatement(CoqStatement):
             value = sympy.sympify(text.removesuffix(str(ending)), locals=names) if ending else sympy.nan
             if ending is None or not value.atoms(sympy.Symbol, AppliedUndef) <= atoms.keys():
                 raise Unsaid(f"the need {text}")
+            self.needed.append(value)
             self.positive += [value] * (ending == " > 0")
             yield Hypothesis(RELATIONS[ending], (self.words(value),))
 
