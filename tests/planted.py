@@ -133,10 +133,11 @@ def outcome_of(case: Planted, chapter: Chapter, session: Session) -> Outcome:
 def _says(found: Repair, case: Planted) -> bool:
     """Whether a repair says what the original says, or a multiple of it, whatever its letters are."""
     sides = case.original.printed
-    shown, meaning = (found.left, found.right), case.meaning.of_words
-    if not sizes_of(sides) and all(meaning(a) == meaning(b) for a, b in zip(shown, sides, strict=True)):
+    shown, sized = (found.left, found.right), bool(sizes_of(sides))
+    meaning = plain if sized else case.meaning.of_words
+    if all(meaning(a) == meaning(b) for a, b in zip(shown, sides, strict=True)):
         return True
-    if sizes_of(sides) or not all(isinstance(meaning(side), tuple) for side in sides):
+    if sized or not all(isinstance(meaning(side), tuple) for side in sides):
         multiples = ([Scale(Number(times), side) for side in sides] for times in map(Fraction, ("1", "-1", "2", "1/2")))
         return any(all(_same_in_words(a, b, case) for a, b in zip(shown, said, strict=True)) for said in multiples)
     try:

@@ -9,13 +9,14 @@ from __future__ import annotations
 from collections.abc import Container, Iterable, Iterator
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
-from itertools import islice
+from itertools import chain, islice
 from re import findall
 
 from chasles.algebra.work_limit import OutOfTime, within
 from chasles.deciding import decided
 from chasles.display import Displayed
 from chasles.repairs.any_size import nearest_at_numbers
+from chasles.repairs.idle import ORTHOGONAL, idle_parts
 from chasles.repairs.one_term import Change
 from chasles.repairs.ranking import Nearest, given_sides
 from chasles.repairs.well_formed import WellFormedRepair, fitting
@@ -32,6 +33,8 @@ EFFORT = 2e7
 """The work that the search for a repair, its proofs included, may take, in products of terms."""
 MORE_EFFORT, MOST = 2, 8
 """Repairs of the same number of changes as the best are given if they take hardly more effort; so many are tried."""
+IDLE = 2
+"""What each part that has no effect adds to the effort of a change."""
 MOST_DECIDED = 60
 """Edits of a side that are decided, where no points tell which may be right."""
 
@@ -176,7 +179,9 @@ def _proved(near: Nearest, changes: Iterable[Change]) -> Iterator[Repair]:
     """The candidates that the prover confirms: those of the least number of changes, the smallest changes first."""
     left, right = near.statement.printed
     known = {*walk(left), *walk(right)}
-    ranked = sorted(changes, key=lambda change: _rank(change, (left, right), known))
+    hypotheses = chain(near.statement.assuming, *(given.assuming for given in near.statement.given))
+    orthogonal = {subject for h in hypotheses if h.kind in ORTHOGONAL for subject in h.subjects}
+    ranked = sorted(changes, key=lambda change: _rank(change, (left, right), known, orthogonal))
     best: Change | None = None
     seen: set[tuple[Node, Node]] = set()
     for change in ranked:
@@ -192,8 +197,12 @@ def _proved(near: Nearest, changes: Iterable[Change]) -> Iterator[Repair]:
             yield Repair(change.left, change.right, change.words, edits, verdict, change.modulo, marks=change.marks)
 
 
-def _rank(change: Change, sides: tuple[Node, Node], known: Container[Node]) -> tuple[int | str, ...]:
+def _rank(
+    change: Change, sides: tuple[Node, Node], known: Container[Node], orthogonal: Container[Node]
+) -> tuple[int | str, ...]:
     """The fewest changes first, then the smallest, those of the fewest marks, what has the most letters, right first.
+
+    A change that leaves parts without effect is larger: it is none that undoes a slip.
 
     What is put for a letter by mistake makes the equation say less; so one with more letters is the likelier original.
     """
@@ -202,7 +211,8 @@ def _rank(change: Change, sides: tuple[Node, Node], known: Container[Node]) -> t
     marks = sum(_changed_marks(plain(one), plain(other)) for one, other in zip(sides, new, strict=True))
     letters = len({*symbols_of(change.left), *symbols_of(change.right)})
     left, right = map(plain, new)
-    return len(change.words), change.effort, marks, -letters, change.left != sides[0], strange, len(right), right, left
+    effort = change.effort + IDLE * sum(idle_parts(side, orthogonal) for side in new)
+    return len(change.words), effort, marks, -letters, change.left != sides[0], strange, len(right), right, left
 
 
 def _changed_marks(one: str, other: str) -> int:

@@ -162,7 +162,7 @@ class _Derivative:
                 return [(_times(left, t), part, right) for t, part in zip(turned, (one, other), strict=True)]
             case Skew(of) if right is not None:
                 return ((Negative(_times(left, Skew(right))), of, None),)
-            case Transpose(of) if right is not None:
+            case Transpose(of):
                 return (_transposed(left, of, right),)
             case _:
                 raise Misfit(f"the derivative of {plain(node)} by {plain(self.by)} follows no rule")
@@ -205,10 +205,10 @@ def _joined(one: Node | None, other: Node | None) -> Node | None:
     return other if one is None else one if other is None else _times(one, other)
 
 
-def _transposed(left: Node | None, of: Node, right: Node) -> Between:
+def _transposed(left: Node | None, of: Node, right: Node | None) -> Between:
     """A transpose between two factors, with the transposition further inside."""
     match of:
-        case _ if of.shape[1] == 1:
+        case _ if of.shape[1] == 1 and right is not None:
             return _times(left, Transpose(right)), of, None
         case Transpose(inner) | Group(Transpose(inner)):
             return left, inner, right

@@ -117,7 +117,7 @@ class Functions:
 
     def _state_root(self, base: Polynomial, exponent: Fraction) -> None:
         """What is positive is a power of a new variable, and has it as its value if it is a quantity."""
-        if exponent.numerator != 1 or (constant(base) is None and primitive(base)[0] != 1):
+        if exponent.numerator != 1 or (constant(base) is None and abs(primitive(base)[0]) != 1):
             raise Rejected("the certificate names a root of a multiple, or a power of a root")
         self.require_positive(base)
         root = self.named("root", base)

@@ -1,0 +1,45 @@
+"""What nobody would have printed: products that are zero or one, factors and terms that cancel each other."""
+
+from __future__ import annotations
+
+from collections.abc import Container
+from itertools import combinations, pairwise
+
+from chasles import vocabulary as w
+from chasles.vocabulary import Node
+
+ORTHOGONAL = ("rotation", "half_turn", "orthogonal")
+"""The hypotheses that say of a matrix that its transpose is its inverse."""
+
+
+def idle_parts(node: Node, orthogonal: Container[Node] = ()) -> int:
+    """How many parts of an expression have no effect: a x a, t - t, c (1/c), and R R^T of what is `orthogonal`."""
+    return sum(1 for part in w.walk(node) if _is_idle(part, orthogonal))
+
+
+def _is_idle(part: Node, orthogonal: Container[Node]) -> bool:
+    match part:
+        case w.Cross(one, other):
+            return one == other
+        case w.Sum(terms):
+            return any(w.Negative(one) == other or w.Negative(other) == one for one, other in combinations(terms, 2))
+        case w.Scale(w.Number(), w.Scale(w.Number()) | w.Number()):
+            return True
+        case w.Scale(factor, w.Quotient(_, divisor)):
+            return _base(factor) == _base(divisor)
+        case w.Contract(factors):
+            return any(_vanish(one, other, orthogonal) for one, other in pairwise(factors))
+        case _:
+            return False
+
+
+def _base(node: Node) -> Node:
+    return node.base if isinstance(node, w.Power) else node
+
+
+def _vanish(one: Node, other: Node, orthogonal: Container[Node]) -> bool:
+    """Whether the product of two factors is seen to be zero, or the identity."""
+    pairs = ((one, other), (other, one))
+    if any(a == w.Transpose(b) and b in orthogonal for a, b in pairs) or (isinstance(one, w.Skew) and one.of == other):
+        return True
+    return any(isinstance(a, w.Inverse) and a.of == b for a, b in pairs)
