@@ -61,6 +61,7 @@ TRUE = [
     (gradient((z - H @ x).T @ (z - H @ x), x), -2 * H.T @ (z - H @ x)),
     (gradient(norm(H @ x) ** 2, x), 2 * H.T @ H @ x),
     (gradient(norm(z - H @ x) ** 2 / 2, x), -H.T @ (z - H @ x)),
+    (partial(gradient((z - H @ x).T @ (z - H @ x), x), x), 2 * H.T @ H),
     (gradient(norm(x) ** 4, x), 4 * norm(x) ** 2 * x),
     (partial(H @ x, x), H),
     (partial(x * (a.T @ x), x), (a.T @ x) * Identity(n) + x @ a.T),

@@ -4,12 +4,29 @@ from __future__ import annotations
 
 import pytest
 
+from chasles.repairs.idle import idle_parts
 from chasles.repairs.repair import repair
-from chasles.statements import Claim, Definition, unit_column
-from chasles.vocabulary import CPM, Identity, Node, Zero, array, column, matrix, plain, rate, square, vector
+from chasles.statements import Claim, Definition, nonzero, rotation, unit_column
+from chasles.vocabulary import (
+    CPM,
+    Identity,
+    Node,
+    Zero,
+    array,
+    column,
+    cross,
+    inverse,
+    matrix,
+    plain,
+    rate,
+    scalar,
+    square,
+    vector,
+)
 
 one, O = Identity(3), Zero(3, 3)
 a, b = (vector(name, name, "a vector") for name in "ab")
+x, y = (scalar(name, name, "a number") for name in "xy")
 A, B = (square(name, name, "a matrix") for name in "AB")
 FACTOR = matrix((A, O), (B, O))
 
@@ -59,3 +76,19 @@ def test_what_is_right_for_another_object_that_a_claim_allows_is_told(vector: No
     assert found.changes == (f"d/dt ({words}) instead of X_dot",)
     assert found.modulo == "(3) says the same of X + c [a; b]^T for every vector c"
     assert found.right == printed
+
+
+def test_what_leaves_nothing_of_a_factor_or_a_term_ranks_behind() -> None:
+    """The slip a x a -> a x b is undone in one way that says nothing; R R^T is one that nobody prints."""
+    slip = Claim("5", CPM(a) @ b + A @ a, cross(b, a) + A @ a)
+    assert repair(slip)[0].changes == ("the sign of b x a is turned",)
+    assert [idle_parts(node, {A}) for node in (a - a, cross(b, b), A @ A.T, B @ B.T, x * (a / x))] == [1, 1, 1, 0, 1]
+
+
+def test_a_block_that_is_missing_is_a_product_with_a_transpose_or_a_quotient() -> None:
+    inverted = matrix((A.T, Zero(3, 1)), (0, 1))
+    assert repair(Claim("6", inverse(matrix((A, a), (0, 1))), inverted, assuming=(rotation(A),)))[0].changes == (
+        "the term -A^T a is added",
+    )
+    wrong = Claim("7", inverse(matrix((x, y), (0, 1))), matrix((1 / x, 0), (0, 1)), assuming=(nonzero(x),))
+    assert "[1 / x, -y / x; 0, 1]" in [plain(found.right) for found in repair(wrong)]

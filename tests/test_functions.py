@@ -96,6 +96,7 @@ TRUE = [
     claim(norm(v) * sign(p), norm(v), positive(p)),
     claim(column(sqrt(x**2), y), column(abs(x), y)),
     claim(sqrt(det(M) ** 2), abs(det(M))),
+    claim(exp(-log(det(M)) / 3) * tr(M), tr(exp(-log(det(M)) / 3) * M), definite(M)),
     claim(sqrt(r**2), r, positive(r)),
 ]
 FALSE = [

@@ -8,11 +8,13 @@ from tests.test_inequalities import R, claim, e, euler, half, of_p, p, t, turn, 
 from chasles.checker.certificate import check
 from chasles.decisions.session import Session
 from chasles.repairs.repair import repair
-from chasles.statements import Claim, rotation
+from chasles.statements import Claim, nonzero, rotation
 from chasles.statements.inequalities import inequality
-from chasles.vocabulary import PI, column, cos, dot, matrix, norm, rate, sin, tr
+from chasles.vocabulary import CPM, PI, column, cos, dot, matrix, norm, rate, sin, tr
+from chasles.vocabulary.expansions import up_to
 from chasles.vocabulary.functions import arccos, arcsin, atan2, cases, exp, log, sqrt
 from chasles.vocabulary.partial import partial
+from chasles.vocabulary.rotation_vectors import exp_of_vector
 
 BETWEEN = (inequality(y > -PI), inequality(y <= PI), inequality(cos(x) > 0))
 SLIPS: list[tuple[Claim, Claim]] = [
@@ -53,6 +55,10 @@ SLIPS: list[tuple[Claim, Claim]] = [
     (
         claim(partial(column(sin(v.y), v.z), v), matrix((0, sin(v.y), 0), (0, 0, 1))),
         claim(partial(column(sin(v.y), v.z), v), matrix((0, cos(v.y), 0), (0, 0, 1))),
+    ),
+    (
+        claim(R @ exp_of_vector(x * v) @ w, up_to(R @ w - x * R @ CPM(v) @ w, x, 2), rotation(R), nonzero(norm(v))),
+        claim(R @ exp_of_vector(x * v) @ w, up_to(R @ w + x * R @ CPM(v) @ w, x, 2), rotation(R), nonzero(norm(v))),
     ),
     (claim(abs(x), cases((x, x > 0), otherwise=x)), claim(abs(x), cases((x, x > 0), otherwise=-x))),
     (claim(dot(e, e) * sqrt(x**2), norm(e) * abs(x)), claim(dot(e, e) * sqrt(x**2), norm(e) ** 2 * abs(x))),

@@ -47,6 +47,8 @@ class Factors:
         scalars = [part for part in found if part.is_scalar]
         scalars += [w.Determinant(each.of) for each in inverses]
         both = [w.Call(f, node.argument) for node in scalars if isinstance(node, w.Call) for f in ("cos", "sin")]
+        divisors = dict.fromkeys(part.denominator for part in found if isinstance(part, w.Quotient))
+        scalars += [w.Quotient(ONE, each) for each in divisors]
         moving = [s for s in self.letters if s.is_scalar and not s.constant and s.stands_for is None]
         rates = [w.Rate(s) for s in moving] if any(isinstance(part, w.Rate) for part in parts) else []
         self.columns: dict[Node, Column] = {}
@@ -80,12 +82,19 @@ class Factors:
 
     @cached_property
     def simple(self) -> tuple[Node, ...]:
-        """The scalars that are no products."""
-        products = w.Scale | w.Quotient | w.Negative | w.Group | w.Number
-        return tuple(islice((node for node in self.columns if not isinstance(node, products)), MOST_FACTORS))
+        """The scalars that are no products, and one over those that are divided by."""
+        products = w.Scale | w.Negative | w.Group | w.Number
+        found = (
+            node
+            for node in self.columns
+            if (node.numerator == ONE if isinstance(node, w.Quotient) else not isinstance(node, products))
+        )
+        return tuple(islice(found, MOST_FACTORS))
 
 
 def _times(one: Node, other: Node) -> Node:
+    if isinstance(other, w.Quotient) and other.numerator == ONE and not isinstance(one, w.Quotient):
+        return w.Quotient(one, other.denominator)
     return one**2 if one == other else product_of(one, other)
 
 

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import math
 import operator
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
+from typing import TypeVar
 
+from chasles.checker.sparse import Rejected
 from chasles.evaluation.interpreter import Interpreter
 from chasles.evaluation.matrices import Matrix, each
 from chasles.vocabulary import PI, Call, Inverse, Misfit, Node, Norm, Symbol
 from chasles.vocabulary.differentiation import NoRule
 from chasles.vocabulary.functions import Cases, FunctionOf
-from chasles.vocabulary.partial import PartialDerivative, with_derivatives
 
+_Point = TypeVar("_Point")
 FUNCTIONS: dict[str, Callable[..., float]] = {
     "sin": math.sin, "cos": math.cos, "sqrt": math.sqrt, "abs": abs, "exp": math.exp, "log": math.log,
     "arcsin": math.asin, "arccos": math.acos, "arctan": math.atan, "atan2": math.atan2, "sinh": math.sinh,
@@ -58,7 +60,18 @@ class RealPoint(Interpreter):
                 return self(values[-1])
             case Inverse(of):
                 return self.inverse(of)
-            case PartialDerivative():
-                return self(with_derivatives(node, self.rules))
             case _:
                 raise TypeError(f"{node} has no value by its parts")
+
+
+def agree_at(points: Iterable[_Point], compared: Callable[[_Point], bool]) -> bool:
+    """Whether sides are equal, as `compared`, at all points at which both have a value, and at two or more."""
+    count = 0
+    for point in points:
+        try:
+            if not compared(point):
+                return False
+        except (*NO_VALUE, Rejected):
+            continue
+        count += 1
+    return count > 1

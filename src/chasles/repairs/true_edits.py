@@ -118,7 +118,7 @@ def _by_value(place: Required, factors: Factors) -> Iterator[SingleEdit]:
     most = 4 if place.term else 1
     if zero or isinstance(node, w.Symbol | w.Call | w.Power | w.Rate | w.Number):
         for other, number in _multiples(factors, wanted, most):
-            yield SingleEdit(other, instead(other, node), FORM + (abs(number) != 1))
+            yield SingleEdit(other, instead(other, node), FORM + (abs(number) != 1) + isinstance(other, w.Quotient))
     if not zero:
         for term, number in _multiples(factors, minus(wanted, present), most):
             effort = new_term([(number, AngleFunction(term))]) + (abs(number) != 1) + 2 * (not place.term)

@@ -9,10 +9,11 @@ from itertools import chain, islice, product
 from random import Random
 
 from chasles import vocabulary as w
+from chasles.evaluation.matrices import Matrix
 from chasles.problems.variables import entry_name
 from chasles.repairs.local_edits import FORM, SingleEdit, turned_signs
 from chasles.repairs.one_term import FACTOR, SIGN, Change, instead
-from chasles.repairs.real_values import NO_VALUE, RealPoint
+from chasles.repairs.real_values import NO_VALUE, RealPoint, agree_at
 from chasles.repairs.single_edits import exchanged_letters, in_letters, placed, single_edits
 from chasles.rewriting.coefficients import ONE, times
 from chasles.rewriting.places import everywhere
@@ -21,6 +22,7 @@ from chasles.statements.goals import AcceptedSides
 from chasles.vocabulary import Node
 from chasles.vocabulary.families import Entry, Index, Member
 from chasles.vocabulary.functions import FunctionOf
+from chasles.vocabulary.partial import differentiates
 
 POINTS, TRIES, NEAR = 8, 400, 1e-9
 """So many points are compared, of so many that are tried; sides so near to each other agree."""
@@ -51,11 +53,15 @@ def edited(left: Node, right: Node, edits: Callable[[Node], Iterator[SingleEdit]
 
 def real_test(statement: Statement, left: Node, right: Node, accepted: AcceptedSides) -> RealTest | None:
     """The test in floating point of an equation that has no other; None where no points are found."""
+
+    def posed(one: Node, other: Node) -> Problem:
+        return problem_of(statement.saying(one, other), "printed", accepted)
+
     try:
-        test = RealTest(problem_of(statement.saying(left, right), "printed", accepted), (left, right))
+        test = RealTest(posed, (left, right))
     except (w.Misfit, TypeError, ValueError):
         return None
-    return test if all(test.has_values(side) for side in (left, right)) else None
+    return test if test.has_values else None
 
 
 def _with_scalars(side: Node, scalars: Iterable[Node]) -> Iterator[SingleEdit]:
@@ -124,9 +130,11 @@ def _of_indices(part: Node, indices: Iterable[Index]) -> Iterator[tuple[Node, in
 
 
 class RealTest:
-    """Points at which what a problem assumes holds; sides are compared there."""
+    """Points at which what a problem assumes holds; sides are compared there, as `posed` where they are carried out."""
 
-    def __init__(self, problem: Problem, sides: tuple[Node, Node]) -> None:
+    def __init__(self, posed: Callable[[Node, Node], Problem], sides: tuple[Node, Node]) -> None:
+        self.posed, self.sides = posed, sides
+        problem = posed(*sides)
         self.rules = dict(problem.rules)
         stated = [(goal.left, goal.right) for goal in (*problem.goals, *problem.conditions)]
         self.given = stated[len(problem.goals) :]
@@ -145,30 +153,35 @@ class RealTest:
             for i in range(symbol.shape[0])
             if f"{symbol.name}/|{symbol.name}|_{i + 1}" in named
         }
+        given = chain(*self.given, *self.rules.items())
+        bound = {symbol for side in given for symbol in w.symbols_of(side)}
+        self.bound = [k for k, (symbol, _, _) in enumerate(self.places) if symbol in bound]
         moving = any(isinstance(part, w.Rate) for side in said for part in w.walk(side))
         self.points = [] if moving else list(islice(self._drawn(), POINTS))
 
-    def has_values(self, side: Node) -> bool:
-        """Whether a side is made of words that have values at points, at some of which it may have none."""
+    @property
+    def has_values(self) -> bool:
+        """Whether the sides are made of words that have values at points, at some of which they may have none."""
         try:
-            return bool(self.points) and bool(self.points[0](side))
+            return bool(self.points) and all(map(self.points[0], chain(*self._pairs(*self.sides))))
         except TypeError:
             return False
         except NO_VALUE:
             return True
 
     def agree(self, left: Node, right: Node) -> bool:
-        """Whether the sides agree at all points at which both have a value, two or more."""
-        count = 0
-        for point in self.points:
-            try:
-                pairs = zip(chain(*point(left)), chain(*point(right)), strict=True)
-                if not all(abs(one - other) < NEAR * max(1.0, abs(one)) for one, other in pairs):
-                    return False
-            except NO_VALUE:
-                continue
-            count += 1
-        return count > 1
+        """Whether the sides agree at the points."""
+        try:
+            pairs = self._pairs(left, right)
+        except (w.Misfit, TypeError):
+            return False
+        return agree_at(self.points, lambda point: all(_near(point(one), point(other)) for one, other in pairs))
+
+    def _pairs(self, left: Node, right: Node) -> list[tuple[Node, Node]]:
+        """The sides; what is expanded or differentiated is so once, and not at each point."""
+        if not any(side.expands or differentiates(side) for side in (left, right)):
+            return [(left, right)]
+        return [(goal.left, goal.right) for goal in self.posed(left, right).goals]
 
     def _drawn(self) -> Iterator[RealPoint]:
         random = Random(1)
@@ -189,10 +202,11 @@ class RealTest:
             residuals = self._residuals(point)
             if all(abs(each) < EXACT for each in residuals):
                 return point
-            moved = (self._at([v + SMALL * (k == place) for k, v in enumerate(values)]) for place in range(len(values)))
+            moved = (self._at([v + SMALL * (k == place) for k, v in enumerate(values)]) for place in self.bound)
             slopes = [[(b - a) / SMALL for a, b in zip(residuals, self._residuals(p), strict=True)] for p in moved]
             step = np.linalg.lstsq(np.array(slopes).T, np.array(residuals), rcond=1e-9)[0]
-            values = [value - change for value, change in zip(values, step.tolist(), strict=True)]
+            changes = dict(zip(self.bound, step.tolist(), strict=True))
+            values = [value - changes.get(place, 0.0) for place, value in enumerate(values)]
         return None
 
     def _residuals(self, point: RealPoint) -> list[float]:
@@ -202,3 +216,8 @@ class RealTest:
     def _at(self, values: list[float]) -> RealPoint:
         products = {place: values[length] * values[along] for place, (length, along) in self.products.items()}
         return RealPoint(self.rules, dict(zip(self.places, values, strict=True)) | products)
+
+
+def _near(one: Matrix, other: Matrix) -> bool:
+    pairs = zip(chain(*one), chain(*other), strict=True)
+    return all(abs(a - b) < NEAR * max(1.0, abs(a)) for a, b in pairs)

@@ -130,7 +130,7 @@ class TermBasis:
     def _columns(self) -> Iterator[Node]:
         yield from self.vectors
         yield from self._crosses()
-        for square, vector in product(self.squares, self.vectors):
+        for square, vector in product((*self.squares, *map(w.Transpose, self.squares)), self.vectors):
             yield from _fitting(_contracted, square, vector)
         for one, cross in product(self.vectors, list(self._crosses())):
             yield from _fitting(w.Cross, one, cross)
@@ -158,7 +158,7 @@ class TermBasis:
         yield from self._chains(shape)
         pairs = [made for one, other in product(everything, everything) for made in _fitting(_contracted, one, other)]
         yield from (node for node in pairs if node.shape == shape)
-        flipped = [w.Transpose(node) for node in self.arrays if isinstance(node, w.Symbol)]
+        flipped = [w.Transpose(node) for node in everything if isinstance(node, w.Symbol) and node.shape != VECTOR]
         yield from (node for node in flipped if node.shape == shape)
         for one, other in (*product(flipped, everything), *product(everything, flipped)):
             if (one.shape[0], other.shape[1]) == shape:

@@ -108,7 +108,7 @@ def with_derivatives(node: Node, rules: Mapping[Node, Node]) -> Node:
 
     Raises `Misfit` for what has no rule of differentiation, and TypeError where it is not said what varies.
     """
-    if not _differentiates(node):
+    if not differentiates(node):
         return node
     parts = children(node)
     changed = tuple(with_derivatives(part, rules) for part in parts)
@@ -148,11 +148,11 @@ def with_derivatives(node: Node, rules: Mapping[Node, Node]) -> Node:
 
 
 @lru_cache(maxsize=16384)
-def _differentiates(node: Node) -> bool:
+def differentiates(node: Node) -> bool:
     """Whether there is a derivative in the expression, or in what an abbreviation stands for."""
     inner = node.stands_for if isinstance(node, Symbol) else None
     return isinstance(node, PartialDerivative) or any(
-        map(_differentiates, children(node) if inner is None else (inner,))
+        map(differentiates, children(node) if inner is None else (inner,))
     )
 
 
