@@ -14,16 +14,19 @@ from sympy import (
     Matrix,
     Max,
     Min,
+    Rational,
     acos,
     asin,
     cos,
     cot,
+    coth,
     exp,
     eye,
     log,
     pi,
     sign,
     sin,
+    sinh,
     sqrt,
     symbols,
     tan,
@@ -76,6 +79,10 @@ QUESTIONS: list[tuple[Any, ...]] = [
     (sqrt(1 + tan(x) ** 2), 1 / Abs(cos(x))),
     (f.diff(t), f / 2, [Eq(f, exp(t / 2))]),
     (p * f.diff(t, 2) + x * f, 0, [Eq(f.diff(t, 2), -x / p * f)]),
+    (coth(x) ** 2 - 1, 1 / sinh(x) ** 2),
+    (log(exp(x)) / log(2), x / log(2)),
+    (sqrt(sqrt(2) + 2), 2 * sqrt(sqrt(2) / 4 + Rational(1, 2))),
+    (-coth(x), -coth(x)),
 ]
 
 
@@ -105,6 +112,7 @@ def test_functions_of_time_are_functions() -> None:
     [
         ((acos(x) + asin(x), pi / 2), "acos is no word of the theories"),
         ((log(sqrt(p)), log(p) / 2), "the logarithm of what has the factor"),
+        ((p ** (p**p), exp(p**p * log(p))), "an exponential in another"),
         ((sin(exp(x)) ** 2, 1 - cos(exp(x)) ** 2), "the angle exp(x)"),
         ((Abs(x + Abs(x)), x + Abs(x)), "shown case by case"),
         ((f.diff(t) - g * g.diff(t) / f, 0, [Eq(f, sqrt(1 + g**2))]), "with the rate of f(t) = sqrt(g(t)**2 + 1)"),

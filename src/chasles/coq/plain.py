@@ -64,6 +64,8 @@ class PlainExpressions:
         return e in self._known
 
     def _plain(self, e: Any) -> Any:
+        if e is sympy.pi:
+            self.facts.append("pose proof PI_neq0.")
         if e in self.statement.words.atoms or e is sympy.pi:
             sign = next((kind for kind in SIGNS if getattr(e, f"is_{kind}")), "real")
             return self.symbol(self.statement.side(e, ATOM), sign)
