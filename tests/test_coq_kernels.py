@@ -25,7 +25,7 @@ from chasles.lowering.arithmetic import evaluated
 from chasles.lowering.declaration import requested
 from chasles.lowering.evaluate import decimals
 from chasles.lowering.lower import program_of
-from chasles.lowering.program import Op, Program
+from chasles.lowering.program import Op, Program, Step
 from chasles.lowering.request import Request
 from chasles.statements import load
 from chasles.statements.fingerprint import Fingerprints
@@ -111,6 +111,19 @@ def test_of_another_program_there_is_no_proof() -> None:
             assert mutant.why_not
             refused += 1
     assert refused > 10
+
+
+def test_of_a_program_that_always_divides_by_zero_nothing_is_claimed() -> None:
+    """What it divides by is assumed not to be zero: of what contradicts itself everything would follow."""
+    key, request, program = next(each for each in asked() if Op.DIVIDE in each[2].operations)
+    last = max(k for k, step in enumerate(program.steps) if step.op is Op.DIVIDE)
+    above, below = program.steps[last].operands
+    steps = (*program.steps[:last], Step(Op.SUBTRACT, (below, below)), Step(Op.DIVIDE, (above, last)))
+    [result, *others] = program.results
+    result = replace(result, entries=tuple(last + 1 for _ in result.entries))
+    others = [replace(each, entries=tuple(last + 1 for _ in each.entries)) for each in others]
+    claim, _ = claim_of_kernel(key, request, replace(program, steps=steps, results=(result, *others)))
+    assert not claim.proof
 
 
 @pytest.mark.skipif(coq_version() is None, reason=MISSING)

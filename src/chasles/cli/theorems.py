@@ -70,6 +70,7 @@ class Theorems:
                     "name": claim.name,
                     "whole": claim.whole,
                     "witness": claim.is_witness,
+                    "kernel": claim.kernel or None,
                     "accepted": verdicts.get(claim.name, None if self.version is None and claim.proof else False),
                     "reason": reasons.get(claim.name),
                     "file": f"{files[claim.name].statements}.v" if claim.said else None,
