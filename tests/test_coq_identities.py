@@ -83,6 +83,7 @@ QUESTIONS: list[tuple[Any, ...]] = [
     (log(exp(x)) / log(2), x / log(2)),
     (sqrt(sqrt(2) + 2), 2 * sqrt(sqrt(2) / 4 + Rational(1, 2))),
     (-coth(x), -coth(x)),
+    (p * x * sign(x), p * Abs(x)),
 ]
 
 

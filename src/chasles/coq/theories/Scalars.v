@@ -51,4 +51,5 @@ Ltac at_parts_of_pi := first
 Ltac by_cases := unfold sign, Rabs, Rmax, Rmin in *;
   repeat match goal with |- context [if ?c then _ else _] => destruct c end;
   repeat match goal with H : context [if ?c then _ else _] |- _ => destruct c end;
+  repeat match goal with H : ~ 0 < ?x, K : ~ ?x < 0 |- _ => replace x with 0 by lra; clear H K end;
   first [ lra | reckon | exfalso; lra | nra | field; nra ].
