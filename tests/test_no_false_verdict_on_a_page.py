@@ -167,3 +167,15 @@ def test_the_square_of_a_root_of_a_quotient_may_be_written_with_its_divisor() ->
     said = verdicts_as_proposed(share, r"\tan p = \sqrt{\frac{B}{1-B}}", r"\tan p = \sqrt{\frac{n^2 - s^2}{f^2 - n^2}}")
     assert said[0] == "defined"
     assert "fails" not in said
+
+
+def test_what_fits_to_neither_neighbour_in_a_chain_is_told_once() -> None:
+    letters = r"""
+[symbols]
+'\mathbf{a}' = { is = "vector" }
+'\mathbf{b}' = { is = "vector" }
+"""
+    page = chasles.read(
+        r"\mathbf{a}\times\mathbf{b} = \mathbf{a}\cdot\mathbf{b} = -\mathbf{b}\times\mathbf{a}", letters
+    )
+    assert [each.verdict for each in page.equations] == ["ill-formed", "holds"]

@@ -5,6 +5,7 @@ What the page leaves open is tried last: as a rule where it says what a symbol i
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
@@ -76,7 +77,7 @@ def _premise_sets(claim: Claim, premises: Premises) -> Iterator[tuple[Rules, tup
     sides = claim.printed
     defined = [premises.defined(generation) for generation in range(premises.generations)]
     place = {id(each): k for k, each in enumerate(premises.said)}
-    tables = [table for each in defined for table in ({**each, **premises.proved}, each)]
+    tables = [table for each in defined for table in ({**each, **premises.proved}, {**premises.proved, **each})]
     yield {}, ()
     shallow: Rules = chosen_rules(sides, tables[0], deep=False)
     yield shallow, ()
@@ -88,6 +89,7 @@ def _premise_sets(claim: Claim, premises: Premises) -> Iterator[tuple[Rules, tup
         for last in islice(balancing(*sides, table, place), MOST_BALANCED):
             yield last, ()
         found.append(last)
+    yield next(iter(deque(balancing(*sides, tables[1], place), maxlen=1)), {}), ()
     yield chosen_rules(sides, with_open, deep=False), ()
     for table in (*tables, with_open):
         yield chosen_rules(sides, table), ()

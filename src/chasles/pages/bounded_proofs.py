@@ -37,7 +37,7 @@ class _Unproved(Exception):
     """An entry does not vanish, or is not seen to."""
 
 
-LESS_WORK = 0.1
+LESS_WORK = 0.04
 """The part of the work that is taken for a refutation, or a condition."""
 LEAST_WORK = 0.02
 """The part of it that is taken where nothing is known of what follows."""

@@ -45,7 +45,7 @@ def refuted(
     is_asked = not is_defining(claim) and not of_its_own
     is_false = may_define and consequences.may_follow(*claim.printed, rules) is False
     instead = _instead(claim, premises, session, consequences) if is_asked and is_false else None
-    if is_false and instead is None:
+    if may_define and instead is None and (is_false or not is_asked):
         return PageFinding("claim", Undecided("nothing near it is true"), claim, open=True)
     verdict = verdict_on(with_premises(claim, premises, rules, ()), session)
     if is_asked and instead is None and isinstance(verdict, Fails):
