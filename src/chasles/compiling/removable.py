@@ -23,6 +23,7 @@ from chasles.compiling.sums_of_angles import (
     angle_of,
     angles_in,
     degree_of_power,
+    has_limit,
     limited,
     parts_of,
     square_of,
@@ -138,7 +139,7 @@ def _orders(term: sympy.Expr, angle: sympy.Expr) -> tuple[Any, Any, list[Factor]
     for (base, exponent), is_whole in zip(others, whole, strict=True):
         part = sum_of(base, angle) if is_whole else None
         order = 0
-        while order < MOST_ORDER and part is not None and limited(part, angle, order + 1) is not None:
+        while order < MOST_ORDER and part is not None and has_limit(part, order + 1):
             order += 1
         factors.append((base, exponent, part, order))
     return left + sum(order * exponent for _, exponent, _, order in factors), left, factors

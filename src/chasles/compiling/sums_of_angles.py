@@ -128,19 +128,30 @@ def _gathered(terms: Iterable[tuple[Term, Any]]) -> Sum:
 
 def limited(found: Sum | None, angle: sympy.Expr, divided: int = 0) -> Any:
     """The sum over so many powers of the angle without a quotient; None where there is no limit."""
-    if found is None:
+    if found is None or not has_limit(found, divided):
         return None
-    polynomial: dict[Any, Any] = {}
     total = []
     for (degree, times, even), coefficient in found.items():
-        power, order = degree - divided, 0 if even else 1
-        while power + order < 0:
-            term = coefficient * times**order * (-1) ** (order // 2) / factorial(order)
-            polynomial[power + order] = polynomial.get(power + order, 0) + term
-            order += 2
+        singular = _singular(degree, divided, even=even)
+        order = singular.start + 2 * len(singular)
         if times or not order:
             function = Stumpff(order, times * angle) if order else sympy.cos(times * angle)
-            total.append(coefficient * (-1) ** (order // 2) * times**order * angle ** (power + order) * function)
-    if any(sympy.expand(left) != 0 for left in polynomial.values()):
-        return None
+            power = degree - divided + order
+            total.append(coefficient * (-1) ** (order // 2) * times**order * angle**power * function)
     return reduce(sympy.Add, total, sympy.S.Zero)
+
+
+def has_limit(found: Sum, divided: int) -> bool:
+    """Whether the sum over so many powers of the angle has one: what is singular in its terms cancels."""
+    polynomial: dict[Any, Any] = {}
+    for (degree, times, even), coefficient in found.items():
+        for order in _singular(degree, divided, even=even):
+            term = coefficient * times**order * (-1) ** (order // 2) / factorial(order)
+            power = degree + order
+            polynomial[power] = polynomial.get(power, 0) + term
+    return all(sympy.expand(left) == 0 for left in polynomial.values())
+
+
+def _singular(degree: sympy.Rational, divided: int, *, even: bool) -> range:
+    """The orders of the terms of a sine's or cosine's series that are singular, times and over these powers."""
+    return range(0 if even else 1, int(divided - degree), 2)

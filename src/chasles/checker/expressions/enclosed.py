@@ -64,6 +64,8 @@ class EnclosedValues:
             return all(parts) if isinstance(condition, sympy.And) else any(parts)
         if isinstance(condition, sympy.Not):
             return not self.holds(condition.args[0])
+        if not isinstance(condition, sympy.core.relational.Relational):
+            raise Rejected(f"{condition} is no condition that the checker reads")
         return self.sign(condition.lhs - condition.rhs) in HOLDING[condition.rel_op]
 
     def power(self, e: Any) -> Enclosure:
@@ -101,6 +103,17 @@ def _heaviside(of: EnclosedValues, e: Any) -> Enclosure:
     return of.at.number(int(sign > 0)) if sign else of(e.args[1])
 
 
+def _direction(of: EnclosedValues, e: Any) -> Enclosure:
+    """By the arctangent, in a half plane in which the point surely lies."""
+    y, x = e.args
+    if of(x).sign == 1:
+        return of(sympy.atan(y / x))
+    side = of.sign(y)
+    if not side and of.sign(x) == 0:
+        raise Rejected(f"{e} has no value at the point")
+    return of(side * sympy.pi / 2 - sympy.atan(x / y)) if side else of.at.pi
+
+
 ENCLOSED: dict[type, Callable[[EnclosedValues, Any], Enclosure]] = {
     sympy.Rational: lambda of, e: of.at.number(Fraction(int(e.p), int(e.q))),
     type(sympy.pi): lambda of, _: of.at.pi,
@@ -120,8 +133,9 @@ ENCLOSED: dict[type, Callable[[EnclosedValues, Any], Enclosure]] = {
     sympy.sec: _reciprocal(sympy.cos),
     sympy.csc: _reciprocal(sympy.sin),
     sympy.exp: lambda of, e: of.at.exp(of(e.args[0])),
-    sympy.log: lambda of, e: of.at.log(of(e.args[0])),
+    sympy.log: lambda of, e: reduce(lambda log, base: of.at.times(log, of.at.inverse(base)), map(of.at.log, map(of, e.args))),
     sympy.atan: lambda of, e: of.at.atan(of(e.args[0])),
+    sympy.atan2: _direction,
     type(sympy.E): lambda of, _: of.at.exp(of.at.number(1)),
     **{function: _rewritten(rule) for function, rule in {
         sympy.sinh: lambda x: (sympy.exp(x) - sympy.exp(-x)) / 2,
