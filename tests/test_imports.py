@@ -105,11 +105,18 @@ def objection(module: str, name: str) -> str | None:
 
 
 def objection_in_book(module: str, top: str, rest: str) -> str | None:
-    """The same for a module of the book, which may look back at earlier sections and never forward."""
+    """The same for a module of the book, which may look back at earlier sections and never forward.
+
+    It computes nothing, but for what exercises have among their calculations: there no section is known.
+    """
+    computes = ".exercises.calculations" in module
     if top != "chasles":
-        return None if top == "__future__" else "the book computes nothing"
+        return None if computes or top == "__future__" else "the book computes nothing"
     target, *inner = rest.split(".")
     book = module.split(".")[1]
+    if computes:
+        within = inner[:2] == ["exercises", "calculations"]
+        return None if within or target in EXERCISES_MAY_IMPORT else f"not {rest}"
     exercise = module.startswith(f"chasles.{book}.exercises")
     if target != book:
         return None if target in (EXERCISES_MAY_IMPORT if exercise else BOOK_MAY_IMPORT) else f"not {target}"
@@ -171,6 +178,8 @@ def test_imports_go_one_way() -> None:
         ("chasles.derivations.s02_screw", "from .exercises.x3_01 import answer"),
         ("chasles.derivations.notation", "from .s02_screw import screw_axis"),
         ("chasles.derivations.exercises.x3_01", "from .x3_02 import answer"),
+        ("chasles.derivations.exercises.calculations.lines", "from ...s02_screw import screw_axis"),
+        ("chasles.derivations.exercises.calculations.lines", "from chasles.prover import decide"),
     ],
 )
 def test_an_import_the_other_way_is_found(module: str, source: str) -> None:
@@ -188,6 +197,7 @@ def test_an_import_the_other_way_is_found(module: str, source: str) -> None:
         ("chasles.derivations.s04_twist", "from chasles.derivations import notation, s02_screw"),
         ("chasles.derivations.s04_twist", "from .notation import e, phi\nfrom .s02_screw import screw_axis"),
         ("chasles.derivations.exercises.x3_02", "from chasles.exact import line\nfrom ..s04_twist import twist"),
+        ("chasles.derivations.exercises.calculations.lines", "import sympy\nfrom .solids import prism"),
     ],
 )
 def test_an_import_the_right_way_is_let_through(module: str, source: str) -> None:

@@ -11,15 +11,21 @@ import numpy as np
 import pytest
 import sympy as sp
 import trimesh
+from chasles.derivations.exercises.calculations.bodies import (
+    cut_prism,
+    joined,
+    point_masses,
+    regular_hexagon,
+    whole_prism,
+)
+from chasles.derivations.exercises.calculations.moments import Moments
+from chasles.derivations.exercises.calculations.outlines import prism_edges, section_of
+from chasles.derivations.exercises.calculations.polygons import twice_the_area
+from chasles.derivations.exercises.calculations.solids import Plane, Solid, prism
 
-from chasles.exact.bodies import cut_prism, joined, point_masses, regular_hexagon, whole_prism
 from chasles.exact.fields import NumberField
 from chasles.exact.grammar import read_number
-from chasles.exact.moments import Moments
 from chasles.exact.numbers import NotDecided, is_zero
-from chasles.exact.polygons import twice_the_area
-from chasles.exact.solids import Plane, Solid, prism
-from chasles.exercises.outlines import prism_edges, section_of
 
 s, h, k = sp.symbols("s h k", positive=True)
 

@@ -1,5 +1,6 @@
 """Exercise 3.1: the screw of the displacement of a cube."""
 
+from chasles.derivations.exercises.calculations.lines import meets_plane
 from chasles.derivations.exercises.motion import SCREW_ANSWERS, SCREW_SIGNS, SCREW_SYMBOLS, find_screw, is_a_rotation
 from chasles.derivations.notation import Q, a, a_, d_A, e_1, e_1_, e_2, e_2_, e_3, e_3_, p, triad, triad_
 from chasles.derivations.s02_screw import (
@@ -10,7 +11,6 @@ from chasles.derivations.s02_screw import (
 )
 
 from chasles.exact.evaluate import Value
-from chasles.exact.lines import meets_plane
 from chasles.exact.numbers import is_zero
 from chasles.exercises.data import DataError
 from chasles.exercises.draw import Draw

@@ -1,5 +1,6 @@
 """Exercise 3.3: the surface swept by all lines that meet three given lines."""
 
+from chasles.derivations.exercises.calculations.quadrics import PARAMETER, kind_of, signature_of, transversal
 from chasles.derivations.exercises.three_lines import (
     ANSWERS,
     KINDS,
@@ -34,7 +35,6 @@ from chasles.derivations.notation import p
 
 from chasles.exact.evaluate import Value
 from chasles.exact.numbers import is_zero, sign
-from chasles.exact.quadrics import PARAMETER, kind_of, signature_of, transversal
 from chasles.exercises.data import DataError
 from chasles.exercises.draw import Draw
 from chasles.exercises.picture import Curve, Line, Picture, Point

@@ -1,11 +1,11 @@
 """Exercise 3.4: one wrench measured in two frames; is it one, and how are the frames turned?"""
 
+from chasles.derivations.exercises.calculations.lines import direction_of, normal_to
 from chasles.derivations.notation import Q, e, one, phi, q, q_0
 from chasles.derivations.s02_screw import rotation_from_axis_angle
 from chasles.derivations.s04_twist import natural_invariants, rotation_from_linear_invariants
 
 from chasles.exact.evaluate import Value, matrix_of
-from chasles.exact.lines import direction_of, normal_to
 from chasles.exact.numbers import angle, is_zero
 from chasles.exercises.draw import Draw
 from chasles.exercises.picture import Arrow, Picture

@@ -1,5 +1,6 @@
 """Exercise 3.7: a line from its moments about two points."""
 
+from chasles.derivations.exercises.calculations.lines import unit_vectors_of
 from chasles.derivations.exercises.x3_05 import nearest_point
 from chasles.derivations.notation import a, b, e, n, n_A, n_B, p, p_0
 from chasles.derivations.s02_screw import (
@@ -12,7 +13,6 @@ from chasles.derivations.s02_screw import (
 )
 
 from chasles.exact.evaluate import Value
-from chasles.exact.lines import unit_vectors_of
 from chasles.exercises.draw import Draw
 from chasles.exercises.picture import Arrow, Line, Picture, Point
 from chasles.exercises.worksheet import Worksheet, equal

@@ -1,11 +1,11 @@
 """Exercise 3.9: the angular velocity of small rotations."""
 
+from chasles.derivations.exercises.calculations.series import FUNCTIONS, PHI, leading_term
 from chasles.derivations.notation import e, omega, phi
 from chasles.derivations.s02_screw import rotation_from_axis_angle
 from chasles.derivations.s03_fixed_point import angular_velocity, angular_velocity_matrix
 
 from chasles.exercises.picture import Graph, Picture
-from chasles.exercises.series import FUNCTIONS, PHI, leading_term
 from chasles.exercises.worksheet import Worksheet
 from chasles.statements import Claim, unit
 from chasles.statements.exercise import Exercise

@@ -1,5 +1,12 @@
 """Exercise 3.10: the angular velocity from the rates of Euler angles, and where the rates cannot be had from it."""
 
+from chasles.derivations.exercises.calculations.euler import (
+    conditioning,
+    definitions_of,
+    singular_set,
+    symbolic,
+    symbols_by_name,
+)
 from chasles.derivations.notation import Q, omega
 
 from chasles.exact.evaluate import Value
@@ -7,7 +14,6 @@ from chasles.exact.linear import kernel_of, rank_of
 from chasles.exact.numbers import is_zero
 from chasles.exercises.data import DataError
 from chasles.exercises.draw import Draw
-from chasles.exercises.euler import conditioning, definitions_of, singular_set, symbolic, symbols_by_name
 from chasles.exercises.picture import Picture
 from chasles.exercises.worksheet import Worksheet
 from chasles.statements.derivations import derivations_in

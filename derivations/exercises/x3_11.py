@@ -1,5 +1,7 @@
 """Exercise 3.11: the centroid and the centroidal moment of inertia of a hexagonal prism."""
 
+from chasles.derivations.exercises.calculations.bodies import Body, regular_hexagon, whole_prism
+from chasles.derivations.exercises.calculations.outlines import prism_edges
 from chasles.derivations.notation import I_A, I_C, a, c, m, one, rho, zero
 from chasles.derivations.s08_dynamics import (
     center_of_mass,
@@ -9,12 +11,10 @@ from chasles.derivations.s08_dynamics import (
     mass,
 )
 
-from chasles.exact.bodies import Body, regular_hexagon, whole_prism
 from chasles.exact.evaluate import Value, matrix_of
 from chasles.exact.principal_axes import CHOICE_OF_AXES, columns_of, principal_axes, product
 from chasles.exact.spectra import diagonal, each_eigenvalue, eigenvalues
 from chasles.exercises.draw import Draw
-from chasles.exercises.outlines import prism_edges
 from chasles.exercises.picture import Arrow, DrawnBody, Picture, Point
 from chasles.exercises.worksheet import Worksheet
 from chasles.statements.exercise import Answer, Datum, Exercise, Scalar, matrix_shape, vector_shape

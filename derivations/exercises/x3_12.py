@@ -1,5 +1,15 @@
 """Exercise 3.12: the hexagonal prism of Exercise 3.11, cut in two by a plane through an edge of its base."""
 
+from chasles.derivations.exercises.calculations.bodies import (
+    Body,
+    cotangent_of_degrees,
+    cut_hexagonal_prism,
+    joined,
+    regular_hexagon,
+    tangent_of_double_angle,
+    whole_prism,
+)
+from chasles.derivations.exercises.calculations.outlines import prism_edges, section_of
 from chasles.derivations.exercises.x3_11 import (
     TETRAHEDRA,
     UNIT_DENSITY,
@@ -11,21 +21,11 @@ from chasles.derivations.exercises.x3_11 import (
 from chasles.derivations.notation import I_C, a, c, m, zero
 from chasles.derivations.s08_dynamics import inertia_about_point
 
-from chasles.exact.bodies import (
-    Body,
-    cotangent_of_degrees,
-    cut_hexagonal_prism,
-    joined,
-    regular_hexagon,
-    tangent_of_double_angle,
-    whole_prism,
-)
 from chasles.exact.evaluate import Value, column_of
 from chasles.exact.numbers import compare, normal
 from chasles.exact.principal_axes import CHOICE_OF_AXES
 from chasles.exercises.data import DataError
 from chasles.exercises.draw import Draw
-from chasles.exercises.outlines import prism_edges, section_of
 from chasles.exercises.picture import Arrow, Curve, DrawnBody, Picture, Point
 from chasles.exercises.worksheet import Worksheet
 from chasles.statements.exercise import Answer, Datum, Else, Exercise, Scalar, matrix_shape, vector_shape

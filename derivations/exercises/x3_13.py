@@ -1,10 +1,10 @@
 """Exercise 3.13: the moment of inertia of equal point masses, from the matrix of their positions."""
 
+from chasles.derivations.exercises.calculations.bodies import point_masses
 from chasles.derivations.exercises.x3_11 import mass_properties
 from chasles.derivations.notation import I_A, I_C, O, a, c, m, one, over_body, p, p_1, rho, zero
 from chasles.derivations.s08_dynamics import inertia_with_respect_to_point
 
-from chasles.exact.bodies import point_masses
 from chasles.exact.evaluate import Value
 from chasles.exercises.draw import Draw
 from chasles.exercises.picture import Picture, Point

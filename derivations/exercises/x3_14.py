@@ -1,5 +1,7 @@
 """Exercise 3.14: two observers measure the moment of inertia of one body in two frames; do they agree?"""
 
+from chasles.derivations.exercises.calculations.inertia_data import require_symmetric
+from chasles.derivations.exercises.calculations.outlines import axes_to_draw
 from chasles.derivations.notation import I_C, Q, half, one, over_body, r_C, rho, unit_columns, x_any
 from chasles.derivations.s08_dynamics import density_is_positive, inertia
 
@@ -7,8 +9,6 @@ from chasles.exact.evaluate import Value
 from chasles.exact.principal_axes import in_axes, principal_axes, product
 from chasles.exact.spectra import diagonal, each_eigenvalue, residues_of, signature
 from chasles.exercises.draw import Draw
-from chasles.exercises.inertia_data import require_symmetric
-from chasles.exercises.outlines import axes_to_draw
 from chasles.exercises.picture import Arrow, Curve, Picture, Point
 from chasles.exercises.worksheet import Worksheet, equal
 from chasles.statements import Claim, Definite, Theorem, rotation

@@ -1,5 +1,7 @@
 """Exercise 3.15: which points share principal axes of inertia with the center of mass?"""
 
+from chasles.derivations.exercises.calculations.inertia_data import require_inertia
+from chasles.derivations.exercises.calculations.outlines import axes_to_draw
 from chasles.derivations.notation import I_A, I_C, a, c, e, m, r_C, x_any, zero
 from chasles.derivations.s08_dynamics import inertia_about_point
 
@@ -8,8 +10,6 @@ from chasles.exact.numbers import is_zero
 from chasles.exact.principal_axes import in_axes
 from chasles.exact.spectra import diagonal, each_eigenvalue, residues_of
 from chasles.exercises.draw import Draw
-from chasles.exercises.inertia_data import require_inertia
-from chasles.exercises.outlines import axes_to_draw
 from chasles.exercises.picture import Arrow, Curve, Picture, Point
 from chasles.exercises.worksheet import Worksheet
 from chasles.statements import Claim, Definition, perpendicular, symmetric

@@ -1,5 +1,7 @@
 """Exercise 3.16: the smallest principal moment of inertia is least at the center of mass, though not only there."""
 
+from chasles.derivations.exercises.calculations.inertia_data import require_inertia
+from chasles.derivations.exercises.calculations.outlines import axes_to_draw
 from chasles.derivations.exercises.x3_15 import point
 from chasles.derivations.notation import I_A, I_C, a, arc, c, e, m, r_C, x_any, zero
 from chasles.derivations.s08_dynamics import inertia_about_point, mass_is_positive
@@ -9,8 +11,6 @@ from chasles.exact.principal_axes import in_axes
 from chasles.exact.roots import same_number
 from chasles.exact.spectra import diagonal, each_eigenvalue, residues_of, signature, smallest_belongs_to
 from chasles.exercises.draw import Draw
-from chasles.exercises.inertia_data import require_inertia
-from chasles.exercises.outlines import axes_to_draw
 from chasles.exercises.picture import Arrow, Picture, Point
 from chasles.exercises.worksheet import Refuted, Worksheet
 from chasles.statements import Claim, Definite, Definition, Minimum, Theorem

@@ -1,5 +1,6 @@
 """Exercise 3.17: the rate of the inertia dyad, and with it that of the momentum screw."""
 
+from chasles.derivations.exercises.calculations.turning import graph_of_rate
 from chasles.derivations.notation import M, W_dyad, mu, t
 from chasles.derivations.s08_dynamics import (
     inertia_turns_with_the_body,
@@ -11,7 +12,6 @@ from chasles.derivations.s08_dynamics import (
 
 from chasles.exercises.formulas import Proofs
 from chasles.exercises.picture import Picture
-from chasles.exercises.turning import graph_of_rate
 from chasles.exercises.worksheet import Worksheet
 from chasles.statements import Claim, Statement
 from chasles.statements.exercise import Exercise

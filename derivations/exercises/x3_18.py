@@ -1,5 +1,6 @@
 """Exercise 3.18: the rate of the inertia dyad less twice the product of the dyads is skew-symmetric."""
 
+from chasles.derivations.exercises.calculations.turning import graph_of_difference
 from chasles.derivations.exercises.x3_17 import proved
 from chasles.derivations.notation import I_C, M, W_dyad, half, t
 from chasles.derivations.s03_fixed_point import angular_velocity_matrix_of_vector
@@ -12,7 +13,6 @@ from chasles.derivations.s08_dynamics import (
 )
 
 from chasles.exercises.picture import Picture
-from chasles.exercises.turning import graph_of_difference
 from chasles.exercises.worksheet import Worksheet
 from chasles.statements import Claim, symmetric
 from chasles.statements.exercise import Exercise

@@ -1,5 +1,7 @@
 """Exercise 3.20: the inertia dyad at any point: its blocks, its definiteness, and what Steiner's theorem becomes."""
 
+from chasles.derivations.exercises.calculations.inertia_data import require_inertia
+from chasles.derivations.exercises.calculations.outlines import axes_to_draw
 from chasles.derivations.notation import I_C, M_A, M_C, A, C, O, a, c, m, one, p
 from chasles.derivations.s04_twist import twist_transfer_matrix
 from chasles.derivations.s08_dynamics import (
@@ -26,8 +28,6 @@ from chasles.exact.spectra import (
     signature,
 )
 from chasles.exercises.draw import Draw
-from chasles.exercises.inertia_data import require_inertia
-from chasles.exercises.outlines import axes_to_draw
 from chasles.exercises.picture import Arrow, Picture, Point
 from chasles.exercises.worksheet import Worksheet, equal
 from chasles.statements import Claim

@@ -35,7 +35,6 @@ from sympy import (
 from sympy.polys.domains import QQ
 
 from chasles.exact.enclosures import sign_by_enclosure
-from chasles.exact.moments import Number
 from chasles.exact.numbers import NotDecided
 from chasles.exact.separation import degree_of
 
@@ -57,16 +56,16 @@ class NumberField:
         self.algebraic, self._of_roots = _algebraic(self.roots)
         self._symbols = {atom: Symbol(f"free_{place}") for place, atom in enumerate(self.free)}
         self.domain = self.algebraic.frac_field(*self._symbols.values()) if self.free else self.algebraic
-        self._elements: dict[Expr, Number] = {}
+        self._elements: dict[Expr, Any] = {}
 
-    def __call__(self, value: Any) -> Number:
+    def __call__(self, value: Any) -> Any:
         """The element that an exact number, or SymPy expression, stands for."""
         expression = sympify(value)
         if expression not in self._elements:
             self._elements[expression] = self._read(expression)
         return self._elements[expression]
 
-    def _read(self, value: Expr) -> Number:
+    def _read(self, value: Expr) -> Any:
         match value:
             case Rational():
                 return self.domain.convert(QQ(value.p, value.q))
@@ -87,7 +86,7 @@ class NumberField:
             return self.domain.convert_from(element, self.algebraic) if self.free else element
         return reduce(mul, (self(root) for root in _prime_roots(value)))
 
-    def expression(self, element: Number) -> Expr:
+    def expression(self, element: Any) -> Expr:
         """The element as a SymPy expression, roots of numbers multiplied out."""
         if not self.free:
             return expand(self.domain.to_sympy(element))
@@ -95,11 +94,11 @@ class NumberField:
         above, below = (expand(self.domain.to_sympy(part)) for part in (element.numer, element.denom))
         return (above / below).xreplace(back)
 
-    def sign(self, element: Number) -> int:
+    def sign(self, element: Any) -> int:
         """-1, 0 or 1; raises NotDecided if nothing decides it."""
         return 0 if not element else sign_of(self.expression(element))
 
-    def at(self, sample: Mapping[Expr, Rational], polynomial: Any) -> Number:
+    def at(self, sample: Mapping[Expr, Rational], polynomial: Any) -> Any:
         """A numerator or denominator where the independent elements have rational values: an element of the roots'."""
         values = [(atom, sample[atom]) for atom in self.free]
         return polynomial.evaluate(
@@ -124,7 +123,7 @@ def sign_of(value: Expr) -> int:
 
 
 @lru_cache(maxsize=200)
-def _algebraic(roots: tuple[Expr, ...]) -> tuple[Any, dict[Expr, Number]]:
+def _algebraic(roots: tuple[Expr, ...]) -> tuple[Any, dict[Expr, Any]]:
     """The extension of the rationals by some roots, and what each of these is in it; NotDecided for a large one."""
     if (degree := degree_of(roots)) > MOST_DEGREE:
         raise NotDecided(

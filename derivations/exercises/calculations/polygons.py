@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from itertools import combinations
 from typing import TypeAlias
 
-from chasles.exact.moments import Number, Vector
+from chasles.derivations.exercises.calculations.moments import Number, Vector
 
 Sign: TypeAlias = Callable[[Number], int]
 

@@ -13,8 +13,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from chasles.exact.moments import Moments, Number, Vector, of_tetrahedron, sum_of
-from chasles.exact.polygons import Sign, counter_clockwise
+from chasles.derivations.exercises.calculations.moments import Moments, Number, Vector, of_tetrahedron, sum_of
+from chasles.derivations.exercises.calculations.polygons import Sign, counter_clockwise
 
 Face = tuple[Vector, ...]
 

@@ -8,14 +8,14 @@ from itertools import chain
 from typing import Any
 
 import sympy as sp
+from chasles.derivations.exercises.calculations.moments import Moments
+from chasles.derivations.exercises.calculations.solids import Plane, prism
+from chasles.derivations.exercises.calculations.surds import SurdField
 
 from chasles.exact.evaluate import column_of, matrix_of
 from chasles.exact.grounds import NotDecided
-from chasles.exact.moments import Moments
 from chasles.exact.numbers import is_zero, normal
-from chasles.exact.solids import Plane, prism
 from chasles.exact.square_roots import independent_atoms
-from chasles.exact.surds import SurdField
 
 MOST_ROOTS, MOST_ROOTS_BESIDE = 4, 3
 """Square roots, that of three among them, with which a cut prism takes seconds: alone, and beside others."""
