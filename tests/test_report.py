@@ -14,8 +14,7 @@ from chasles.report.html.citing import place_of_number
 from chasles.report.html.page import PageContents, page
 from chasles.report.html.palette import DARK, LIGHT
 from chasles.report.html.trusted import Trusted
-from chasles.report.latex_page import latex_page
-from chasles.report.latex_text import escaped
+from chasles.report.latex_page import escaped, latex_page
 from chasles.statements import Chapter, Claim, Entry, Section, Statement, load, nonzero
 from chasles.vocabulary import column, norm, scalar, vector
 

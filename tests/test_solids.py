@@ -154,14 +154,18 @@ class SignCase:
         """
         if not element:
             return 0
-        parts = (self.field.at(self.sample, part) for part in (element.numer, element.denom))
-        above, below = map(self._ground.sign, parts)
+        above, below = (self._ground.sign(self._at_sample(part)) for part in (element.numer, element.denom))
         value = self.field.expression(element)
         if above * below == 0:
             raise ValueError(f"the sample lies on the boundary of the case: {value} vanishes or is infinite there")
         if value.free_symbols:
             self.conditions[value] = above * below
         return above * below
+
+    def _at_sample(self, polynomial: Any) -> Any:
+        """A numerator or denominator where the independent elements have the values of the sample."""
+        values = [(self.field(atom).numer, sp.QQ(self.sample[atom].p, self.sample[atom].q)) for atom in self.field.free]
+        return polynomial.evaluate(values)
 
 
 def symbolic(height_over_side: sp.Rational) -> tuple[Moments, Moments, Moments, SignCase, NumberField]:

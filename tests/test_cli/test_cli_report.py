@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from chasles.cli import recorded
+from chasles.cli import checkout
 from chasles.cli.failures import Failure
 from chasles.cli.files import write_files
 from chasles.statements import Claim
@@ -52,7 +52,7 @@ def test_a_damaged_manifest_is_named(run, chapter_is, tmp_path: Path, monkeypatc
     chapter_is(twice=TWICE)
     (tmp_path / "generated").mkdir()
     (tmp_path / "generated" / "MANIFEST.toml").write_text("files = [", "utf-8")
-    monkeypatch.setattr(recorded, "installed_folder", lambda book: tmp_path / "generated")
+    monkeypatch.setattr(checkout, "installed_folder", lambda book: tmp_path / "generated")
     done = run("report", "--out", str(tmp_path / "out"))
     assert done.exit_code == 1
     assert "generated/MANIFEST.toml cannot be read" in done.stderr

@@ -6,6 +6,7 @@ its own package. Where a chapter's were written elsewhere, the cache keeps the p
 
 from __future__ import annotations
 
+import tomllib
 from contextlib import suppress
 from hashlib import sha256
 from importlib import import_module
@@ -33,6 +34,21 @@ def installed_folder(book: Chapter) -> Path | None:
     with suppress(OSError):
         places.insert(0, Path(_note(book).read_text("utf-8")))
     return next((place for place in places if (place / MANIFEST).is_file()), None)
+
+
+def manifest(book: Chapter) -> str:
+    """The manifest of the emitted kernels; nothing where nothing was emitted. Raises Failure where it is damaged."""
+    from chasles.targets import MANIFEST
+
+    folder = installed_folder(book)
+    if folder is None or not (folder / MANIFEST).exists():
+        return ""
+    try:
+        text = (folder / MANIFEST).read_text("utf-8")
+        tomllib.loads(text)
+    except (OSError, ValueError) as error:
+        raise Failure(f"{folder.name}/{MANIFEST} cannot be read ({error}): `chasles emit` writes it anew") from error
+    return text
 
 
 def remember(book: Chapter, folder: Path) -> None:

@@ -8,10 +8,10 @@ from importlib.util import find_spec
 from pathlib import Path
 from time import perf_counter
 
+from chasles.cli.checkout import manifest
 from chasles.cli.derivations import all_derivations
 from chasles.cli.failures import Failure
 from chasles.cli.outcome import Outcome, decide
-from chasles.cli.recorded import manifest
 from chasles.report.html.derivations import walked
 from chasles.report.html.exercises import worked_exercises
 from chasles.report.html.measured import ERRORS, TIMES, DamagedEvidence

@@ -7,7 +7,7 @@ enclosure, or the question is declined.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from functools import lru_cache, reduce
 from math import gcd
 from operator import add, mul
@@ -97,13 +97,6 @@ class NumberField:
     def sign(self, element: Any) -> int:
         """-1, 0 or 1; raises NotDecided if nothing decides it."""
         return 0 if not element else sign_of(self.expression(element))
-
-    def at(self, sample: Mapping[Expr, Rational], polynomial: Any) -> Any:
-        """A numerator or denominator where the independent elements have rational values: an element of the roots'."""
-        values = [(atom, sample[atom]) for atom in self.free]
-        return polynomial.evaluate(
-            [(self.domain.from_sympy(self._symbols[atom]).numer, QQ(value.p, value.q)) for atom, value in values]
-        )
 
 
 def sign_of(value: Expr) -> int:

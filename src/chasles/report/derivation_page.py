@@ -31,13 +31,13 @@ def derivation_page(
         yield Text(f"  assuming {', '.join(h.text for h in derivation.assuming)}", "dim")
     for number, step in enumerate(road.steps, start=1):
         yield from _step(screen, number, step, latex)
-    yield Text.assemble("  ", *_outcome(road))
+    yield Text.assemble("  ", *outcome_of(road))
 
 
 def derivation_line(screen: Screen, name: str, road: CheckedDerivation) -> Iterator[RenderableType]:
     """A derivation in one line: its number, how many steps it has, what came of it."""
     words = f"{road.derivation.number}  {name}: {number_of(len(road.steps), 'step')}; "
-    yield Text.assemble(words, *_outcome(road))
+    yield Text.assemble(words, *outcome_of(road))
 
 
 def derivation_record(name: str, road: CheckedDerivation) -> dict[str, Any]:
@@ -94,8 +94,8 @@ def objections_of(step: CheckedStep) -> Iterator[str]:
         yield f"because {reason(step.verdict)}"
 
 
-def _outcome(road: CheckedDerivation) -> Iterator[tuple[str, str]]:
-    """Whether the derivation is complete, and which results differ from the printed equations."""
+def outcome_of(road: CheckedDerivation) -> Iterator[tuple[str, str]]:
+    """Whether the derivation is complete, and which results differ from the printed equations: words with colours."""
     if not road.arrives:
         yield f"stops at step {len(road.steps)}", "bold red"
         return

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 from chasles.statements import Chapter, Entry, Inverse, Packed, Stack, Statement, Theorem
 from chasles.statements.kernel import Argument
@@ -10,6 +10,17 @@ from chasles.statements.statement import Equation
 from chasles.vocabulary import Node, latex, plain
 
 Sentence = Statement | Theorem | Inverse
+
+
+def labelled_equations(sentence: Sentence) -> Iterator[tuple[str, Node, Node]]:
+    """The two sides of each equation in the book's order, with its label, or its case where it is one of several."""
+    match sentence:
+        case Theorem(forms=forms):
+            yield from (equation for form in forms for equation in form.equations())
+        case Inverse(branches=branches):
+            yield from ((branch.says, *sides) for branch in branches for sides in branch.values)
+        case Statement():
+            yield "", *sentence.printed
 
 
 def in_words(sentence: Sentence) -> tuple[str, ...]:
@@ -51,12 +62,8 @@ def argument_in_words(argument: Argument) -> str:
 
 
 def _equations(sentence: Sentence, spell: Callable[[Node], str], sign: Callable[[str], str]) -> tuple[str, ...]:
-    match sentence:
-        case Theorem(forms=forms):
-            pairs = [(left, right) for form in forms for _, left, right in form.equations()]
-            return tuple(f"{spell(left)} {sign('=')} {spell(right)}" for left, right in pairs)
-        case Inverse(branches=branches):
-            cases = [[f"{spell(left)} {sign('=')} {spell(right)}" for left, right in b.values] for b in branches]
-            return tuple(", ".join(case) for case in cases)
-        case Statement():
-            return (f"{spell(sentence.left)} {sign(sentence.sign)} {spell(sentence.right)}",)
+    mark = sign(sentence.sign if isinstance(sentence, Statement) else "=")
+    if isinstance(sentence, Inverse):
+        cases = [[f"{spell(left)} {mark} {spell(right)}" for left, right in b.values] for b in sentence.branches]
+        return tuple(", ".join(case) for case in cases)
+    return tuple(f"{spell(left)} {mark} {spell(right)}" for _, left, right in labelled_equations(sentence))

@@ -21,11 +21,19 @@ from chasles.report.findings import (
     slips_in_words,
 )
 from chasles.report.html.exercises import WorkedView
-from chasles.report.latex_text import escaped
 from chasles.report.words import VERDICTS, counted
 from chasles.statements import Chapter, Entry
 from chasles.verdict import Verdict
 from chasles.vocabulary import latex
+
+_SPECIAL = str.maketrans(
+    {
+        "\\": r"\textbackslash{}",
+        "~": r"\textasciitilde{}",
+        "^": r"\textasciicircum{}",
+        **{mark: f"\\{mark}" for mark in "{}_#$%&"},
+    }
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,13 +60,9 @@ class Item:
     slip: tuple[str, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class SectionHeading:
-    """A section of the book with its statements."""
-
-    number: str
-    title: str
-    items: tuple[Item, ...]
+def escaped(text: str) -> str:
+    """The text as it stands, for a LaTeX document."""
+    return text.translate(_SPECIAL)
 
 
 def latex_page(chapter: Chapter, decisions: DecisionsByName, worked: Sequence[WorkedView] = ()) -> str:
@@ -71,7 +75,7 @@ def latex_page(chapter: Chapter, decisions: DecisionsByName, worked: Sequence[Wo
         "statements": len(decided),
         "totals": escaped(counted(decision.verdict for _, decision in decided)),
         "exercises": worked,
-        "headings": tuple(_headings(decided, hypotheses_in_latex(chapter))),
+        "headings": _headings(decided, hypotheses_in_latex(chapter)),
     }
     return _environment().get_template("chapter.tex.jinja").render(values)
 
@@ -96,13 +100,14 @@ def _environment() -> Environment:
     return environment
 
 
-def _headings(decided: Pairs, hypotheses: Mapping[str, str]) -> Iterator[SectionHeading]:
+def _headings(decided: Pairs, hypotheses: Mapping[str, str]) -> Iterator[tuple[str, Iterator[Item]]]:
+    """The sections of the book, each with its statements."""
     for section, group in groupby(decided, lambda pair: pair[0].section):
         members = list(group)
         numbers = ["", *(entry.number for entry, _ in members)]
         pairs = zip(members, numbers, strict=False)
         items = (item_of(entry, decision, before, hypotheses) for (entry, decision), before in pairs)
-        yield SectionHeading(escaped(section.number), escaped(section.title), tuple(items))
+        yield escaped(f"{section.number} {section.title}"), items
 
 
 def item_of(entry: Entry, decision: Decision, before: str, hypotheses: Mapping[str, str]) -> Item:

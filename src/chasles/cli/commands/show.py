@@ -17,7 +17,7 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> None:
 
     For each of its kernels, the expression it is made from and its proved error bound, with the rounding model.
     """
-    from chasles.cli.recorded import manifest
+    from chasles.cli.checkout import manifest
     from chasles.decisions.recalled import session_of
     from chasles.report.emission_records import emitted_kernels
     from chasles.report.records import described, record

@@ -35,8 +35,8 @@ def command(names: tuple[str, ...], points: tuple[str, ...], samples: int, stric
     larger than its inputs explain. Near a singular set the formula of the book may lose digits itself: that is a
     finding. Status 1 means that a kernel loses digits elsewhere. With names, the proved error bounds are shown too.
     """
+    from chasles.cli.checkout import manifest
     from chasles.cli.comparison import asking, installed_kernels
-    from chasles.cli.recorded import manifest
     from chasles.cli.verification import verified
     from chasles.decisions.recalled import session_of
     from chasles.report.emission_records import emitted_kernels, proved

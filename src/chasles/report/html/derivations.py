@@ -12,8 +12,7 @@ from markupsafe import Markup
 from chasles.decisions.processes import spread
 from chasles.decisions.session import Session
 from chasles.deriving import CheckedDerivation, CheckedStep, walk
-from chasles.report.derivation_page import equations_of, objections_of
-from chasles.report.details import number_in_words
+from chasles.report.derivation_page import equations_of, objections_of, outcome_of
 from chasles.report.html.formulas import latex_for_mathml, markup, tree_of
 from chasles.report.html.shown import DerivationView, Equation, StepShown, badge_of
 from chasles.report.html.statements import equation
@@ -38,7 +37,7 @@ def derivation_view(name: str, road: CheckedDerivation) -> DerivationView:
         number=derivation.number if derivation.to is None else derivation.to.number,
         name=name,
         says=derivation.says,
-        outcome=_outcome(road),
+        outcome="".join(words for words, _ in outcome_of(road)),
         arrives=road.arrives,
         assuming=tuple(hypothesis.text for hypothesis in derivation.assuming),
         steps=tuple(_step(checked, step) for step, checked in made),
@@ -69,12 +68,3 @@ def _spoken_of(step: CheckedStep, declared: Any) -> Iterator[Node]:
 
 def _expression(node: Node) -> Equation:
     return Equation(markup(tree_of(latex_for_mathml(node))), plain(node))
-
-
-def _outcome(road: CheckedDerivation) -> str:
-    if not road.arrives:
-        return f"stops at step {len(road.steps)}"
-    different = [f"{number_in_words(c.statement.number, c.statement.part)}: {c.words}" for c in road.differences]
-    if different:
-        return f"complete; {'; '.join(different)}"
-    return "complete; all results are as printed" if road.comparisons else "complete"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from math import inf, log10
 from typing import Any
 
@@ -21,35 +20,19 @@ BLUE, RED = "#0072B2", "#D55E00"
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
-@dataclass(frozen=True, slots=True)
-class ErrorPlot:
-    """A drawing and what is said below it."""
-
-    drawing: Markup
-    caption: str
-
-
-@dataclass(frozen=True, slots=True)
-class Plotted:
-    """Drawings, and why there are none where there should be."""
-
-    plots: tuple[ErrorPlot, ...]
-    without: tuple[str, ...]
-
-
-def plotted(curves: Sequence[ErrorCurve]) -> Plotted:
-    """A drawing for each curve; none where matplotlib is missing, and what to install."""
+def plotted(curves: Sequence[ErrorCurve]) -> tuple[list[tuple[Markup, str]], str]:
+    """For each curve a drawing and what is said below it; without matplotlib none, and what to install."""
     try:
-        return Plotted(tuple(map(_plot, curves)), ())
+        return list(map(_plot, curves)), ""
     except ImportError as error:
-        return Plotted((), (str(error),))
+        return [], str(error)
 
 
-def _plot(curve: ErrorCurve) -> ErrorPlot:
+def _plot(curve: ErrorCurve) -> tuple[Markup, str]:
     words = _in_words(curve)
     place = f"errors-{curve.kernel.replace('_', '-')}"
     title = f"Errors of {curve.kernel} over the angle"
-    return ErrorPlot(drawn(curve, place, lambda: inline(_figure(curve), place, title, words)), words)
+    return drawn(curve, place, lambda: inline(_figure(curve), place, title, words)), words
 
 
 def _in_words(curve: ErrorCurve) -> str:

@@ -30,15 +30,6 @@ AN_EXERCISE = 0.5
 
 
 @dataclass(frozen=True, slots=True)
-class DatumShown:
-    """A datum: its name, what it is, its value as text."""
-
-    name: str
-    says: str
-    value: str
-
-
-@dataclass(frozen=True, slots=True)
 class AnswerView:
     """What was found: its name, what it is, and the value as a formula, labelled with its decimals, or in `words`."""
 
@@ -70,7 +61,7 @@ class WorkedView:
     outcome: str
     asked: tuple[str, ...]
     assumed: tuple[str, ...]
-    given: tuple[DatumShown, ...]
+    given: tuple[tuple[str, str, str], ...]
     steps: tuple[WorkedStep, ...]
     answers: tuple[AnswerView, ...]
     checks: tuple[WorkedStep, ...]
@@ -129,11 +120,11 @@ def _ready_to_draw() -> None:
             import_module("mpl_toolkits.mplot3d")
 
 
-def _given(asked: Exercise, solution: Solution) -> Iterator[DatumShown]:
-    """The data that have a value."""
+def _given(asked: Exercise, solution: Solution) -> Iterator[tuple[str, str, str]]:
+    """The data that have a value: the name of each, what it is, its value as text."""
     for datum in asked.data:
         if (value := solution.given.get(datum.key)) is not None:
-            yield DatumShown(datum.key, datum.says, text_of(value))
+            yield datum.key, datum.says, text_of(value)
 
 
 def _answer(name: str, value: Any, says: str) -> AnswerView:

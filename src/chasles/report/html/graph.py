@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from chasles.report.details import number_in_words
 from chasles.report.html.citing import Book
@@ -18,15 +20,8 @@ LEFT, TOP, BAND = 12, 12, 26
 
 
 @dataclass(frozen=True, slots=True)
-class GraphEdge:
-    """A curve from a box to one that rests on it, as the data of an SVG path."""
-
-    path: str
-
-
-@dataclass(frozen=True, slots=True)
 class Box:
-    """A number: its place on the page and in the drawing, its verdict, and the lines to what it rests on."""
+    """A number: its place on the page and in the drawing, its verdict, and SVG paths to what it rests on."""
 
     to: str
     label: str
@@ -34,7 +29,7 @@ class Box:
     verdict: str
     x: int
     y: int
-    lines: tuple[GraphEdge, ...]
+    lines: tuple[str, ...]
 
     @property
     def middle(self) -> int:
@@ -47,62 +42,48 @@ class Box:
         return self.y + 13
 
 
-@dataclass(frozen=True, slots=True)
-class Band:
-    """A section's heading in the drawing."""
-
-    text: str
-    y: int
-
-
-@dataclass(frozen=True, slots=True)
-class GraphDrawing:
-    """The drawing: its size, what it shows in words, headings and boxes."""
-
-    width: int
-    height: int
-    box_width: int
-    box_height: int
-    bands: tuple[Band, ...]
-    boxes: tuple[Box, ...]
-    links: int
-    most_used: str
-
-
 Section = tuple[str, Sequence[NumberShown]]
 
 
-def graph_of(book: Book, sections: Sequence[Section]) -> GraphDrawing:
-    """The drawing of all numbers, section by section, each below the heading of its section."""
+def graph_of(book: Book, sections: Sequence[Section]) -> dict[str, Any]:
+    """The drawing of all numbers, section by section, each below the heading of its section.
+
+    Its sizes, the headings with how far down each stands, the boxes, how many lines, and on what most rests.
+    """
     places, bands, height = _placed(sections)
     bases = _bases(book)
     boxes = []
     for _, numbers in sections:
         for number in numbers:
             name = number.cited.strip("()")
-            lines = tuple(
-                GraphEdge(_curve(places[basis], places[name])) for basis in bases.get(name, ()) if basis in places
-            )
+            lines = tuple(_curve(places[basis], places[name]) for basis in bases.get(name, ()) if basis in places)
             x, y = places[name]
             boxes.append(Box(f"#{number.place}", _short(name), _title(number), number.badge.name, x, y, lines))
-    width = 2 * LEFT + ACROSS * STEP_X - (STEP_X - WIDTH)
-    links = sum(len(box.lines) for box in boxes)
-    return GraphDrawing(width, height, WIDTH, HEIGHT, bands, tuple(boxes), links, _most_used(bases))
+    return {
+        "width": 2 * LEFT + ACROSS * STEP_X - (STEP_X - WIDTH),
+        "height": height,
+        "box_width": WIDTH,
+        "box_height": HEIGHT,
+        "bands": bands,
+        "boxes": boxes,
+        "links": sum(len(box.lines) for box in boxes),
+        "most_used": _most_used(bases),
+    }
 
 
-def _placed(sections: Sequence[Section]) -> tuple[dict[str, tuple[int, int]], tuple[Band, ...], int]:
+def _placed(sections: Sequence[Section]) -> tuple[dict[str, tuple[int, int]], list[tuple[str, int]], int]:
     """Where each number and each heading stands, and how high it all is."""
     places: dict[str, tuple[int, int]] = {}
     bands = []
     y = TOP
     for heading, numbers in sections:
-        bands.append(Band(heading, y + 12))
+        bands.append((heading, y + 12))
         y += BAND
         for k, number in enumerate(numbers):
             place = (LEFT + k % ACROSS * STEP_X, y + k // ACROSS * STEP_Y)
             places.setdefault(number.cited.strip("()"), place)
         y += (len(numbers) + ACROSS - 1) // ACROSS * STEP_Y
-    return places, tuple(bands), y
+    return places, bands, y
 
 
 def _bases(book: Book) -> dict[str, tuple[str, ...]]:
@@ -138,14 +119,6 @@ def _title(number: NumberShown) -> str:
 
 def _most_used(bases: dict[str, tuple[str, ...]]) -> str:
     """The five numbers on which most others rest, with how many."""
-    counts: dict[str, int] = {}
-    for mine in bases.values():
-        for basis in mine:
-            counts[basis] = counts.get(basis, 0) + 1
+    counts = Counter(basis for mine in bases.values() for basis in mine)
     most = sorted(counts, key=lambda number: (-counts[number], number))[:5]
-    return ", ".join(_said(most, counts))
-
-
-def _said(most: Sequence[str], counts: dict[str, int]) -> Iterator[str]:
-    for number in most:
-        yield f"{number_in_words(number)} ({counts[number]})"
+    return ", ".join(f"{number_in_words(number)} ({counts[number]})" for number in most)

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping
 from typing import Any
 
 from chasles.bounds import Bound
 from chasles.report.details import number_in_words
+from chasles.report.emission_records import emitted_kernels
 from chasles.report.html.citing import Book, Link, place_of_number, slug
 from chasles.report.html.shown import KernelRow
 
@@ -17,8 +17,7 @@ FORMS = {"stated": "as stated", "offered": "in a form proved equal"}
 def kernel_rows(book: Book, manifest: str) -> dict[str, KernelRow]:
     """The kernels of the chapter by name, in the manifest's order; those that are not of this chapter are left out."""
     known = {kernel.name for entry in book.chapter for kernel in entry.kernels}
-    listed: Mapping[str, Mapping[str, Any]] = tomllib.loads(manifest).get("kernels", {})
-    return {name: _row(book, name, kernel) for name, kernel in listed.items() if name in known}
+    return {name: _row(book, name, kernel) for name, kernel in emitted_kernels(manifest).items() if name in known}
 
 
 def _row(book: Book, name: str, kernel: Mapping[str, Any]) -> KernelRow:

@@ -10,7 +10,7 @@ from typing import Any
 
 from chasles.report.html.citing import Link
 
-__all__ = ["ERRORS", "TIMES", "DamagedEvidence", "ErrorAtAngle", "ErrorCurve", "Measured", "Speed", "measured"]
+__all__ = ["ERRORS", "TIMES", "DamagedEvidence", "ErrorAtAngle", "ErrorCurve", "Measured", "measured"]
 
 TIMES, ERRORS = "kernels.json", "errors.json"
 """The files of the evidence."""
@@ -48,29 +48,14 @@ class ErrorCurve:
 
 
 @dataclass(frozen=True, slots=True)
-class Speed:
-    """A kernel compared with what one would use instead: times in ns per element, ratios and errors as text."""
-
-    title: str
-    kernel: Link
-    ours: str
-    best: str
-    by_hand: str
-    faster: str
-    faster_at_a_million: str
-    error: str
-    error_by_hand: str
-
-
-@dataclass(frozen=True, slots=True)
 class Measured:
     """Times and errors; none where nothing was measured. `where` says on what machine the times were.
 
-    `found` has the largest errors of a kernel, by its name, a line for each result.
+    `speeds` are rows of a table; `found` has the largest errors of a kernel, by its name, a line for each result.
     """
 
     where: tuple[str, ...]
-    speeds: tuple[Speed, ...]
+    speeds: tuple[tuple[Link, tuple[str, ...]], ...]
     found: Mapping[str, tuple[str, ...]]
     curves: tuple[ErrorCurve, ...]
 
@@ -85,7 +70,7 @@ def measured(evidence: Mapping[str, str], places: Mapping[str, str]) -> Measured
         where = (_where(times["machine"]),) if times else ()
         peers: Mapping[str, str] = times.get("peers", {})
         listed = times.get("kernels", {}).items()
-        speeds = tuple(_speed(name, kernel, peers, places[name]) for name, kernel in listed if name in places)
+        speeds = tuple(_speed(kernel, peers, places[name]) for name, kernel in listed if name in places)
     except (AttributeError, KeyError, TypeError, ValueError) as error:
         raise DamagedEvidence(f"{TIMES}: {type(error).__name__}: {error}") from error
     try:
@@ -116,20 +101,19 @@ def _where(machine: Mapping[str, Any]) -> str:
     )
 
 
-def _speed(name: str, kernel: Mapping[str, Any], peers: Mapping[str, str], place: str) -> Speed:
+def _speed(kernel: Mapping[str, Any], peers: Mapping[str, str], place: str) -> tuple[Link, tuple[str, ...]]:
+    """A kernel compared with what one would use instead: times in ns per element, ratios and errors as text."""
     times: Mapping[str, float] = kernel["ns"].get(TEN_THOUSAND, {})
     generated = {peer: ns for peer, ns in times.items() if peer not in NOT_GENERATED}
     best = min(generated, key=lambda peer: generated[peer], default="")
-    return Speed(
-        title=kernel["title"],
-        kernel=Link(f"#{place}", name),
-        ours=_number(times.get(OURS)),
-        best=f"{_number(generated[best])} {peers[best]}" if best else "",
-        by_hand=_number(times.get(PRINTED)),
-        faster=_faster(kernel, TEN_THOUSAND),
-        faster_at_a_million=_faster(kernel, A_MILLION),
-        error=_worst(kernel["errors"], OURS),
-        error_by_hand=_worst(kernel["errors"], PRINTED),
+    return Link(f"#{place}", kernel["title"]), (
+        _number(times.get(OURS)),
+        f"{_number(generated[best])} {peers[best]}" if best else "",
+        _number(times.get(PRINTED)),
+        _faster(kernel, TEN_THOUSAND),
+        _faster(kernel, A_MILLION),
+        _worst(kernel["errors"], OURS),
+        _worst(kernel["errors"], PRINTED),
     )
 
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 from markupsafe import Markup
 
+from chasles.report.equations import labelled_equations
 from chasles.report.html.formulas import math
-from chasles.statements import Chapter, Inverse, Theorem
-from chasles.vocabulary import Node, Symbol, latex, walk
+from chasles.statements import Chapter
+from chasles.vocabulary import Symbol, latex, walk
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,19 +24,9 @@ class Letter:
 
 def notation_of(chapter: Chapter) -> tuple[Letter, ...]:
     """The letters that mean something by themselves, each once."""
-    found = dict.fromkeys(part for side in _sides(chapter) for part in walk(side) if isinstance(part, Symbol))
+    sides = (side for entry in chapter for _, *both in labelled_equations(entry.statement) for side in both)
+    found = dict.fromkeys(part for side in sides for part in walk(side) if isinstance(part, Symbol))
     return tuple(_letter(symbol) for symbol in found if symbol.meaning)
-
-
-def _sides(chapter: Chapter) -> Iterator[Node]:
-    for entry in chapter:
-        match entry.statement:
-            case Theorem(forms=forms):
-                yield from (side for form in forms for _, *sides in form.equations() for side in sides)
-            case Inverse(branches=branches):
-                yield from (side for branch in branches for sides in branch.values for side in sides)
-            case statement:
-                yield from statement.printed
 
 
 def _letter(symbol: Symbol) -> Letter:

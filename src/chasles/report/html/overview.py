@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
-from chasles.report.findings import NumberCounts, Pairs, numbers_of, replacements, slips_in_words
-from chasles.report.html.citing import Book, Link
+from chasles.report.findings import Pairs, numbers_of, replacements, slips_in_words
+from chasles.report.html.citing import Book
 from chasles.report.html.shown import Badge, DerivationView, badge_of
 from chasles.report.html.trusted import Trusted
 from chasles.report.summary import Tally, tallies
@@ -22,63 +23,34 @@ class VerdictShare:
     width: float
 
 
-@dataclass(frozen=True, slots=True)
-class SectionRow:
-    """A section with its counts, in the order of the shares; a dot where there is none."""
-
-    number: str
-    title: str
-    counts: tuple[str, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Overview:
-    """The totals.
+def overview(book: Book, decided: Pairs, roads: tuple[DerivationView, ...], trusted: Trusted) -> dict[str, Any]:
+    """The totals of all that was decided and walked, for the template.
 
     `wrong` counts what is not true as printed, `slips` says whose slips these more likely are, `found`, `declared` and
-    `without` how it is repaired; `postulates` are the laws that are assumed.
+    `without` how it is repaired; `postulates` are the laws that are assumed. A row is a section with its counts, in the
+    order of the shares.
     """
-
-    numbers: NumberCounts
-    statements: int
-    in_words: str
-    shares: tuple[VerdictShare, ...]
-    rows: tuple[SectionRow, ...]
-    wrong: int
-    slips: str
-    found: int
-    declared: int
-    without: int
-    postulates: tuple[Link, ...]
-    roads: int
-    steps: int
-    arriving: int
-    trusted: Trusted
-
-
-def overview(book: Book, decided: Pairs, roads: tuple[DerivationView, ...], trusted: Trusted) -> Overview:
-    """The totals of all that was decided and walked."""
     wrong = [(entry, decision) for entry, decision in decided if not decision.verdict.true]
     how = [found[0].found if (found := replacements(*each)) else "nothing" for each in wrong]
     sections = tallies(decided)
     shares = _shares(sections)
-    return Overview(
-        numbers=numbers_of(book.chapter),
-        statements=len(decided),
-        in_words=counted(decision.verdict for _, decision in decided),
-        shares=shares,
-        rows=tuple(_row(tally, shares) for tally in sections),
-        wrong=len(wrong),
-        slips=slips_in_words(decided),
-        found=how.count("repair"),
-        declared=how.count("declared"),
-        without=how.count("nothing"),
-        postulates=book.links(entry.key for entry, decision in decided if decision.verdict.name == "assumed"),
-        roads=len(roads),
-        steps=sum(len(road.steps) for road in roads),
-        arriving=sum(road.arrives for road in roads),
-        trusted=trusted,
-    )
+    return {
+        "numbers": numbers_of(book.chapter),
+        "statements": len(decided),
+        "in_words": counted(decision.verdict for _, decision in decided),
+        "shares": shares,
+        "rows": [(tally, [tally.verdicts[share.badge.name] for share in shares]) for tally in sections],
+        "wrong": len(wrong),
+        "slips": slips_in_words(decided),
+        "found": how.count("repair"),
+        "declared": how.count("declared"),
+        "without": how.count("nothing"),
+        "postulates": book.links(entry.key for entry, decision in decided if decision.verdict.name == "assumed"),
+        "roads": len(roads),
+        "steps": sum(len(road.steps) for road in roads),
+        "arriving": sum(road.arrives for road in roads),
+        "trusted": trusted,
+    }
 
 
 def _shares(sections: list[Tally]) -> tuple[VerdictShare, ...]:
@@ -94,8 +66,3 @@ def _shares(sections: list[Tally]) -> tuple[VerdictShare, ...]:
             shares.append(VerdictShare(badge_of(name), count, round(start, 1), round(width, 1)))
             start += width
     return tuple(shares)
-
-
-def _row(tally: Tally, shares: tuple[VerdictShare, ...]) -> SectionRow:
-    counts = (tally.verdicts[share.badge.name] for share in shares)
-    return SectionRow(tally.number, tally.title, tuple(str(count) if count else "·" for count in counts))

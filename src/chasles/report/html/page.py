@@ -78,6 +78,7 @@ def contents(chapter: Chapter, decisions: DecisionsByName, sources: PageContents
     sections = tuple(_sections(book, decided, kernels, sources.roads))
     numbers = [number for section in sections for number in section.numbers]
     figures = measured(sources.evidence, {name: kernel.place for name, kernel in kernels.items()})
+    plots, without_plots = plotted(figures.curves)
     return {
         "title": chapter.title,
         "source": chapter.source,
@@ -87,7 +88,8 @@ def contents(chapter: Chapter, decisions: DecisionsByName, sources: PageContents
         "errata": _errata(decided, numbers),
         "kernels": tuple(kernels.values()),
         "measured": figures,
-        "errors": plotted(figures.curves),
+        "plots": plots,
+        "without_plots": without_plots,
         "graph": graph_of(book, [(f"{s.number} {s.title}", s.numbers) for s in sections]),
         "exercises": sources.exercises,
         "without_pictures": tuple(dict.fromkeys(reason for view in sources.exercises for reason in view.without)),

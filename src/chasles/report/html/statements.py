@@ -11,6 +11,7 @@ from chasles.coq.recorded import checked_by_coq
 from chasles.decisions.session import Decision
 from chasles.report.by_hand import worked_out
 from chasles.report.details import number_in_words
+from chasles.report.equations import Sentence, labelled_equations
 from chasles.report.findings import Replacement, likely_slip, replacements
 from chasles.report.html.certificates import proof_in_words
 from chasles.report.html.citing import Book, Link, place_of_number
@@ -20,7 +21,7 @@ from chasles.report.html.shown import Equation, Fact, KernelRow, Part, Related, 
 from chasles.report.html.words import with_formulas
 from chasles.report.records import certificate_hash
 from chasles.report.words import point_in_words, reason
-from chasles.statements import Entry, Inverse, Statement, Theorem
+from chasles.statements import Entry, Statement
 from chasles.statements.elsewhere import chapter_of, cited, other_chapter
 from chasles.verdict import Counterexample, Fails, IllFormed
 from chasles.vocabulary import Node, Rate, plain, symbols_of
@@ -59,18 +60,14 @@ def equation(left: Node, right: Node, sign: str = "=", label: str = "") -> Equat
     return Equation(markup(equation_tree(left, right, sign)), f"{plain(left)} = {plain(right)}", label)
 
 
-def as_printed(sentence: Statement | Theorem | Inverse, found: Sequence[Replacement]) -> tuple[Equation, ...]:
+def as_printed(sentence: Sentence, found: Sequence[Replacement]) -> tuple[Equation, ...]:
     """The equations as printed; what was changed to make one right is marked."""
-    match sentence:
-        case Theorem(forms=forms):
-            return tuple(equation(left, right, "=", label) for f in forms for label, left, right in f.equations())
-        case Inverse(branches=branches):
-            return tuple(equation(left, right, "=", b.says) for b in branches for left, right in b.values)
-        case Statement():
-            tree = equation_tree(sentence.left, sentence.right, sentence.sign)
-            for replacement in found[:1]:
-                mark_differences(tree, equation_tree(replacement.left, replacement.right, replacement.sign))
-            return (Equation(markup(tree), f"{plain(sentence.left)} = {plain(sentence.right)}"),)
+    if not isinstance(sentence, Statement):
+        return tuple(equation(left, right, "=", label) for label, left, right in labelled_equations(sentence))
+    tree = equation_tree(sentence.left, sentence.right, sentence.sign)
+    for replacement in found[:1]:
+        mark_differences(tree, equation_tree(replacement.left, replacement.right, replacement.sign))
+    return (Equation(markup(tree), f"{plain(sentence.left)} = {plain(sentence.right)}"),)
 
 
 def _why(entry: Entry, decision: Decision) -> Iterator[Fact]:

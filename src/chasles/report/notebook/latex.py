@@ -13,8 +13,7 @@ from chasles.repairs.repair import Repair
 from chasles.report.derivation_page import equations_of
 from chasles.report.details import number_in_words, refuted
 from chasles.report.equations import in_latex
-from chasles.report.latex_page import Item, item_of
-from chasles.report.latex_text import escaped
+from chasles.report.latex_page import Item, escaped, item_of
 from chasles.report.notebook.alone import Alone, entry_of, needs_of
 from chasles.report.notebook.text import text
 from chasles.report.words import VERDICTS, reason
