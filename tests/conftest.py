@@ -21,7 +21,7 @@ from .sampling import WHOLE, kept_and_left_out
 
 # How long an example takes says nothing on a machine that does other things too; a sample is always the same one.
 UNTIMED = {"deadline": None, "suppress_health_check": [HealthCheck.too_slow]}
-settings.register_profile("untimed", **UNTIMED, derandomize=not WHOLE)
+settings.register_profile("untimed", **UNTIMED, max_examples=100 if WHOLE else 40, derandomize=not WHOLE)
 settings.load_profile("untimed")
 
 # Some hundred processes are started here: what they import is compiled once for all of them.

@@ -33,7 +33,7 @@ from benchmarks.error_table import page  # noqa: E402
 from benchmarks.errors import measured  # noqa: E402
 
 ASKED = int(os.environ.get("CHASLES_ADVERSARIAL", "0"))
-FEW = ("plucker_line", "natural_rate_matrix", "instant_screw", "kinetic_energy", "newton_euler_twist_rate")
+FEW = ("plucker_line", "natural_rate_matrix", "instant_screw", "newton_euler_twist_rate")
 PRECISIONS = [np.float64, np.float32]
 EVIDENCE = ROOT / "benchmarks" / "evidence"
 

@@ -51,6 +51,7 @@ BOXES = [
 ]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("dtype", [np.float64, np.float32])
 @pytest.mark.parametrize(("expression", "inputs", "box"), BOXES)
 def test_no_float_of_a_box_errs_by_more_than_is_proved(expression: Any, inputs: Any, box: Any, dtype: Any) -> None:
@@ -169,6 +170,7 @@ OF_LIBM = [
 ]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("dtype", [np.float64, np.float32])
 @pytest.mark.parametrize(("expression", "box"), OF_LIBM, ids=lambda each: str(each).replace(" ", ""))
 def test_functions_of_libm_err_by_no_more_than_is_proved(expression: Any, box: Any, dtype: Any) -> None:

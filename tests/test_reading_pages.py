@@ -18,6 +18,7 @@ from chasles.reading.pages import Kind, displayed, kind_of
 from chasles.reading.printed import PrintedEquation
 
 from .counted import at_most
+from .sampling import WHOLE
 
 
 def texts(found: tuple[PrintedEquation, ...]) -> list[str]:
@@ -376,7 +377,7 @@ PIECES = st.sampled_from(
 )
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300 if WHOLE else 100, deadline=None)
 @given(st.lists(PIECES, max_size=30).map("".join), st.sampled_from(["tex", "md", "rst", "equation"]))
 def test_broken_pages_are_read_as_far_as_they_go(page: str, kind: Kind) -> None:
     for each in displayed(page, kind):

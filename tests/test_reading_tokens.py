@@ -15,6 +15,8 @@ from chasles.reading.atoms import marks_of
 from chasles.reading.lexemes import BadPage
 from chasles.reading.respelling import atoms_in
 
+from .sampling import WHOLE
+
 PRINTED: dict[str, str] = tomllib.loads((Path(__file__).parent / "printed.toml").read_text(encoding="utf-8"))
 
 
@@ -125,7 +127,7 @@ WORDS = re.split(
 PIECES = st.sampled_from([*r"ab12{}[]()&^_'=+-.,|~$%\ ", "\n", "\\\n", *WORDS])
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300 if WHOLE else 100, deadline=None)
 @given(st.lists(PIECES, max_size=40).map("".join))
 def test_whatever_stands_there_it_is_split_or_refused(latex: str) -> None:
     with suppress(BadPage):

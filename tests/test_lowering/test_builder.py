@@ -20,6 +20,7 @@ from chasles.lowering.refusal import LoweringError
 from chasles.lowering.rounding import RunningErrors
 
 from ..programs import FLOATS, fractions, run, shared
+from ..sampling import WHOLE
 
 ARGUMENTS = (Argument("x", (4,), "numbers"),)
 BINARY = {
@@ -72,7 +73,7 @@ def plain_place(plain, index):
     return [place for place, step in enumerate(plain) if step.op is not Op.LESS][index]
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150 if WHOLE else 50, deadline=None)
 @given(plans)
 def test_folding_keeps_the_value(plan):
     folded, plain, values = built(plan)
@@ -80,7 +81,7 @@ def test_folding_keeps_the_value(plan):
         assert run(program, [INPUTS], fractions()) == (values,)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60 if WHOLE else 20, deadline=None)
 @given(plans)
 def test_sharing_a_program_that_was_built_changes_nothing(plan):
     program = pruned(built(plan)[0])

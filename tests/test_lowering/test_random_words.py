@@ -44,6 +44,8 @@ from chasles.vocabulary import (
 )
 from chasles.vocabulary.differentiation import NoRule, rate_of
 
+from ..sampling import WHOLE
+
 x, phi = scalar("x", "x", "number"), scalar("phi", r"\phi", "angle")
 a, b = vector("a", "a", "vector"), vector("b", "b", "vector")
 M, R = square("M", "M", "matrix"), square("R", "R", "matrix of a rule")
@@ -131,7 +133,7 @@ def holds(left, right):
     return decide_problem(problem_of(claim)).true
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150 if WHOLE else 50, deadline=None)
 @given(st.one_of(scalars(2), columns(2), squares(2)))
 def test_program_is_what_the_words_say(value):
     request = asked(value)
@@ -142,13 +144,13 @@ def test_program_is_what_the_words_say(value):
     assert differences(request, in_components(request, dense=False)) == ()
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60 if WHOLE else 20, deadline=None)
 @given(st.one_of(columns(2), squares(2)))
 def test_a_transpose_carried_inwards_is_the_transpose(value):
     assert holds(flipped(value), Transpose(value))
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60 if WHOLE else 20, deadline=None)
 @given(st.one_of(scalars(1), columns(1), squares(1)))
 def test_the_rate_by_parts_is_the_rate(value):
     try:

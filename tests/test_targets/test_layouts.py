@@ -11,6 +11,7 @@ from chasles import kernels
 LAID = {"contiguous": lambda a: a, **LAYOUTS}
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("dtype", [np.float64, np.float32])
 @pytest.mark.parametrize("which", [*NAMES, ""], ids=lambda which: which or "compiled")
 def test_every_layout_gives_the_same_bits(which, dtype, ufuncs_by_level):

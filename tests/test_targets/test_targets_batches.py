@@ -126,6 +126,7 @@ def exact(program, inputs):
     return [[float(entry) for entry in group] for group in run(program, entries, arithmetic)]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("kind", KINDS)
 def test_results_are_those_of_50_digits(loops, name, sample, kernels, kind):
     (program,) = (kernel.program for kernel in kernels if kernel.name == name)
@@ -196,6 +197,7 @@ def turns(program):
     return any(step.op in (Op.SINE, Op.COSINE) for step in program.steps)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_batch_gives_the_bits_of_the_scalar_kernel(loops, name, kernels, library, kind):
     """Whatever the numbers. Where a sine or a cosine comes in, whose last bit may differ, to the last digits, and NaN

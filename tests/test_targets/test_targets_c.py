@@ -28,6 +28,7 @@ LEVELS = {
 }
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("compiler", ["gcc", "clang"])
 @pytest.mark.parametrize("level", LEVELS)
 def test_every_file_compiles_without_a_warning(generated, levels, tmp_path, compiler, level):
@@ -55,6 +56,7 @@ def test_without_vector_types_batches_call_the_scalar_kernels(generated, compile
 
 
 @pytest.mark.skipif(shutil.which("g++") is None, reason="no C++ compiler")
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("standard", ["c++11", "c++20"])
 def test_every_file_is_c_plus_plus_too(generated, tmp_path, standard):
     for source in sorted((generated / "c").rglob("*.c")):
@@ -200,7 +202,7 @@ def test_a_group_is_loaded_before_any_of_it_is_stored(texts, kernels):
 
 SANITIZERS = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-g"]
 BATCHES = Path(__file__).with_name("batches.c")
-HASTILY = [] if WHOLE else ["-O1"]
+OF_ALL = pytest.mark.skipif(not WHOLE, reason="test_c_sanitizers tries some sections: set CHASLES_TEST_WHOLE=1")
 
 
 @pytest.fixture(scope="module")
@@ -228,8 +230,9 @@ def test_batches_are_right_in_any_storage(batches):
 
 
 @pytest.mark.slow
+@OF_ALL
 def test_sanitizers_find_nothing(batches):
-    program = batches(*SANITIZERS, *HASTILY)
+    program = batches(*SANITIZERS)
     code, out, err = tried(program)
     if "LeakSanitizer has encountered a fatal error" in err:
         code, out, err = tried("env", "ASAN_OPTIONS=detect_leaks=0", program)
@@ -237,7 +240,8 @@ def test_sanitizers_find_nothing(batches):
 
 
 @pytest.mark.slow
+@OF_ALL
 @pytest.mark.skipif(shutil.which("valgrind") is None, reason="no valgrind")
 def test_valgrind_finds_nothing(batches):
-    command = ["valgrind", "--quiet", "--error-exitcode=9", "--leak-check=full", batches("-g", *HASTILY), "memory"]
+    command = ["valgrind", "--quiet", "--error-exitcode=9", "--leak-check=full", batches("-g"), "memory"]
     assert tried(*command) == (0, "right\n", "")

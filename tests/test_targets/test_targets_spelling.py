@@ -17,6 +17,8 @@ from chasles.targets.dialect import ARITHMETIC, Dialect, call
 from chasles.targets.gufunc.text import c_string
 from chasles.targets.spelling import spelled
 
+from ..sampling import WHOLE
+
 PYTHON = Dialect(
     spell={
         **ARITHMETIC,
@@ -91,7 +93,7 @@ def by_text(program, x, y, dialect):
     return [eval(entry, scope) for entry in text.entries[0]]
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300 if WHOLE else 100, deadline=None)
 @given(programs(), st.lists(st.floats(-10, 10), min_size=3, max_size=3), st.sampled_from([20, 72]), st.booleans())
 def test_text_computes_the_same_bits_as_the_steps(program, inputs, width, name_entries):
     dialect = Dialect(
