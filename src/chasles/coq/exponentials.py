@@ -5,15 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import reduce
 from math import gcd, lcm
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import sympy
 
 from chasles.coq.expressions import Unsaid
+from chasles.coq.plain import PlainExpressions
 from chasles.coq.rational import polynomial, text_of
-
-if TYPE_CHECKING:
-    from chasles.coq.plain import PlainExpressions
 
 EXPONENTIAL = {sympy.exp: "exp", sympy.sinh: "sinh", sympy.cosh: "cosh", sympy.tanh: "tanh"}
 MOST = 20
@@ -21,7 +19,9 @@ MOST = 20
 
 
 def exponential(plain: PlainExpressions, e: Any) -> Any:
-    """An exponential, a hyperbolic function or a power: a product of powers of exponentials."""
+    """An exponential, a hyperbolic function or a power: a product of powers of exponentials; None for what is none."""
+    if e.func not in EXPONENTIAL and e is not sympy.E and not (e.is_Pow and not e.exp.is_Rational):
+        return None
     function = EXPONENTIAL.get(e.func, "exp")
     product, parts = sympy.Integer(1), list[str]()
     for part, value, count in _factors(plain, _exponent(plain, e)):
@@ -83,7 +83,9 @@ def _unit(plain: PlainExpressions, term: Any, multiple: Any) -> Any:
 
 
 def logarithm(plain: PlainExpressions, e: Any) -> Any:
-    """A logarithm: the sum of those of the factors, which are positive."""
+    """A logarithm: the sum of those of the factors, which are positive; None for what is none."""
+    if e.func is not sympy.log:
+        return None
     inside = plain(e.args[0])
     total, above, below = sympy.Integer(0), list[str](), list[str]()
     for factor, count in _positive_factors(plain, inside):

@@ -18,13 +18,16 @@ import sympy
 
 from chasles.checker.expressions.asked import Asked
 from chasles.checker.sparse import Rejected
+from chasles.coq.exponentials import exponential, logarithm
 from chasles.coq.expressions import Unsaid
 from chasles.coq.of_sympy import ScalarStatement
 from chasles.coq.plain import PlainExpressions
 from chasles.coq.proof import theorem
 from chasles.coq.rational import text_of
+from chasles.coq.roots import root, words_named
 from chasles.coq.sentences import holding
 from chasles.coq.theorems import Claimed
+from chasles.coq.turns import turned
 from chasles.verdict import Holds, HoldsUnder, Verdict
 
 GIVEN = re.compile(r"given (\d+) (\d+),(\d+)(?: d(\d+))?")
@@ -40,6 +43,7 @@ OTHERWISE = {
     "variant": "of squares",
 }
 """Parts of certificates of which no proof is written for Coq."""
+READERS = (root, turned, exponential, logarithm)
 NOW = " t now'"
 BY_CASES = ("intros.", "repeat apply conj; by_cases.")
 AS_SPELLED = ("intros.", "repeat apply conj; reflexivity.")
@@ -77,7 +81,8 @@ class _ScalarProof:
         if other := next((how for part, how in OTHERWISE.items() if certificate.get(part)), ""):
             raise Unsaid(f"no proof is written of what is shown {other}")
         self.statement, self.certificate = statement, certificate
-        self.plain = PlainExpressions(statement, certificate)
+        self.plain = PlainExpressions(statement, certificate, READERS)
+        words_named(self.plain)
         self._rates: list[str] = []
 
     def steps(self) -> Iterator[str]:

@@ -6,7 +6,7 @@ and absolute values become what the certificate says. Nothing here has to be bel
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import reduce
 from operator import mul
 from typing import Any
@@ -14,12 +14,12 @@ from typing import Any
 import sympy
 
 from chasles.checker.sparse import Rejected, exponents, parsed
-from chasles.coq.exponentials import EXPONENTIAL, exponential, logarithm
 from chasles.coq.expressions import ATOM, Unsaid
 from chasles.coq.of_sympy import QUOTIENTS, SIGNS, ScalarStatement
 from chasles.coq.rational import divisors_of, polynomial, rank, text_of
-from chasles.coq.roots import root, words_named
-from chasles.coq.turns import turned
+
+Reader = Callable[["PlainExpressions", Any], Any]
+"""What functions of a kind are; None for other expressions."""
 
 
 class PlainExpressions:
@@ -30,8 +30,10 @@ class PlainExpressions:
     multiples of `units`, or `logarithms`.
     """
 
-    def __init__(self, statement: ScalarStatement, certificate: Mapping[str, Any]) -> None:
-        self.statement, self.certificate = statement, certificate
+    def __init__(
+        self, statement: ScalarStatement, certificate: Mapping[str, Any], readers: Sequence[Reader] = ()
+    ) -> None:
+        self.statement, self.certificate, self._readers = statement, certificate, readers
         self.rules: list[tuple[Any, str]] = []
         self.facts: list[str] = []
         self.remembered: list[tuple[str, str]] = []
@@ -47,7 +49,6 @@ class PlainExpressions:
         for atom in statement.words.atoms:
             if str(atom) in self.labels:
                 self.named[self.labels[str(atom)]] = self(atom)
-        words_named(self)
 
     def __call__(self, e: Any) -> Any:
         """The expression as a rational function of symbols."""
@@ -75,20 +76,12 @@ class PlainExpressions:
             return e.func(*map(self, e.args))
         if e.is_Pow and e.exp.is_Integer:
             return self(e.base) ** e.exp
-        if e.is_Pow and (2 * e.exp).is_Integer:
-            of = sympy.sqrt(e.base)
-            return root(self, e, e.base, "sqrt") if e == of else self(of) ** (2 * e.exp)
-        if e.func is sympy.Abs:
-            return root(self, e, e.args[0], "abs")
-        if e.func in (sympy.cos, sympy.sin):
-            return turned(self, e)
         if e.func in QUOTIENTS:
             above, below = QUOTIENTS[e.func](e.args[0])
             return self(above) / self(below)
-        if e.func in EXPONENTIAL or e is sympy.E or (e.is_Pow and not e.exp.is_Rational):
-            return exponential(self, e)
-        if e.func is sympy.log:
-            return logarithm(self, e)
+        for reader in self._readers:
+            if (found := reader(self, e)) is not None:
+                return found
         raise Unsaid(f"no proof is written of what {e.func if e.is_Function else e} is")
 
     def symbol(self, text: str, sign: str = "real") -> Any:

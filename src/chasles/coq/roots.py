@@ -6,15 +6,13 @@ from collections.abc import Iterator
 from functools import reduce
 from itertools import product
 from operator import mul
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import sympy
 
 from chasles.coq.expressions import Unsaid
+from chasles.coq.plain import PlainExpressions
 from chasles.coq.rational import divisors_of, text_of
-
-if TYPE_CHECKING:
-    from chasles.coq.plain import PlainExpressions
 
 MOST_KNOWN = 5
 """A root is looked for among the products and quotients of so many that are known."""
@@ -34,9 +32,18 @@ def words_named(plain: PlainExpressions) -> None:
             _introduced(plain, name, kind, text)
 
 
-def root(plain: PlainExpressions, e: Any, inside: Any, kind: str) -> Any:
-    """A root, or an absolute value: what is known to be it, or a symbol with its square."""
-    said = sympy.together(plain(inside))
+def root(plain: PlainExpressions, e: Any) -> Any:
+    """A power of a root, or an absolute value, in what is known or a symbol with its square; None for what is none."""
+    if e.func is sympy.Abs:
+        return _root(plain, e, "abs")
+    if e.is_Pow and e.exp.is_Rational and e.exp.q == 2:
+        of = sympy.sqrt(e.base)
+        return _root(plain, e, "sqrt") if e == of else plain(of) ** (2 * e.exp)
+    return None
+
+
+def _root(plain: PlainExpressions, e: Any, kind: str) -> Any:
+    said = sympy.together(plain(e.args[0]))
     square = said if kind == "sqrt" else said**2
     name = plain.remember(e)
     names = [

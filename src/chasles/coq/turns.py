@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import re
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import sympy
 
 from chasles.coq.expressions import ATOM, TIMES, Unsaid
-
-if TYPE_CHECKING:
-    from chasles.coq.plain import PlainExpressions
+from chasles.coq.plain import PlainExpressions
 
 UNIT = re.compile(r"(?:cos|sin)\(([1-9]\d*)?(.+?)(?:/([1-9]\d*))?\)")
 OPENED = (
@@ -25,7 +23,9 @@ KNOWN = tuple(sympy.pi / part for part in (2, 3, 4, 6))
 
 
 def turned(plain: PlainExpressions, e: Any) -> Any:
-    """A cosine or sine, by the addition formulas."""
+    """A cosine or sine, by the addition formulas; None for what is none."""
+    if e.func not in (sympy.cos, sympy.sin):
+        return None
     cosine, sine, parts = sympy.Integer(1), sympy.Integer(0), []
     for atom, multiple in sympy.expand(e.args[0]).as_coefficients_dict().items():
         unit = _unit_of(plain, atom, multiple)
