@@ -13,13 +13,12 @@ from operator import attrgetter, neg
 import numpy as np
 from numpy.typing import NDArray
 
-from chasles.bounds.choosing import ComparisonOutcome, chosen, truth
+from chasles.bounds.choosing import Choices
 from chasles.bounds.functions import ENCLOSED
 from chasles.bounds.intervals import Array, Interval, exactly
 from chasles.bounds.model import Model
 from chasles.bounds.outline import NoBound, Outline
 from chasles.bounds.places import Places
-from chasles.bounds.rounded_operations import RoundedOperations
 from chasles.bounds.scaled import Scaled
 from chasles.lowering.program import Op, Step
 
@@ -35,7 +34,7 @@ def no_angles(argument: int, entry: int, factor: Fraction) -> tuple[Scaled, Scal
 COMPARISONS = (Op.LESS, Op.EQUAL)
 
 
-class Running(RoundedOperations):
+class Running(Choices):
     """The program's steps over as many boxes as each interval of `inputs` has ends.
 
     `inputs` gives values to entries of arguments, `angles` sines and cosines to the outline's angles; `known` encloses
@@ -59,8 +58,6 @@ class Running(RoundedOperations):
     ) -> None:
         super().__init__(outline, model, np.zeros(count), places or {})
         self._inputs, self._angles, self._known = inputs, angles, known or {}
-        self.values: dict[int, Scaled] = {}
-        self.truths: dict[int, ComparisonOutcome] = {}
         self.bad = np.zeros(count, dtype=bool)
         self.why = np.full(count, -1)
         self.split = np.full(count, -1), np.zeros(count, dtype=np.int64)
@@ -71,7 +68,7 @@ class Running(RoundedOperations):
 
     def _run(self, number: int, step: Step) -> None:
         if step.op in COMPARISONS:
-            self.truths[number] = truth(self, step.op, self.outline.operands(number))
+            self.truths[number] = self.truth(step.op, self.outline.operands(number))
             return
         found = self._step(number, step)
         if number in self._known:
@@ -113,7 +110,7 @@ class Running(RoundedOperations):
             return self._graded(number, turn.power, turn.value, self.zero, step.op)
         operands = self.outline.operands(number)
         if step.op is Op.SELECT:
-            return self._chosen(number, operands)
+            return self.chosen(number, operands)
         of = [self.values[k] for k in operands]
         if not self.rounded.isdisjoint(operands):
             self.rounded.add(number)
@@ -155,17 +152,6 @@ class Running(RoundedOperations):
         """What an operation makes of a step that rounds nothing."""
         self.near[number] = Scaled(x.power, operation(self.near[operand].value), x.error)
         return Scaled(x.power, operation(x.value), x.error)
-
-    def _chosen(self, number: int, operands: tuple[int, ...]) -> Scaled:
-        """The value of a choice between cases."""
-        found, near, jump = chosen(self, operands)
-        if jump.any() or not self.rounded.isdisjoint(operands[1:]):
-            self.rounded.add(number)
-        if jump.any():
-            self.losses[number] = jump
-            self._sides[number] = np.zeros(len(jump), dtype=bool), np.zeros(len(jump), dtype=np.int64)
-        self.near[number] = Scaled(0, near, found.error)
-        return found
 
     def weigh(self, number: int, moved: Array) -> None:
         """Choose the step to part boxes by: that whose error moves some entry most."""
