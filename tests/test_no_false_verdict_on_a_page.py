@@ -179,3 +179,37 @@ def test_what_fits_to_neither_neighbour_in_a_chain_is_told_once() -> None:
         r"\mathbf{a}\times\mathbf{b} = \mathbf{a}\cdot\mathbf{b} = -\mathbf{b}\times\mathbf{a}", letters
     )
     assert [each.verdict for each in page.equations] == ["ill-formed", "holds"]
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "(f * F)(t) = f(t) F(t)",
+        "x(t) * y(t) = x(t) y(t)",
+        "x[n+1] y = x[n] y + x y",
+        "f[k - 1] = f k - f",
+        r"A^\dagger A - A A^\dagger = 0",
+        "p(x | y) p(y) = p(x) p(y | x)",
+        r"(x y)_{S} = x y",
+        r"x^2 \Big|_0^1 = 1",
+    ],
+)
+def test_convolutions_sequences_adjoints_and_places_are_no_products(claim: str) -> None:
+    assert not {*verdicts(claim)} & DECIDED
+    assert not {*verdicts_as_proposed(claim)} & DECIDED
+
+
+def test_what_is_said_of_a_place_or_of_letters_with_numbers_is_read() -> None:
+    page = (
+        r"\[ x = y \quad \text{on } \partial\Omega \times (0, T], \]",
+        r"\begin{align} \pi_1 &= x y \\ \pi_2 &= y(x, z) \end{align}",
+        r"\[ \vector{a} \cross \vector{b} = -\vector{b} \cross \vector{a} \]",
+    )
+    text = "\n\n".join(page)
+    read = chasles.read(text, proposed(displayed(text, "tex")), "tex").equations
+    assert [each.verdict for each in read] == ["defined", "defined", "defined", "holds"]
+
+
+def test_the_inverse_of_a_quaternion_is_no_inverse_of_a_column() -> None:
+    (one,) = chasles.read(r"\[ q^{-1} q = 1 \]", {"symbols": {"q": "quaternion"}}, "tex").equations
+    assert one.verdict == "unread"

@@ -35,7 +35,8 @@ def with_marks(fits: list[Fit], rest: Glyph, ctx: FittingContext) -> list[Fit]:
     if rest.sub and (makes := ctx.notation.spellings.scripts.get(f"_ {rest.loose.sub}")):
         fits = applied(makes, fits, ctx, rest, f"_{{{rest.sub}}}")
     elif rest.sub:
-        fits = [fit for each in fits for fit in _component(each, rest, ctx)]
+        parts = [fit for each in fits for fit in _component(each, rest, ctx)]
+        fits = parts if parts or rest.base or not ctx.level else _of_its_own(fits, f"_{{{in_latex(rest.sub)}}}", ctx)
     if rest.primes:
         fits = applied(ctx.notation.spellings.scripts.get("'" * rest.primes, ()), fits, ctx, rest, "'" * rest.primes)
     for sup in rest.sups:
@@ -50,9 +51,10 @@ def _raised(fits: list[Fit], sup: str, rest: Glyph, ctx: FittingContext) -> list
     elif words in HALF:
         makes = tuple(ctx.notation.spellings.names[r"\sqrt"])
     elif words.startswith(EVALUATED):
-        place = in_latex(words.removeprefix(EVALUATED))
-        taken = [fit.node for fit in fits if fit.node is not None and fit.shape]
-        return [each for of in taken for each in ctx.of_its_own(rf"\left. {latex(of)} \right|_{{{place}}}", [of])]
+        below, *above = map(in_latex, words.removeprefix(EVALUATED).split(" ^ ", 1))
+        place = f"_{{{below}}}" + "".join(f"^{{{each}}}" for each in above)
+        taken = [fit for fit in fits if fit.node is None or fit.shape]
+        return _of_its_own(taken, rf" \right|{place}", ctx, r"\left. ")
     else:
         makes = tuple(ctx.notation.spellings.scripts.get(words, ()))
     parts = EXPONENT.findall(words)
@@ -63,8 +65,18 @@ def _raised(fits: list[Fit], sup: str, rest: Glyph, ctx: FittingContext) -> list
     found = applied(makes, fits, ctx, rest, f"^{{{words}}}")
     if found or not ctx.level or words.isdigit():
         return found
-    said = dict.fromkeys(latex(fit.sample) for fit in fits if fit.sample is not None)
-    return [fit for each in said for fit in ctx.of_its_own(f"{{{each}}}^{{{in_latex(words)}}}")]
+    return _of_its_own(fits, f"}}^{{{in_latex(words)}}}", ctx, "{", is_alike=False)
+
+
+def _of_its_own(
+    fits: list[Fit], behind: str, ctx: FittingContext, before: str = "", is_alike: bool = True
+) -> list[Fit]:
+    """What a mark that is no word makes of each of the readings: a quantity of its own, of the same kind or any."""
+    said: dict[str, list[Node]] = {}
+    for fit in fits:
+        if (sample := fit.sample) is not None:
+            said[latex(sample)] = [] if fit.node is None or not is_alike else [fit.node]
+    return [fit for text, like in said.items() for fit in ctx.of_its_own(f"{before}{text}{behind}", like)]
 
 
 def square(of: Node) -> Node:
@@ -87,7 +99,7 @@ def applied(makes: Sequence[Make], fits: list[Fit], ctx: FittingContext, rest: G
             spelled.add(place)
     if not makes:
         ctx.note(f"{mark} has no meaning in the notation", rest.place)
-    return found
+    return [fit for fit in found if fit.node is None or not fit.node.fault] or found
 
 
 def _applied_to_sized(make: Make, fit: Fit, ctx: FittingContext) -> Fit:

@@ -16,6 +16,7 @@ from chasles.reading.glyphs import (
     in_latex,
     is_operator,
     letter_of,
+    pieces_of,
     spelled,
     text_of_atom,
     with_arguments,
@@ -29,6 +30,9 @@ from chasles.vocabulary import At, Group, Node, Symbol, latex, symbols_of
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.partial import PartialDerivative
 from chasles.vocabulary.spelling import Precedence
+
+COUNTERS = ("n", "k", "i", "j", "m", "t")
+"""Letters that number the members of a sequence."""
 
 
 def factors(items: Atoms, start: int, ctx: FittingContext) -> Iterator[tuple[int, list[Fit]]]:
@@ -66,6 +70,12 @@ def factors(items: Atoms, start: int, ctx: FittingContext) -> Iterator[tuple[int
         for end, found in factors(items, start + 1, ctx):
             yield end, applied((make,), found, ctx, Glyph(""), atom.text)
         return
+    if behind is not None and atom.kind in ("LETTER", "COMMAND") and _is_index(behind):
+        yield start + 2, ctx.of_its_own(in_latex(f"{text_of_atom(atom)} {text_of_atom(behind)}"))
+        return
+    if behind is not None and is_argument(behind) and any(each.text == "*" for each in pieces_of(atom)):
+        ctx.note("* between functions may be a convolution", atom.place)
+        return
     if behind is not None and atom.kind == "NUMBER" and _is_numeral(behind):
         ctx.note("two numbers side by side may be one number: write a sign between them", atom.place)
         return
@@ -77,7 +87,7 @@ def factors(items: Atoms, start: int, ctx: FittingContext) -> Iterator[tuple[int
         yield start + 2, with_marks(value, replace(letter_of(behind), accents=(), base=""), ctx)
         less = not (lists_letters(behind) or is_operator(letter_of(atom)))
         fits = [replace(fit, cost=fit.cost + UNUSUAL - less) for fit in fits]
-    elif start + 1 < len(items) and _is_argument(items[start + 1]):
+    elif start + 1 < len(items) and is_argument(items[start + 1]):
         at = [new for fit in fits if fit.node is not None for new in ctx.made(At, fit.node, "t", cost=fit.cost)]
         yield start + 2, with_marks(at, replace(letter_of(items[start + 1]), accents=(), base=""), ctx)
         fits = [replace(fit, cost=fit.cost + UNUSUAL) for fit in fits]
@@ -88,6 +98,13 @@ def _difference(sign: Atom, home: str, of: Node) -> Node:
     """The change of a quantity: one of its own."""
     said = latex(of) if isinstance(of, Symbol | Group) else rf"\left( {latex(of)} \right)"
     return own_quantity(f"{spelled(letter_of(sign))} {said}", measured(of), home)
+
+
+def _is_index(bracket: Atom) -> bool:
+    """Whether it is [n], [k - 1] or the like behind a letter, which is a member of a sequence then."""
+    are_counters = (each.kind in ("NUMBER", "INFIX") or each.text in COUNTERS for each in pieces_of(bracket))
+    is_marked = any(each.is_marked for each in pieces_of(bracket))
+    return bracket.text == "[]" and len(bracket.inside) == 1 and all(are_counters) and not is_marked
 
 
 def _is_numeral(atom: Atom) -> bool:
@@ -105,7 +122,7 @@ def _is_inverse_function(atom: Atom, behind: Atom, ctx: FittingContext) -> bool:
 def _value_fits(atom: Atom, bracket: Atom, ctx: FittingContext) -> list[Fit]:
     """The value of a function: the notation knows its arguments, or the page has letters alone between its brackets."""
     letter = with_arguments(letter_of(atom), bracket)
-    if letter is None or _is_argument(bracket):
+    if letter is None or is_argument(bracket):
         return []
     is_function = ctx.notation.functions.get(replace(letter, arguments="", sups=()))
     if is_function and is_operator(letter) and next(ctx.notation.letters.meanings(letter), None) is None:
@@ -114,7 +131,7 @@ def _value_fits(atom: Atom, bracket: Atom, ctx: FittingContext) -> list[Fit]:
     return [replace(fit, cost=fit.cost + (2 * UNUSUAL if is_function is False else 0)) for fit in fits]
 
 
-def _is_argument(atom: Atom) -> bool:
+def is_argument(atom: Atom) -> bool:
     """Whether it is (t), the time at which a quantity is taken."""
     if atom.text != "()" or atom.sub or len(atom.inside) != 1 or atom.inside[0].signs != ("",):
         return False

@@ -76,6 +76,11 @@ def latex_of(atom: Atom) -> str:
     return in_latex(_text(atom))
 
 
+def pieces_of(bracket: Atom) -> list[Atom]:
+    """All that stands directly between brackets."""
+    return [piece for terms in bracket.inside for row in terms.rows for piece in row]
+
+
 def text_of(terms: Terms) -> str:
     """The terms as one text."""
     return " ".join(f"{sign} {text_of_row(row)}" for sign, row in zip(terms.signs, terms.rows, strict=True)).strip()

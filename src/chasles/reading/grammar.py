@@ -126,18 +126,17 @@ def _terminals(atoms: Atoms) -> list[Terminal]:
     """The terminals of the grammar; a bar that says where something is taken is a script of what stands before it."""
     found: list[Terminal] = []
     open_bars = [""]
-    for atom in atoms:
+    for place, atom in enumerate(atoms):
         kind, text = atom.kind, atom.text
         is_behind = bool(found) and found[-1].type not in WITHOUT_SCRIPTS
         if text == "|" and open_bars[-1] != "|" and is_behind and atom.sub is not None:
-            if atom.sups:
-                why = "a bar that says where something is taken bears an exponent: put it in brackets"
-                raise Unread(why, atom.place)
             before = found[-1].value
             found[-1] = Terminal(found[-1].type, replace(before, sups=(*before.sups, (atom,))))
             continue
         if kind == "BAR":
-            kind = "CLOSE" if open_bars[-1] == text and is_behind else "OPEN"
+            is_closed = open_bars[-1] == text or _is_closed(atoms[place + 1 :], text)
+            kind = "OPEN" if not is_behind else "CLOSE" if open_bars[-1] == text else "OPEN" if is_closed else "INFIX"
+            atom = replace(atom, kind="INFIX") if kind == "INFIX" else atom  # noqa: PLW2901
         if kind == "LAYOUT" or (kind in WITHOUT_SCRIPTS and atom.is_marked):
             raise Unread(f"{text} is not expected here", atom.place)
         if text == r"\sqrt" and len(atom.arguments) > 1:
@@ -150,6 +149,16 @@ def _terminals(atoms: Atoms) -> list[Terminal]:
             open_bars.pop()
         found.append(Terminal(kind if kind in (*WITHOUT_SCRIPTS, "CLOSE") else "ATOM", atom))
     return found
+
+
+def _is_closed(behind: Atoms, bar: str) -> bool:
+    """Whether another such bar follows before the bracket around it closes: the bar of p(x | y) stands alone."""
+    depth = 0
+    for atom in behind:
+        depth += (atom.text in OPENING) - (atom.text in CLOSING)
+        if depth < 0 or atom.text == bar or atom.kind == "RELATION":
+            return depth >= 0 and atom.text == bar
+    return False
 
 
 def _unfinished(atoms: Atoms) -> Unread:

@@ -10,7 +10,7 @@ from chasles.reading.applying import EVALUATED
 from chasles.reading.atoms import TYPEFACES, Atom, said_of
 from chasles.reading.commands import MARKS
 from chasles.reading.derivatives import differential
-from chasles.reading.glyphs import ARROWS, Glyph, joined, letter_of, spelled, text_of
+from chasles.reading.glyphs import ARROWS, Glyph, joined, letter_of, pieces_of, spelled, text_of
 from chasles.reading.grammar import Terms, terms_in
 from chasles.reading.marks import SIZE, WITHOUT_WORD
 from chasles.reading.notation_file import load_notation
@@ -62,7 +62,7 @@ class LetterUse:
     @property
     def is_matrix(self) -> bool:
         """Whether it is used as no scalar is: also if it is transposed."""
-        return self.is_square or any(f"^{sup}" in self.signs for sup in TRANSPOSES)
+        return self.is_square or any(f"^{sup}" in self.signs for sup in (*TRANSPOSES, r"\dagger"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -189,8 +189,7 @@ def _note(terms: Terms | None, within: str, noting: _Noting) -> None:
 
 
 def _is_letter_alone(bracket: Atom) -> bool:
-    rows = [row for terms in bracket.inside for row in terms.rows]
-    return len(rows) == len(rows[0]) == 1
+    return len(pieces_of(bracket)) == 1
 
 
 def _is_derivative(terms: Terms | None, within: str) -> bool:
@@ -217,7 +216,8 @@ def stem_of(own: Glyph) -> Glyph:
 def is_declared(letter: Glyph, bare: frozenset[str]) -> bool:
     """Whether it is a letter of the page, and not one that has a meaning everywhere."""
     is_bare = letter.base in bare and (letter.base != "e" or bool(letter.sups))
-    is_bare = is_bare and (not letter.sub or bool(SIZE.fullmatch(letter.sub))) and not {*letter.accents} - {*RATES}
+    has_size = letter.base != r"\pi" and bool(SIZE.fullmatch(letter.sub))
+    is_bare = is_bare and (not letter.sub or has_size) and not {*letter.accents} - {*RATES}
     is_name = letter.base.startswith(("[", "(", r"\begin")) or " , " in letter.base or letter.loose.base in NO_LETTERS
     return not (is_bare or is_name)
 
@@ -228,4 +228,5 @@ def _note_letter(letter: Glyph, around: set[str], noting: _Noting) -> None:
         use = noting.uses.setdefault(stem_of(own), LetterUse())
         use.letters.setdefault(own, {})[noting.at] = use.places[noting.at] = None
         use.signs |= {"marked"} if letter.sub or letter.accents or letter.primes or letter.sups else set()
+        use.signs |= {r"^\dagger"} if r"\dagger" in own.sups else set()
         use.signs |= around | {each if each in noting.operators else f"^{each}" for each in marks}

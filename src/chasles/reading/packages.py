@@ -17,6 +17,8 @@ ALWAYS = r"""
 \newcommand\pdiff[2]{\frac{\partial #1}{\partial #2}} \newcommand\pder[2]{\frac{\partial #1}{\partial #2}}
 \newcommand\pdv{\derivative\partial} \newcommand\dv{\derivative d}
 \newcommand\dif{\mathrm{d}} \newcommand\mathd{\mathrm{d}} \newcommand\dd{\mathrm{d}} \newcommand\ud{\mathrm{d}}
+\newcommand\cross{\times} \newcommand\vector[1]{\vec{#1}} \newcommand\mag[1]{\left|#1\right|}
+\newcommand\Transpose{\top} \newcommand\transpose{\top}
 \newcommand\T{\top} \newcommand\transp{\top} \newcommand\tran{\top} \newcommand\comma{,}
 \newcommand\SO{\operatorname{SO}} \newcommand\SE{\operatorname{SE}}
 \newcommand\asin{\arcsin} \newcommand\acos{\arccos} \newcommand\atan{\arctan}

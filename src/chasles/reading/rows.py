@@ -5,16 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
+from itertools import pairwise
 
 from chasles.reading.applying import applied, made_of
 from chasles.reading.atoms import Atom, Atoms
 from chasles.reading.context import FittingContext
 from chasles.reading.expanding import OPEN, TOTALS, end_of_total, takes_all, totals
-from chasles.reading.factors import factors, operators_of
+from chasles.reading.factors import factors, is_argument, operators_of
 from chasles.reading.fits import UNUSUAL, Fit, kept, made
 from chasles.reading.glyphs import Glyph, joined, letter_of
+from chasles.reading.page_functions import lists_letters
 from chasles.reading.products import multiplied, times
-from chasles.reading.spellings import Make
+from chasles.reading.spellings import Make, called
 from chasles.vocabulary import Quotient, Skew
 from chasles.vocabulary.spelling import Precedence
 
@@ -49,6 +51,9 @@ def _signed(pieces: Atoms, ctx: FittingContext) -> list[Fit]:
             found += _stroke(left, right, usual, ctx)
             continue
         makes = ctx.notation.spellings.infixes.get(sign.text, [])
+        if sign.text == "*" and _has_value(pieces, ctx):
+            ctx.note("* between functions may be a convolution", sign.place)
+            return []
         if not makes:
             ctx.note(f"no word for {sign.text}", sign.place)
             return []
@@ -93,6 +98,13 @@ def _infix(makes: list[Make], one: Fit, other: Fit, sign: Atom, usual: int, ctx:
     if one.shape and other.shape:
         sizes = " and ".join(f"{rows} x {columns}" for rows, columns in (one.shape, other.shape))
         ctx.note(f"no word for {sign.text} between {sizes}", sign.place)
+
+
+def _has_value(pieces: Atoms, ctx: FittingContext) -> bool:
+    """Whether a function that is no word stands there with its argument."""
+    names = ctx.notation.spellings.names
+    pairs = ((one, behind) for one, behind in pairwise(pieces) if one.kind == "LETTER" and called(one) not in names)
+    return any(is_argument(behind) or lists_letters(behind) for _, behind in pairs if behind.kind == "BRACKET")
 
 
 def _stroke(left: Atoms, right: Atoms, usual: int, ctx: FittingContext) -> Iterator[Fit]:

@@ -14,7 +14,7 @@ from chasles.reading.grammar import Chain, formula
 from chasles.reading.lexemes import BadPage, cut
 from chasles.reading.printed import PrintedEquation
 
-CONDITIONS = re.compile(r"(?:(?:for|if|when|where|provided|with|as)\b|i\.e\.)", re.IGNORECASE)
+CONDITIONS = re.compile(r"(?:(?:for|if|when|where|provided|with|as|in|on|at|over)\b|i\.e\.)", re.IGNORECASE)
 PROSE = re.compile(r"(?:is|are|being)\b")
 """What words begin with that say something of what stands before them."""
 ABBREVIATIONS = [[*"s.t."], [*"i.e."], [*"w.r.t."]]
@@ -80,7 +80,7 @@ def _is_membership(part: Atoms) -> bool:
 def _lists_values(part: Atoms) -> bool:
     """Whether it says which values letters run through, as i = 1, 2, 3 and j = 1, ..., n do."""
     sides = lines_of(part, ("=", r"\in"))
-    return len(sides) == 2 and any(token.text == "," or token.text in DOTS for token in sides[1])
+    return len(sides) == 2 and (len(lines_of(sides[1], (",",))) > 1 or any(atom.text in DOTS for atom in sides[1]))
 
 
 def _side_by_side(line: list[Atom]) -> list[tuple[list[Atom], str]]:
