@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache, cached_property
 from pathlib import Path
 from types import ModuleType
@@ -12,6 +12,7 @@ from typing import Any
 
 from chasles.decisions.session import Session
 from chasles.display import Displayed
+from chasles.pages.chains import without_misfits_in_chains
 from chasles.pages.chapter_notation import notation_of_chapter
 from chasles.pages.deduction import WORK, Deduction
 from chasles.pages.facts import facts_of, kind_in_meaning
@@ -158,7 +159,7 @@ def read_page(
     for said in notation.assuming:
         for part in parts_of(said, notation, f"[page] assuming '{said}'"):
             deduction.assume(part.left, part.right)
-    equations = tuple(map(_without_misfits_in_chains, read_equations(printed, notation)))
+    equations = tuple(map(without_misfits_in_chains, read_equations(printed, notation)))
     names = [each.printed.number or each.printed.label or f"line {each.printed.line}" for each in equations]
     places: Counter[str] = Counter()
     relations = []
@@ -176,23 +177,6 @@ def read_page(
         first = relations[place][0].part if relations[place] else 1
         found += _decided(equation, name, first, notes, deduction, ahead)
     return Page(tuple(found), file)
-
-
-def _without_misfits_in_chains(equation: ReadEquation) -> ReadEquation:
-    """The equation with chains in which what fits to neither neighbour is told once: those are compared themselves."""
-    return replace(equation, readings=tuple(replace(r, parts=_compared(r.parts)) for r in equation.readings))
-
-
-def _compared(parts: tuple[Part, ...]) -> tuple[Part, ...]:
-    found: list[Part] = []
-    for part in parts:
-        if found and part.fault and found[-1].fault and part.left == found[-1].right:
-            beside = replace(part, left=found[-1].left, fault="")
-            fault = Claim("", beside.left, beside.right, sic=True).fault
-            found.append(part if fault else beside)
-        else:
-            found.append(part)
-    return tuple(found)
 
 
 def _relations(reading: Reading, number: str, first: int) -> tuple[Claim, ...]:
