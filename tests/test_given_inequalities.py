@@ -58,6 +58,15 @@ TRUE: list[tuple[Any, Any, list[Any]]] = [
     (Abs(sin(x)), -sin(x), [x > pi, x < 2 * pi]),
     (acos(cos(p)), p, [p <= pi]),
     (acos(cos(x)), x, [x > pi / 4, x <= pi / 2]),
+    (Max(x, x**2), x, [x >= 0, x <= 1]),
+    (Max(x, x**2), x**2, [x >= 1]),
+    (Min(x, 1 / x), x, [x > 0, x <= 1]),
+    (Piecewise((a, Abs(x) < 1), (b, True)), a, [x > -1, x < 1]),
+    (Piecewise((a, x**2 <= 1), (b, True)), a, [x >= -1, x <= 1]),
+    (Abs(cos(x)), cos(x), [x >= -pi / 3, x <= pi / 3]),
+    (sqrt(1 - sin(2 * x)), cos(x) - sin(x), [x >= 0, x <= pi / 4]),
+    (asin(2 * x * sqrt(1 - x**2)), 2 * asin(x), [x >= -1 / sqrt(2), x <= 1 / sqrt(2)]),
+    (2 * atan(x), asin(2 * x / (1 + x**2)), [x >= -1, x <= 1]),
 ]
 FAST = (a + b) / (1 + a * b)
 DAMPED = sp.exp(-q * w * t) * cos(w * sqrt(1 - q**2) * t)

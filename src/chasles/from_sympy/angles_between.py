@@ -33,7 +33,7 @@ def between(low: Any, high: Any, after: bool, before: bool, fresh: Fresh, halvin
 
 def _near(low: Any, high: Any, after: bool, before: bool, fresh: Fresh) -> Any:
     """The same between two angles that are not more than a right one away from zero."""
-    if not before:
+    if not before and RIGHT in (high, -low):
         known = {} if low else {"nonnegative": True}
         return sympy.asin(fresh("s_1", **known)) if high == RIGHT and low in (-RIGHT, 0) else None
     if low == -RIGHT and not after:
@@ -43,7 +43,14 @@ def _near(low: Any, high: Any, after: bool, before: bool, fresh: Fresh) -> Any:
         return None
     if least is None and most is None:
         return sympy.atan(fresh("s_1"))
+    if not before:
+        return sympy.atan(closed(least, most, fresh("s_1")))
     size = fresh("s_1", **{"positive" if after else "nonnegative": True})
     if least is None or most is None:
         return sympy.atan(most - size if least is None else least + size)
     return sympy.atan((least + most * size) / (1 + size))
+
+
+def closed(low: Any, high: Any, any_: Any) -> Any:
+    """An expression in a symbol of any value, whose values are all numbers between two others, and both of these."""
+    return sympy.factor(low + (high - low) * (1 + any_) ** 2 / (2 * (1 + any_**2)))

@@ -99,6 +99,10 @@ class SplitCase:
         for fact, sign in self.facts:
             if (ratio := ratio_of(e, fact)) is not None:
                 return sign * ratio
+        above, below = sympy.fraction(sympy.together(e))
+        if below.free_symbols:
+            one, other = self.sign(above), self.sign(below)
+            return one * other if one is not None and other else None
         factors = factors_of(e)
         ratio = ratio_of(e, sympy.Mul(*factors))
         if ratio is None or len(factors) == 1:
@@ -194,7 +198,7 @@ def _with_value(e: Any, put: Mapping[Any, Any]) -> Any:
     """The expression at the value; undefined where something in it is that SymPy does not compare."""
     try:
         return e.xreplace(put)
-    except ValueError:
+    except (TypeError, ValueError):
         return sympy.zoo
 
 

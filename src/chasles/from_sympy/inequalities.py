@@ -9,7 +9,7 @@ from typing import Any
 import sympy
 from sympy.core.function import AppliedUndef
 
-from chasles.from_sympy.angles_between import between
+from chasles.from_sympy.angles_between import between, closed
 from chasles.from_sympy.atoms import ASSUMPTIONS
 from chasles.from_sympy.complex_symbols import expressions_in
 from chasles.from_sympy.decimals import each_replaced, with_values
@@ -110,15 +110,18 @@ def _with_angle(said: Said, symbol: Any) -> Said:
 
 
 def _with_ratio(said: Said, symbol: Any, name: str) -> Said | None:
-    """What is said, with (a + b d)/(1 + d) for a symbol between a and b, one of which it may be; None for others."""
+    """What is said, with (a + b d)/(1 + d) for a symbol between a and b; None for others, or if it may not be that."""
     ends = _ends(said, symbol)
     if ends is None:
         return None
     (low, after, _), (high, before, _) = ends
-    if not (high - low).is_positive or not (after or before):
+    if not (high - low).is_positive:
         return None
-    d = _fresh(said, name, **{"positive" if after and before else "nonnegative": True})
-    value = (low + high * d) / (1 + d) if before else (high + low * d) / (1 + d)
+    if after or before:
+        d = _fresh(said, name, **{"positive" if after and before else "nonnegative": True})
+        value = (low + high * d) / (1 + d) if before else (high + low * d) / (1 + d)
+    else:
+        value = closed(low, high, _fresh(said, name))
     return _defined(said, symbol, value, ends) if _may_be(symbol, value, said) else None
 
 

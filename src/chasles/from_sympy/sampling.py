@@ -9,12 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from math import prod
 from random import Random
 from typing import Any
 
 import sympy
 
-from chasles.algebra.work_limit import check
+from chasles.algebra.work_limit import afford, check
 from chasles.from_sympy.atoms import ASSUMPTIONS
 from chasles.from_sympy.enclosed_functions import NotEnclosed, apart, sign_of
 from chasles.from_sympy.enclosures import Enclosures
@@ -26,6 +27,8 @@ FEW, MANY = (4, 16), (30, 300)
 """So many points are looked at, of so many that are drawn."""
 SIGNS = ("positive", "negative", "nonpositive", "nonnegative", "zero", "nonzero")
 TRIES = 20
+TERM = 30
+"""What a term of SymPy's counts as, in products."""
 
 
 @dataclass(slots=True)
@@ -159,8 +162,12 @@ class _Solved:
 
     def _without_denominators(self, difference: Any) -> Any:
         """What vanishes by what is solved for, without what the values of that divide by."""
-        known = sympy.expand(difference.xreplace(self.values))
-        return sympy.expand(sympy.fraction(sympy.together(known))[0]) if known != sympy.expand(difference) else known
+        difference = sympy.expand(difference)
+        known = difference.xreplace(self.values)
+        if known == difference:
+            return known
+        _afford_numerator(known)
+        return sympy.expand(sympy.fraction(sympy.together(known))[0])
 
     def roots(self, values: dict[Any, Any]) -> dict[Any, Any]:
         """Atoms whose squares equations say, where there are real ones; with the sign that they had, if one has."""
@@ -177,6 +184,13 @@ class _Solved:
         """Whether all of them hold, exactly."""
         known = all(apart(enclosures(slope), Fraction(0)) for slope in self.slopes)
         return known and all(sympy.expand(e.xreplace(enclosures.values)) == 0 for e in self.left)
+
+
+def _afford_numerator(e: Any) -> None:
+    """Raise `OutOfTime` if a sum's numerator may have more terms than there is work left for."""
+    terms = sympy.Add.make_args(e)
+    below = {base for term in terms for base in sympy.Mul.make_args(sympy.fraction(sympy.together(term))[1])}
+    afford(len(terms) * prod(len(sympy.Add.make_args(base)) for base in below) * TERM)
 
 
 def _drawn(atom: Any, random: Random, attempt: int) -> Any:

@@ -14,6 +14,8 @@ from chasles.from_sympy.opening import parts_of
 
 SWITCHES = (sympy.Max, sympy.Min, sympy.Piecewise, sympy.Heaviside, sympy.sign, sympy.Abs)
 BITS = 200
+MOST_SYMBOLS = 3
+"""Of quadratic polynomials in more symbols no sign is seen."""
 
 
 def switches_in(expressions: Iterable[Any], *kinds: type) -> list[Any]:
@@ -60,7 +62,10 @@ WRITTEN: Mapping[Any, Callable[[Any, Any], Any]] = {
 
 
 def factors_of(e: Any) -> list[Any]:
-    """The irreducible factors of a polynomial, each once as often as it occurs; else the expression itself."""
+    """The irreducible factors of a quotient of polynomials, each as often as it occurs; else the expression itself."""
+    above, below = sympy.fraction(sympy.together(e))
+    if below.free_symbols:
+        return [*factors_of(above), *factors_of(below)]
     symbols = sorted(e.free_symbols, key=str)
     if not symbols or not e.is_polynomial(*symbols) or e.has(*SWITCHES):
         return [e]
@@ -86,7 +91,19 @@ def visible_sign(e: Any) -> int | None:
         except NotEnclosed:
             return None
         return 1 if least > 0 else -1 if most < 0 else None
-    return 1 if e.is_positive else -1 if e.is_negative else 0 if e.is_zero else None
+    seen = 1 if e.is_positive else -1 if e.is_negative else 0 if e.is_zero else None
+    return _sign_of_quadratic(e) if seen is None else seen
+
+
+def _sign_of_quadratic(e: Any) -> int | None:
+    """The sign of a quadratic polynomial in a symbol, if its discriminant is seen to be negative."""
+    symbols = sorted(e.free_symbols, key=str)
+    for symbol in symbols if len(symbols) <= MOST_SYMBOLS and e.is_polynomial(*symbols) else ():
+        slope = sympy.diff(e, symbol)
+        square, zero = sympy.diff(slope, symbol), {symbol: sympy.S.Zero}
+        if not square.has(symbol) and visible_sign(2 * square * e.xreplace(zero) - slope.xreplace(zero) ** 2) == 1:
+            return visible_sign(square)
+    return None
 
 
 def excludes(e: Any, sign: int) -> bool:

@@ -101,6 +101,10 @@ class CheckedCase:
         for known, sign in self.facts:
             if (multiple := sign_of_multiple(e, known)) is not None:
                 return sign * multiple
+        above, below = sympy.fraction(sympy.together(e))
+        if below.free_symbols:
+            one, other = self.sign(above), self.sign(below)
+            return one * other if one is not None and other else None
         symbols = sorted(e.free_symbols, key=str)
         if e.has(*SWITCHES) or not e.is_polynomial(*symbols):
             return None
@@ -212,7 +216,7 @@ def _with_value(e: Any, put: Mapping[Any, Any]) -> Any:
     """The expression at the value; undefined where something in it is that SymPy does not compare."""
     try:
         return e.xreplace(put)
-    except ValueError:
+    except (TypeError, ValueError):
         return sympy.zoo
 
 

@@ -12,6 +12,8 @@ from sympy.core.relational import Relational
 from chasles.checker.expressions.enclosed import HOLDING, sign_of_number
 
 SWITCHES = (sympy.Max, sympy.Min, sympy.Piecewise, sympy.Heaviside, sympy.sign, sympy.Abs)
+MOST_SYMBOLS = 3
+"""Of quadratic polynomials in more symbols no sign is seen."""
 Sign = Callable[[Any], int | None]
 """The sign of an expression, where it is known."""
 
@@ -61,7 +63,8 @@ def deciding(parts: Iterable[Any]) -> Iterator[Any]:
             differences = [one - other for one, other in combinations(sorted(part.args, key=str), 2)]
         else:
             differences = [part.args[0]]
-        for e in differences:
+        quotients = (sympy.fraction(sympy.together(difference)) for difference in differences)
+        for e in (*differences, *(side for quotient in quotients for side in quotient)):
             yield e
             if e.free_symbols and not e.has(*SWITCHES) and e.is_polynomial(*e.free_symbols):
                 yield from (factor for factor, _ in sympy.factor_list(e)[1])
@@ -71,7 +74,20 @@ def visible_sign(e: Any) -> int | None:
     """The sign that an expression has whatever its symbols are."""
     if not e.free_symbols:
         return sign_of_number(e)
-    return 1 if e.is_positive else -1 if e.is_negative else 0 if e.is_zero else None
+    seen = 1 if e.is_positive else -1 if e.is_negative else 0 if e.is_zero else None
+    return _sign_of_quadratic(e) if seen is None else seen
+
+
+def _sign_of_quadratic(e: Any) -> int | None:
+    """The sign of a quadratic polynomial in a symbol, if its discriminant is seen to be negative."""
+    symbols = sorted(e.free_symbols, key=str)
+    for symbol in symbols if len(symbols) <= MOST_SYMBOLS and e.is_polynomial(*symbols) else ():
+        slope = sympy.diff(e, symbol)
+        twice = sympy.diff(slope, symbol)
+        least = {symbol: sympy.S.Zero}
+        if not twice.has(symbol) and visible_sign(2 * twice * e.xreplace(least) - slope.xreplace(least) ** 2) == 1:
+            return visible_sign(twice)
+    return None
 
 
 def excludes(e: Any, sign: int) -> bool:
