@@ -13,10 +13,10 @@ from typing import Any
 
 import sympy
 
+from chasles.checker.expressions.switches import visible_sign
 from chasles.from_sympy.constants import is_algebraic
 from chasles.from_sympy.divisors import CIRCULAR
 from chasles.from_sympy.opening import excerpt, is_atom
-from chasles.from_sympy.switches import visible_sign
 from chasles.problems.variables import Untreatable
 
 LARGEST = 90

@@ -192,11 +192,11 @@ class CheckedCase:
         parts = {part for e in self.spoken for part in e.atoms(sympy.Piecewise)}
         return tuple(sorted({q for part in parts for q in part.atoms(sympy.Pow) if q.exp.is_Rational}, key=str))
 
-    def required(self) -> list[set[str]]:
+    def required(self) -> list[tuple[str, ...]]:
         """What is to be said of divisors and radicands outside of conditions, each in one of some ways."""
         return [texts for power in self._outside() for texts in _requirements(power, visible_sign(power.base))]
 
-    def required_inside(self) -> list[set[str]]:
+    def required_inside(self) -> list[tuple[str, ...]]:
         """What is to be said of those within, where it is not seen in this case whether it holds."""
         found = []
         for power in self.within():
@@ -220,11 +220,11 @@ def _with_value(e: Any, put: Mapping[Any, Any]) -> Any:
         return sympy.zoo
 
 
-def _requirements(power: Any, sign: int | None) -> list[set[str]]:
+def _requirements(power: Any, sign: int | None) -> list[tuple[str, ...]]:
     """The ways to say what a power with a rational exponent needs of its base, whose sign may be known."""
-    base, found = power.base, []
+    base, found = power.base, list[tuple[str, ...]]()
     if power.exp < 0 and sign not in (1, -1):
-        found.append({f"{base} != 0", f"{base} > 0"})
+        found.append((f"{base} != 0", f"{base} > 0"))
     if not power.exp.is_Integer and sign not in (0, 1) and not base.is_nonnegative:
-        found.append({f"{base} >= 0", f"{base} > 0"})
+        found.append((f"{base} >= 0", f"{base} > 0"))
     return found

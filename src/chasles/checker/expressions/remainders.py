@@ -18,25 +18,26 @@ def at_integer(e: Any, put: Any) -> Any:
     parts = [at_integer(part, put) for part in e.args]
     if type(e) in CIRCULAR:
         terms = sympy.Add.make_args(sympy.expand(parts[0]))
-        left = [term for term in terms if not _is_whole(term / sympy.pi / 2)]
+        left = [term for term in terms if not is_whole(term / sympy.pi / 2)]
         # SymPy drops half turns of a tangent's argument as if they were whole ones, if they are no numbers.
-        turning = any(_is_integral(term / sympy.pi) for term in left if term.free_symbols)
+        turning = any(is_integral(term / sympy.pi) for term in left if term.free_symbols)
         return e.func(sympy.Add(*left), evaluate=not turning) if put or len(left) < len(terms) else e
     if e.is_Pow and parts[0].is_negative and parts[1].is_integer and parts[1].free_symbols:
         exponent = sympy.expand(parts[1])
-        odd = sympy.Add(*(term for term in sympy.Add.make_args(exponent) if not _is_whole(term / 2)))
+        odd = sympy.Add(*(term for term in sympy.Add.make_args(exponent) if not is_whole(term / 2)))
         return sympy.Pow(-1, odd) * (-parts[0]) ** exponent
     return e.func(*parts)
 
 
-def _is_integral(term: Any) -> bool:
+def is_integral(term: Any) -> bool:
     """Whether a term is a rational multiple of a product of integers."""
     multiple, rest = term.as_coeff_Mul()
     factors = (
         base.is_Symbol and base.is_integer and n.is_Integer and n > 0 for base, n in rest.as_powers_dict().items()
     )
-    return multiple.is_Rational and (rest == 1 or all(factors))
+    return bool(multiple.is_Rational) and (rest == 1 or all(factors))
 
 
-def _is_whole(term: Any) -> bool:
-    return _is_integral(term) and term.as_coeff_Mul()[0].is_Integer
+def is_whole(term: Any) -> bool:
+    """Whether a term is an integral multiple of a product of integers."""
+    return is_integral(term) and bool(term.as_coeff_Mul()[0].is_Integer)

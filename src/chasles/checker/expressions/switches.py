@@ -55,7 +55,7 @@ def _truth(condition: Any, sign_of: Sign) -> bool | None:
 
 
 def deciding(parts: Iterable[Any]) -> Iterator[Any]:
-    """Whose signs decide the form of the parts: differences, and their factors."""
+    """Whose signs decide the form of the parts: the factors of differences, and these themselves."""
     for part in parts:
         if isinstance(part, sympy.Piecewise):
             differences = [r.lhs - r.rhs for _, condition in part.args for r in condition.atoms(Relational)]
@@ -63,11 +63,11 @@ def deciding(parts: Iterable[Any]) -> Iterator[Any]:
             differences = [one - other for one, other in combinations(sorted(part.args, key=str), 2)]
         else:
             differences = [part.args[0]]
-        quotients = (sympy.fraction(sympy.together(difference)) for difference in differences)
-        for e in (*differences, *(side for quotient in quotients for side in quotient)):
-            yield e
-            if e.free_symbols and not e.has(*SWITCHES) and e.is_polynomial(*e.free_symbols):
-                yield from (factor for factor, _ in sympy.factor_list(e)[1])
+        for difference in differences:
+            for e in sympy.fraction(sympy.together(difference)):
+                if e.free_symbols and not e.has(*SWITCHES) and e.is_polynomial(*e.free_symbols):
+                    yield from (factor for factor, _ in sympy.factor_list(e)[1])
+            yield difference
 
 
 def visible_sign(e: Any) -> int | None:

@@ -47,8 +47,8 @@ def check_widened(
         raise Rejected(f"the proof may use {missing[0]}, and the verdict does not say so")
     pairs = tuple(pair for _, item in given for pair in item)
     whole = CheckedCase(tuple(map(tuple, sides)), pairs, tuple(nonzero))
-    if missing := [texts for texts in whole.required() if not texts & set(verdict.needs)]:
-        raise Rejected(f"the question needs {min(missing[0])}, and the verdict does not say so")
+    if missing := [ways for ways in whole.required() if not {*ways} & set(verdict.needs)]:
+        raise Rejected(f"the question needs {missing[0][0]}, and the verdict does not say so")
     if verdict.certificate["witness"] != {name: str(value) for name, value in verdict.witness.items()}:
         raise Rejected("the verdict and its certificate have different witnesses")
     _Widened(tuple(verdict.needs), texts, check).tree(whole.each(partial(at_integer, put={})), verdict.certificate)
@@ -87,8 +87,8 @@ class _Widened:
     def _leaf(self, case: CheckedCase, node: Mapping[str, Any]) -> None:
         if "proof" not in node:
             raise Rejected("one of the cases is not proved")
-        if missing := [texts for texts in case.required_inside() if not texts & set(self.needs)]:
-            raise Rejected(f"one of the cases needs {min(missing[0])}, and the verdict does not say so")
+        if missing := [ways for ways in case.required_inside() if not {*ways} & set(self.needs)]:
+            raise Rejected(f"one of the cases needs {missing[0][0]}, and the verdict does not say so")
         more = Generalised(int(node.get("parts", 0)), case.names)
         case = replace(case, pairs=(*case.pairs, *((e, sympy.S.Zero) for e in case.equations)), equations=())
         for place, side in node.get("defined", ()):
