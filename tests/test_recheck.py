@@ -291,3 +291,16 @@ def test_real_numbers_are_told_apart() -> None:
     assert reals.sign(reals.arctangent(Fraction(1, 3)) - number(Fraction(32175, 100000))) == 1
     with pytest.raises(Rejected, match="negative"):
         reals.root(number(1) - two)
+
+
+@pytest.mark.parametrize(
+    ("lhs", "rhs", "left"),
+    [
+        (sp.log(8, 2, evaluate=False), 3, "log(8)"),
+        (sp.Piecewise((1, sp.ITE(sp.Symbol("A"), x > 0, x < 0)), (0, True)), 1, "0"),
+    ],
+    ids=name,
+)
+def test_a_point_at_which_nothing_differs_refutes_nothing(lhs: Any, rhs: Any, left: str) -> None:
+    """A logarithm to a base is not the natural one; what is no comparison is not read as one."""
+    rejected(Fails(Counterexample({str(s): Fraction(0) for s in lhs.free_symbols}, (1, 1), left, str(rhs))), lhs, rhs)

@@ -1,96 +1,51 @@
-"""Values of expressions at rational points: exact, or enclosed in intervals."""
+"""Values of expressions at points, between rational numbers as the checker has them: exact where all is rational."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from fractions import Fraction
-from functools import reduce
 from typing import Any
 
 import sympy
-from sympy.functions.elementary.piecewise import ExprCondPair
 
 from chasles.algebra.work_limit import check
-from chasles.from_sympy.enclosed_functions import (
-    BITS,
-    FUNCTIONS,
-    NotEnclosed,
-    Value,
-    ends,
-    iv,
-    plus,
-    power,
-    sign_of,
-    times,
-)
-from chasles.from_sympy.opening import is_atom
+from chasles.checker.expressions.enclosed import EnclosedValues
+from chasles.checker.expressions.intervals import Enclosure
 
 
-class Enclosures:
-    """Encloses values, atoms having the given rational values, or those of the given expressions."""
+class Enclosures(EnclosedValues):
+    """Encloses values, atoms having those of the given expressions; raises `Rejected` where there may be none."""
 
     def __init__(self, values: Mapping[Any, Any]) -> None:
-        self.values = values
-        self._known: dict[Any, Value] = {}
+        super().__init__({atom: _resolved(sympy.sympify(value), values) for atom, value in values.items()})
+        self._rational: dict[Any, Any] = {}
 
-    def __call__(self, e: Any) -> Value:
-        """The value of an expression; raises `NotEnclosed` where it is not known to be defined."""
-        known = self._known.get(e)
-        if known is None:
-            check()
-            known = self._known[e] = self._value(e)
-        return known
+    def _of(self, e: Any) -> Enclosure:
+        check()
+        exact = self._exactly(e)
+        return super()._of(e if exact is None else exact)
 
-    def _value(self, e: Any) -> Value:
-        if e in self.values:
-            return self(self.values[e])
-        if isinstance(e, sympy.Rational):
-            return Fraction(int(e.p), int(e.q))
-        if e is sympy.pi:
-            return iv.pi + 0
-        if e is sympy.E:
-            return iv.exp(1)
-        if is_atom(e):
-            raise NotEnclosed
-        if isinstance(e, sympy.Add | sympy.Mul):
-            return reduce(plus if isinstance(e, sympy.Add) else times, map(self, e.args))
-        if isinstance(e, sympy.Pow):
-            return power(self(e.base), self(e.exp))
-        if isinstance(e, sympy.Piecewise):
-            return self._by_cases(e)
-        if e.func not in FUNCTIONS:
-            raise NotEnclosed
-        return FUNCTIONS[e.func](*map(self, e.args))
+    def sign(self, e: Any) -> int:
+        """The sign; raises `Rejected` where it is not clear."""
+        exact = self._exactly(e)
+        return super().sign(e) if exact is None else int(sympy.sign(exact))
 
-    def _by_cases(self, e: Any) -> Value:
-        for case in e.args:
-            assert isinstance(case, ExprCondPair)
-            if self.is_true(case.cond):
-                return self(case.expr)
-        raise NotEnclosed
+    def _exactly(self, e: Any) -> Any:
+        """The value, if it is rational by rational arithmetic alone; else None."""
+        if e not in self._rational:
+            self._rational[e] = self._by_arithmetic(self.point.get(e, e))
+        return self._rational[e]
 
-    def is_true(self, condition: Any) -> bool:
-        """Whether a condition holds at the point; raises `NotEnclosed` if that is not clear."""
-        if condition in (sympy.true, sympy.false):
-            return condition is sympy.true
-        if isinstance(condition, sympy.And | sympy.Or):
-            found = [self.is_true(part) for part in condition.args]
-            return all(found) if isinstance(condition, sympy.And) else any(found)
-        if isinstance(condition, sympy.Not):
-            return not self.is_true(condition.args[0])
-        if not isinstance(condition, sympy.core.relational.Relational):
-            raise NotEnclosed
-        sign = sign_of(plus(self(condition.lhs), -self(condition.rhs)))
-        return {"==": sign == 0, "!=": sign != 0, "<": sign < 0, "<=": sign <= 0, ">": sign > 0, ">=": sign >= 0}[
-            condition.rel_op
-        ]
+    def _by_arithmetic(self, e: Any) -> Any:
+        if e.is_Rational or not (e.is_Add or e.is_Mul or (e.is_Pow and e.exp.is_Integer)):
+            return e if e.is_Rational else None
+        parts = [self._exactly(part) for part in e.args]
+        if None in parts or (e.is_Pow and parts[0] == 0 and parts[1] < 0):
+            return None
+        return e.func(*parts)
 
 
-def ends_of(number: Any, bits: int) -> tuple[Fraction, Fraction]:
-    """Between which rational numbers a number lies, computed with so many binary digits; raises `NotEnclosed`."""
-    iv.prec = bits
-    try:
-        value = Enclosures({})(number)
-        return (value, value) if isinstance(value, Fraction) else ends(value)
-    finally:
-        iv.prec = BITS
+def _resolved(e: Any, values: Mapping[Any, Any]) -> Any:
+    """An expression without what has a value."""
+    while e.has(*values):
+        e = e.xreplace(values)
+    return e

@@ -16,8 +16,8 @@ from typing import Any
 import sympy
 
 from chasles.algebra.work_limit import afford, check
+from chasles.checker.sparse import Rejected
 from chasles.from_sympy.atoms import ASSUMPTIONS
-from chasles.from_sympy.enclosed_functions import NotEnclosed, apart, sign_of
 from chasles.from_sympy.enclosures import Enclosures
 from chasles.from_sympy.opening import Entries, atoms_of, excerpt
 from chasles.problems.variables import Untreatable
@@ -55,9 +55,9 @@ class Sampling:
             for i, (one, other) in enumerate(zip(*sides, strict=True)):
                 for j, (a, b) in enumerate(zip(one, other, strict=True)):
                     try:
-                        if apart(enclosures(a), enclosures(b)):
+                        if not enclosures(a).meets(enclosures(b)):
                             return self._told(enclosures, i % self.rows, j)
-                    except NotEnclosed:
+                    except Rejected:
                         continue
         return None
 
@@ -84,15 +84,15 @@ class Sampling:
             values = {dummy: _drawn(atom, random, attempt) for atom, dummy in atoms}
             if solved.quadratic:
                 # Half of the others vanish where they may: roots are rational more often.
-                free = [dummy for atom, dummy in atoms if dummy not in solved.quadratic and _agrees(atom, Fraction(0))]
+                free = [dummy for atom, dummy in atoms if dummy not in solved.quadratic and _agrees(atom, sympy.S.Zero)]
                 values |= {dummy: sympy.S.Zero for dummy in free if random.random() < 0.5}
             enclosures = Enclosures({**values, **solved.roots(values), **solved.values})
             try:
                 for expression in expressions:
                     enclosures(expression)
-                good = solved.satisfied(enclosures) and all(apart(enclosures(e), Fraction(0)) for e in nonzero)
-                good = good and all(_agrees(atom, enclosures(dummy)) for atom, dummy in self._dummies.items())
-            except NotEnclosed:
+                good = solved.satisfied(enclosures) and all(map(enclosures.sign, nonzero))
+                good = good and all(_may_be(atom, enclosures, dummy) for atom, dummy in self._dummies.items())
+            except Rejected:
                 continue
             if good:
                 yield enclosures
@@ -116,9 +116,7 @@ class Sampling:
         return dict(sorted(found.items()))
 
     def _exact(self, enclosures: Enclosures, expression: Any) -> Any:
-        while expression.has(*enclosures.values):
-            expression = expression.xreplace(enclosures.values)
-        return expression
+        return expression.xreplace(enclosures.point)
 
     def _told(self, enclosures: Enclosures, row: int, column: int) -> Counterexample:
         """The counterexample, both sides with their imaginary parts if they may have some."""
@@ -182,8 +180,8 @@ class _Solved:
 
     def satisfied(self, enclosures: Enclosures) -> bool:
         """Whether all of them hold, exactly."""
-        known = all(apart(enclosures(slope), Fraction(0)) for slope in self.slopes)
-        return known and all(sympy.expand(e.xreplace(enclosures.values)) == 0 for e in self.left)
+        known = all(map(enclosures.sign, self.slopes))
+        return known and all(sympy.expand(e.xreplace(enclosures.point)) == 0 for e in self.left)
 
 
 def _afford_numerator(e: Any) -> None:
@@ -196,26 +194,30 @@ def _afford_numerator(e: Any) -> None:
 def _drawn(atom: Any, random: Random, attempt: int) -> Any:
     """A rational number that the atom may be, small ones first."""
     value = sympy.Integer(attempt % 2)
-    if attempt in (FEW[1], FEW[1] + 1) and _agrees(atom, Fraction(int(value))):
+    if attempt in (FEW[1], FEW[1] + 1) and _agrees(atom, value):
         return value
     for _ in range(TRIES):
         reach = 3 if attempt < FEW[1] else 12
         value = sympy.Rational(random.randint(-4 * reach, 4 * reach), random.choice((1, 2, 3, 4, 4, 8)))
-        if _agrees(atom, Fraction(int(value.p), int(value.q))):
+        if _agrees(atom, value):
             break
     return value
 
 
+def _may_be(atom: Any, enclosures: Enclosures, dummy: Any) -> bool:
+    """Whether the atom may have its value; of one that is not rational only the sign is known."""
+    value = enclosures.point.get(dummy, dummy)
+    known = value.is_Rational or not _assumed(atom).keys() - set(SIGNS)
+    return known and _agrees(atom, value if value.is_Rational else sympy.Integer(enclosures.sign(dummy)))
+
+
 def _agrees(atom: Any, value: Any) -> bool:
     """Whether the atom may have the value, by what SymPy knows of it."""
-    wanted = {key: known for key in ASSUMPTIONS if (known := getattr(atom, f"is_{key}")) is not None}
-    if isinstance(value, Fraction):
-        exact = sympy.Rational(value.numerator, value.denominator)
-        return all(getattr(exact, f"is_{key}") is known for key, known in wanted.items())
-    if not wanted.keys() <= set(SIGNS):
-        return False
-    sign = sympy.Integer(sign_of(value))
-    return all(getattr(sign, f"is_{key}") is known for key, known in wanted.items())
+    return all(getattr(value, f"is_{key}") is known for key, known in _assumed(atom).items())
+
+
+def _assumed(atom: Any) -> dict[str, bool]:
+    return {key: known for key in ASSUMPTIONS if (known := getattr(atom, f"is_{key}")) is not None}
 
 
 def exactly(value: Any) -> Any:
