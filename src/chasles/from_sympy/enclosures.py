@@ -8,7 +8,7 @@ from typing import Any
 import sympy
 
 from chasles.algebra.work_limit import check
-from chasles.checker.expressions.enclosed import EnclosedValues
+from chasles.checker.expressions.enclosed import LARGEST_EXPONENT, EnclosedValues
 from chasles.checker.expressions.intervals import Enclosure
 
 
@@ -39,7 +39,7 @@ class Enclosures(EnclosedValues):
         if e.is_Rational or not (e.is_Add or e.is_Mul or (e.is_Pow and e.exp.is_Integer)):
             return e if e.is_Rational else None
         parts = [self._exactly(part) for part in e.args]
-        if None in parts or (e.is_Pow and parts[0] == 0 and parts[1] < 0):
+        if None in parts or (e.is_Pow and (abs(parts[1]) > LARGEST_EXPONENT or (parts[0] == 0 and parts[1] < 0))):
             return None
         return e.func(*parts)
 

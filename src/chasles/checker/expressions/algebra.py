@@ -102,6 +102,10 @@ class QuotientRing:
         """The nonnegative square root; raises `Rejected` where none is known."""
         raise Rejected("no square root is known")
 
+    def called(self, function: str, *arguments: Polynomial) -> Polynomial:
+        """The value of a function; raises `Rejected` where none is known."""
+        raise Rejected(f"no value of {function} is known")
+
     def is_near(self, value: Polynomial, other: Fraction, distance: Fraction) -> bool:
         """Whether a number is known to differ from another by less than a distance."""
         return False

@@ -75,18 +75,6 @@ class AtPoint(Expressions, Reals):
             raise Rejected(f"{spelled} is zero at the point")
         return self.inverse(value)
 
-    def exp(self, value: Polynomial) -> Polynomial:
-        """The exponential of a number."""
-        return self.called("exp", value)
-
-    def log(self, value: Polynomial, evident: bool = False) -> Polynomial:
-        """The logarithm of a number."""
-        return self.called("log", value)
-
-    def arc(self, y: Polynomial, x: Polynomial) -> Polynomial:
-        """The angle of a point of numbers."""
-        return self.called("arc", y, x)
-
     def argument(self, e: Any) -> Polynomial:
         """The argument of a cosine or sine, in the quantities that make angles."""
         return self.symbolic(e)

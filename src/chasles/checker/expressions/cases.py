@@ -105,8 +105,7 @@ class CheckedCase:
         if below.free_symbols:
             one, other = self.sign(above), self.sign(below)
             return one * other if one is not None and other else None
-        symbols = sorted(e.free_symbols, key=str)
-        if e.has(*SWITCHES) or not e.is_polynomial(*symbols):
+        if e.has(*SWITCHES) or not e.is_polynomial(*e.free_symbols):
             return None
         constant, factors = sympy.factor_list(e)
         if sympy.expand(constant * sympy.Mul(*(f**n for f, n in factors)) - e) != 0 or sum(n for _, n in factors) < 2:

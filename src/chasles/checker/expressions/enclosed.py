@@ -10,15 +10,18 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import reduce
 from math import lcm, prod
+from operator import truediv
 from typing import Any
 
 import sympy
+from sympy.core.relational import Relational
 
 from chasles.checker.expressions.intervals import Enclosing, Enclosure, Unbounded
 from chasles.checker.sparse import Rejected
 
 BITS = 200
 MOST_BITS = 20_000
+LARGEST_EXPONENT = 10_000
 HOLDING = {"==": (0,), "!=": (1, -1), ">": (1,), ">=": (0, 1), "<": (-1,), "<=": (0, -1)}
 
 
@@ -57,45 +60,37 @@ class EnclosedValues:
 
     def holds(self, condition: Any) -> bool:
         """Whether a condition holds; raises `Rejected` where that is not clear."""
-        if condition in (sympy.true, sympy.false):
-            return bool(condition == sympy.true)
-        if isinstance(condition, sympy.And | sympy.Or):
-            parts = map(self.holds, condition.args)
-            return all(parts) if isinstance(condition, sympy.And) else any(parts)
-        if isinstance(condition, sympy.Not):
-            return not self.holds(condition.args[0])
-        if not isinstance(condition, sympy.core.relational.Relational):
+        found = truth(condition, self.sign)
+        if found is None:
             raise Rejected(f"{condition} is no condition that the checker reads")
-        return self.sign(condition.lhs - condition.rhs) in HOLDING[condition.rel_op]
+        return found
 
     def power(self, e: Any) -> Enclosure:
         """A power: of a root if the exponent is rational, else by the logarithm."""
         exponent = e.exp.xreplace(dict(self.point))
         if not exponent.is_Rational:
             return self.at.exp(self.at.times(self(e.exp), self.at.log(self(e.base))))
+        if abs(exponent.p) > LARGEST_EXPONENT:
+            raise Rejected(f"the exponent {exponent} is very large")
         base = self(e.base)
         return self.at.power(base if exponent.q == 1 else self.at.root(base, int(exponent.q)), int(exponent.p))
+
+
+def truth(condition: Any, sign_of: Callable[[Any], int | None]) -> bool | None:
+    """Whether a condition holds, as far as the signs of differences say."""
+    signs = {relation: sign_of(relation.lhs - relation.rhs) for relation in condition.atoms(Relational)}
+    known = {r: sympy.sympify(sign in HOLDING[r.rel_op]) for r, sign in signs.items() if sign is not None}
+    found = condition.xreplace(known)
+    return bool(found) if found in (sympy.true, sympy.false) else None
 
 
 def _larger(one: Enclosure, other: Enclosure) -> Enclosure:
     return Enclosure(max(one.low, other.low), max(one.high, other.high))
 
 
-def _reciprocal(function: Any) -> Callable[[EnclosedValues, Any], Enclosure]:
-    return lambda of, e: of.at.inverse(of(function(*e.args)))
-
-
-def _quotient(above: Any, below: Any) -> Callable[[EnclosedValues, Any], Enclosure]:
-    return lambda of, e: of.at.times(of(above(*e.args)), of.at.inverse(of(below(*e.args))))
-
-
 def _rewritten(rule: Callable[[Any], Any]) -> Callable[[EnclosedValues, Any], Enclosure]:
     """By others, as in Abramowitz and Stegun, Handbook of Mathematical Functions, 4.4, 4.5 and 4.6."""
     return lambda of, e: of(rule(e.args[0]))
-
-
-def _of_reciprocal(other: Any) -> Callable[[Any], Any]:
-    return lambda x: other(1 / x)
 
 
 def _heaviside(of: EnclosedValues, e: Any) -> Enclosure:
@@ -125,19 +120,19 @@ ENCLOSED: dict[type, Callable[[EnclosedValues, Any], Enclosure]] = {
     sympy.Heaviside: _heaviside,
     sympy.Max: lambda of, e: reduce(_larger, map(of, e.args)),
     sympy.Min: lambda of, e: -reduce(_larger, (-of(part) for part in e.args)),
-    sympy.Piecewise: lambda of, e: of(next(value for value, condition in e.args if of.holds(condition))),
+    sympy.Piecewise: lambda of, e: of(next((value for value, condition in e.args if of.holds(condition)), sympy.nan)),
     sympy.cos: lambda of, e: of.at.cosine_and_sine(of(e.args[0]))[0],
     sympy.sin: lambda of, e: of.at.cosine_and_sine(of(e.args[0]))[1],
-    sympy.tan: _quotient(sympy.sin, sympy.cos),
-    sympy.cot: _quotient(sympy.cos, sympy.sin),
-    sympy.sec: _reciprocal(sympy.cos),
-    sympy.csc: _reciprocal(sympy.sin),
     sympy.exp: lambda of, e: of.at.exp(of(e.args[0])),
-    sympy.log: lambda of, e: reduce(lambda log, base: of.at.times(log, of.at.inverse(base)), map(of.at.log, map(of, e.args))),
+    sympy.log: lambda of, e: of(reduce(truediv, map(sympy.log, e.args))) if e.args[1:] else of.at.log(of(e.args[0])),
     sympy.atan: lambda of, e: of.at.atan(of(e.args[0])),
     sympy.atan2: _direction,
     type(sympy.E): lambda of, _: of.at.exp(of.at.number(1)),
     **{function: _rewritten(rule) for function, rule in {
+        sympy.tan: lambda x: sympy.sin(x) / sympy.cos(x),
+        sympy.cot: lambda x: sympy.cos(x) / sympy.sin(x),
+        sympy.sec: lambda x: 1 / sympy.cos(x),
+        sympy.csc: lambda x: 1 / sympy.sin(x),
         sympy.sinh: lambda x: (sympy.exp(x) - sympy.exp(-x)) / 2,
         sympy.cosh: lambda x: (sympy.exp(x) + sympy.exp(-x)) / 2,
         sympy.tanh: lambda x: 1 - 2 / (sympy.exp(2 * x) + 1),
@@ -149,10 +144,12 @@ ENCLOSED: dict[type, Callable[[EnclosedValues, Any], Enclosure]] = {
         sympy.atanh: lambda x: (sympy.log(1 + x) - sympy.log(1 - x)) / 2,
         sympy.asin: lambda x: 2 * sympy.atan(x / (1 + sympy.sqrt(1 - x**2))),
         sympy.acos: lambda x: sympy.pi / 2 - 2 * sympy.atan(x / (1 + sympy.sqrt(1 - x**2))),
-    }.items()},
-    **{function: _rewritten(_of_reciprocal(other)) for function, other in {
-        sympy.acot: sympy.atan, sympy.asec: sympy.acos, sympy.acsc: sympy.asin,
-        sympy.acsch: sympy.asinh, sympy.asech: sympy.acosh, sympy.acoth: sympy.atanh,
+        sympy.acot: lambda x: sympy.atan(1 / x),
+        sympy.asec: lambda x: sympy.acos(1 / x),
+        sympy.acsc: lambda x: sympy.asin(1 / x),
+        sympy.acsch: lambda x: sympy.asinh(1 / x),
+        sympy.asech: lambda x: sympy.acosh(1 / x),
+        sympy.acoth: lambda x: sympy.atanh(1 / x),
     }.items()},
 }  # fmt: skip
 

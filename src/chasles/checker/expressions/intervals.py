@@ -98,8 +98,7 @@ class Enclosing:
         """The value of exp, log, atan, cos or sin."""
         if function in ("cos", "sin"):
             return self.cosine_and_sine(x)[function == "sin"]
-        found: Enclosure = {"exp": self.exp, "log": self.log, "atan": self.atan}[function](x)
-        return found
+        return {"exp": self.exp, "log": self.log, "atan": self.atan}[function](x)
 
     def increasing(self, function: Callable[[int], Enclosure], x: Enclosure) -> Enclosure:
         """A function that increases, from what it is at both ends."""

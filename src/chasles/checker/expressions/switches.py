@@ -9,11 +9,9 @@ from typing import Any
 import sympy
 from sympy.core.relational import Relational
 
-from chasles.checker.expressions.enclosed import HOLDING, sign_of_number
+from chasles.checker.expressions.enclosed import sign_of_number, truth
 
 SWITCHES = (sympy.Max, sympy.Min, sympy.Piecewise, sympy.Heaviside, sympy.sign, sympy.Abs)
-MOST_SYMBOLS = 3
-"""Of quadratic polynomials in more symbols no sign is seen."""
 Sign = Callable[[Any], int | None]
 """The sign of an expression, where it is known."""
 
@@ -22,9 +20,9 @@ def written(part: Any, sign_of: Sign) -> Any:
     """What a part is that changes its form; None where that takes a sign that is not known."""
     if isinstance(part, sympy.Piecewise):
         for value, condition in part.args:
-            truth = _truth(condition, sign_of)
-            if truth is None or truth:
-                return value if truth else None
+            holds = truth(condition, sign_of)
+            if holds is None or holds:
+                return value if holds else None
         return sympy.nan
     if isinstance(part, sympy.Max | sympy.Min):
         for one, other in combinations(sorted(part.args, key=str), 2):
@@ -42,16 +40,6 @@ def written(part: Any, sign_of: Sign) -> Any:
     if isinstance(part, sympy.sign):
         return sympy.Integer(sign)
     return sympy.Integer(max(sign, 0)) if sign else part.args[1]
-
-
-def _truth(condition: Any, sign_of: Sign) -> bool | None:
-    known = {}
-    for relation in condition.atoms(Relational):
-        sign = sign_of(relation.lhs - relation.rhs)
-        if sign is not None:
-            known[relation] = sympy.true if sign in HOLDING[relation.rel_op] else sympy.false
-    found = condition.xreplace(known)
-    return found == sympy.true if found in (sympy.true, sympy.false) else None
 
 
 def deciding(parts: Iterable[Any]) -> Iterator[Any]:
@@ -79,15 +67,12 @@ def visible_sign(e: Any) -> int | None:
 
 
 def _sign_of_quadratic(e: Any) -> int | None:
-    """The sign of a quadratic polynomial in a symbol, if its discriminant is seen to be negative."""
-    symbols = sorted(e.free_symbols, key=str)
-    for symbol in symbols if len(symbols) <= MOST_SYMBOLS and e.is_polynomial(*symbols) else ():
-        slope = sympy.diff(e, symbol)
-        twice = sympy.diff(slope, symbol)
-        least = {symbol: sympy.S.Zero}
-        if not twice.has(symbol) and visible_sign(2 * twice * e.xreplace(least) - slope.xreplace(least) ** 2) == 1:
-            return visible_sign(twice)
-    return None
+    """The sign of a quadratic polynomial in its first symbol, if the discriminant is seen to be negative."""
+    symbol = min(e.free_symbols, key=str)
+    slope = sympy.diff(e, symbol) if e.is_polynomial(*e.free_symbols) else symbol**2
+    twice, zero = sympy.diff(slope, symbol), {symbol: sympy.S.Zero}
+    negative = not twice.has(symbol) and visible_sign(2 * twice * e.xreplace(zero) - slope.xreplace(zero) ** 2) == 1
+    return visible_sign(twice) if negative else None
 
 
 def excludes(e: Any, sign: int) -> bool:

@@ -32,22 +32,11 @@ class Symbolic(Expressions):
             self.words.add(self._by_square[key])
         return variable(self._by_square[key])
 
-    def exp(self, value: Polynomial) -> Polynomial:
-        """The exponential, as a variable."""
-        return self._called("exp", value)
-
-    def log(self, value: Polynomial, evident: bool = False) -> Polynomial:
-        """The logarithm, as a variable."""
-        return self._called("log", value)
-
-    def arc(self, y: Polynomial, x: Polynomial) -> Polynomial:
-        """The angle of a point, as a variable."""
-        return self._called("arc", y, x)
-
     def require_nonnegative(self, value: Polynomial) -> None:
         """Nothing is known of it."""
 
-    def _called(self, function: str, *arguments: Polynomial) -> Polynomial:
+    def called(self, function: str, *arguments: Polynomial) -> Polynomial:
+        """The value of a function, as a variable."""
         arguments = tuple(map(self.normal, arguments))
         known = (place for place, call in self.calls.items() if call[0] == function and _equivalent(call[1], arguments))
         place = next(known, None)

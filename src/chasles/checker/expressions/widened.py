@@ -226,7 +226,8 @@ def _values(case: CheckedCase, at: Mapping[str, Any]) -> EnclosedValues:
     values = EnclosedValues(point)
     for atom, value in point.items():
         sign = value if value.is_Rational else sympy.Integer(values.sign(value))
-        if any(getattr(atom, f"is_{kind}") not in (None, getattr(sign, f"is_{kind}")) for kind in (*SIGNS, *NUMBERS)):
+        kinds = {**dict.fromkeys(SIGNS, sign), **dict.fromkeys(NUMBERS, value)}
+        if any(getattr(atom, f"is_{kind}") not in (None, getattr(e, f"is_{kind}")) for kind, e in kinds.items()):
             raise Rejected(f"{atom} cannot be {value}")
     if any(values.sign(one - other) for one, other in case.pairs) or any(values.sign(e) == 0 for e in case.nonzero):
         raise Rejected("the point does not satisfy the side conditions")
