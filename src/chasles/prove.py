@@ -43,7 +43,8 @@ def prove(lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), budget: float 
         given: equations that hold, as `Eq(a, b)` or as expressions or matrices that are zero, one or a list of them,
             or the values of symbols as `{x: 1}`; between functions of time they hold at all times. Inequalities may be
             among them; of `a > b` the verdict speaks as a = b + d_1, with a positive symbol d_1, of `a < x < b` as
-            x = (a + b d_1)/(1 + d_1), and of an angle between two multiples of pi by its tangent, sine or direction.
+            x = (a + b d_1)/(1 + d_1), of `a <= x <= b` as x = a + (b - a) (1 + d_1)^2/(2 + 2 d_1^2) with any d_1, and
+            of an angle between two multiples of pi by its tangent, sine or direction.
         nonzero: scalars that do not vanish. Divisors need not be named: the verdict's `needs` lists them.
         budget: seconds after which the verdict is `Undecided`. Without it only the work is limited, so that the verdict
             does not depend on the machine.

@@ -22,7 +22,7 @@ def is_algebraic(e: Any) -> bool:
 def vanishes(e: Any) -> bool:
     """Whether an algebraic number is zero; not so if that would take too many digits to tell."""
     try:
-        return is_algebraic(e) and enclosed.vanishes(e)
+        return is_algebraic(e) and enclosed.sign_of_number(e) in (0, None) and enclosed.vanishes(e)
     except Rejected:
         return False
 

@@ -101,12 +101,12 @@ class CheckedCase:
         for known, sign in self.facts:
             if (multiple := sign_of_multiple(e, known)) is not None:
                 return sign * multiple
-        above, below = sympy.fraction(sympy.together(e))
-        if below.free_symbols:
-            one, other = self.sign(above), self.sign(below)
-            return one * other if one is not None and other else None
-        if e.has(*SWITCHES) or not e.is_polynomial(*e.free_symbols):
+        if e.has(*SWITCHES):
             return None
+        if not e.is_polynomial(*e.free_symbols):
+            above, below = sympy.fraction(sympy.together(e))
+            one, other = (self.sign(above), self.sign(below)) if below.free_symbols else (None, None)
+            return one * other if one is not None and other else None
         constant, factors = sympy.factor_list(e)
         if sympy.expand(constant * sympy.Mul(*(f**n for f, n in factors)) - e) != 0 or sum(n for _, n in factors) < 2:
             return None

@@ -52,7 +52,8 @@ def deciding(parts: Iterable[Any]) -> Iterator[Any]:
         else:
             differences = [part.args[0]]
         for difference in differences:
-            for e in sympy.fraction(sympy.together(difference)):
+            plain = difference.is_polynomial(*difference.free_symbols)
+            for e in (difference,) if plain else sympy.fraction(sympy.together(difference)):
                 if e.free_symbols and not e.has(*SWITCHES) and e.is_polynomial(*e.free_symbols):
                     yield from (factor for factor, _ in sympy.factor_list(e)[1])
             yield difference
