@@ -93,8 +93,9 @@ class Factors:
 
 
 def _times(one: Node, other: Node) -> Node:
-    if isinstance(other, w.Quotient) and other.numerator == ONE and not isinstance(one, w.Quotient):
-        return w.Quotient(one, other.denominator)
+    for factor, by in ((one, other), (other, one)):
+        if isinstance(by, w.Quotient) and by.numerator == ONE and not isinstance(factor, w.Quotient):
+            return w.Quotient(factor, by.denominator)
     return one**2 if one == other else product_of(one, other)
 
 
