@@ -13,6 +13,7 @@ from chasles.repairs.required_values import quotient, value
 from chasles.repairs.residues import Sampled
 from chasles.rewriting.coefficients import ONE
 from chasles.rewriting.coefficients import product as product_of
+from chasles.statements import Hypothesis
 from chasles.vocabulary import Node
 from chasles.vocabulary.shorthand import Shorthand
 
@@ -41,8 +42,7 @@ class Factors:
         self.letters = tuple(part for part in found if isinstance(part, w.Symbol))
         squares = [part for part in found if (_is_named(part) or part in own) and _is_factor(part)]
         inverses = dict.fromkeys(part for part in found if isinstance(part, w.Inverse) and not part.is_scalar)
-        declared = (node for h in test.problem.hypotheses for node in h.nonvanishing if isinstance(node, w.Determinant))
-        inverses |= dict.fromkeys(w.Inverse(node.of) for node in declared)
+        inverses |= dict.fromkeys(declared_inverses(test.problem.hypotheses))
         self.matrices = (*squares, *map(w.Transpose, squares), *inverses)
         scalars = [part for part in found if part.is_scalar]
         scalars += [w.Determinant(each.of) for each in inverses]
@@ -90,6 +90,12 @@ class Factors:
             if (node.numerator == ONE if isinstance(node, w.Quotient) else not isinstance(node, products))
         )
         return tuple(islice(found, MOST_FACTORS))
+
+
+def declared_inverses(hypotheses: Iterable[Hypothesis]) -> Iterator[w.Inverse]:
+    """The inverses of matrices whose determinants are declared not to be zero."""
+    declared = (node for h in hypotheses for node in h.nonvanishing if isinstance(node, w.Determinant))
+    return (w.Inverse(node.of) for node in declared)
 
 
 def _times(one: Node, other: Node) -> Node:

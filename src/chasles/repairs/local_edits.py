@@ -14,6 +14,8 @@ from typing import NamedTuple, TypeVar
 
 from chasles import vocabulary as w
 from chasles.repairs.one_term import FACTOR, SIGN
+from chasles.rewriting.coefficients import negated
+from chasles.rewriting.product import contraction
 from chasles.vocabulary import Node
 from chasles.vocabulary.parts import Submatrix
 from chasles.vocabulary.parts import part as entry
@@ -107,15 +109,11 @@ def _of_factors(node: Node) -> Iterator[Node]:
             yield numerator
             yield w.Scale(denominator, numerator)
         case w.Contract(factors):
-            yield from (_product(factors[:k] + factors[k + 1 :]) for k in range(len(factors)))
+            yield from (contraction(factors[:k] + factors[k + 1 :]) for k in range(len(factors)))
         case w.Sum(terms):
             for k, term in enumerate(terms):
                 for outer in _outer(term):
                     yield from _gathered(terms, k, outer)
-
-
-def _product(factors: tuple[Node, ...]) -> Node:
-    return factors[0] if len(factors) == 1 else w.Contract(factors)
 
 
 _Times = Callable[[Node], Node]
@@ -134,8 +132,8 @@ def _outer(term: Node) -> Iterator[tuple[Node, _Times, bool]]:
             yield numerator, lambda part: with_fields(term, numerator=part), False
         case w.Contract(factors):
             for k in range(1, len(factors)):
-                yield _product(factors[k:]), _before(factors[:k]), True
-                yield _product(factors[:k]), _behind(factors[k:]), False
+                yield contraction(factors[k:]), _before(factors[:k]), True
+                yield contraction(factors[:k]), _behind(factors[k:]), False
         case w.Cross(left, right) | w.Dot(left, right):
             yield right, lambda part: w.rebuilt(term, (left, part)), True
             yield left, lambda part: w.rebuilt(term, (part, right)), False
@@ -158,14 +156,10 @@ def _gathered(terms: tuple[Node, ...], k: int, outer: tuple[Node, _Times, bool])
         kept = [inner if n == k else terms[n] for n in range(first, last)]
         leading = kept[0] if front else None
         turned = isinstance(leading, w.Negative)
-        inside = w.Sum(tuple(_opposite(each) for each in kept)) if turned else w.Sum(tuple(kept))
+        inside = w.Sum(tuple(negated(each) for each in kept)) if turned else w.Sum(tuple(kept))
         made = w.Negative(times(w.Group(inside))) if turned else times(w.Group(inside))
         whole = (*terms[:first], made, *terms[last:])
         yield whole[0] if len(whole) == 1 else w.Sum(whole)
-
-
-def _opposite(term: Node) -> Node:
-    return term.term if isinstance(term, w.Negative) else w.Negative(term)
 
 
 def _of_rates(node: Node, parent: Node | None) -> Iterator[Node]:
@@ -194,7 +188,7 @@ def turned_signs(node: Node) -> Iterator[SingleEdit]:
     parts = w.children(node) if isinstance(node, w.Sum | w.Block) else ()
     for k, part in enumerate(parts):
         if not isinstance(part, w.Zero | w.Block) and not (isinstance(node, w.Block) and isinstance(part, w.Sum)):
-            yield SingleEdit(w.rebuilt(node, (*parts[:k], _opposite(part), *parts[k + 1 :])), "", SIGN)
+            yield SingleEdit(w.rebuilt(node, (*parts[:k], negated(part), *parts[k + 1 :])), "", SIGN)
 
 
 def _with_factor(node: Node) -> Iterator[SingleEdit]:

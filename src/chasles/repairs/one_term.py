@@ -17,24 +17,6 @@ from chasles.rewriting.places import Place, linear_places, put, with_term
 from chasles.rewriting.term_basis import TermBasis
 from chasles.vocabulary import Block, Negative, Node, Sum, plain
 
-__all__ = [
-    "FACTOR",
-    "LEFT_OUT",
-    "SIGN",
-    "Change",
-    "Coefficient",
-    "distinct_terms",
-    "fitted",
-    "instead",
-    "missing",
-    "new_coefficients",
-    "new_term",
-    "other_coefficient",
-    "other_number",
-    "other_terms",
-    "rescaled",
-]
-
 
 @dataclass(frozen=True, slots=True)
 class Change:

@@ -13,7 +13,7 @@ from fractions import Fraction
 from itertools import islice
 
 from chasles import vocabulary as w
-from chasles.repairs.factors import Factors
+from chasles.repairs.factors import Factors, declared_inverses
 from chasles.repairs.free_objects import freedom_of, other_objects
 from chasles.repairs.inside_definitions import block_edits
 from chasles.repairs.local_edits import SingleEdit
@@ -155,8 +155,7 @@ class Nearest:
 
     def _tests(self, left: Node, right: Node) -> Iterator[tuple[ModularTest, TermBasis]]:
         """The equation at points, first with the symbols of its right side alone, then with all that are at hand."""
-        declared = [node for h in self.statement.assuming for node in h.nonvanishing if isinstance(node, w.Determinant)]
-        inverses = [w.Inverse(node.of) for node in declared if isinstance(node.of, w.Symbol)]
+        inverses = [each for each in declared_inverses(self.statement.assuming) if isinstance(each.of, w.Symbol)]
         for turn, nodes in enumerate(([right], [right, left, *self.given_sides, *inverses])):
             key = left, right, turn
             if key not in self._known_tests:

@@ -14,6 +14,7 @@ from chasles.repairs.local_edits import SingleEdit
 from chasles.repairs.single_edits import in_letters, placed, single_edits
 from chasles.rewriting.coefficients import added
 from chasles.rewriting.places import everywhere
+from chasles.rewriting.product import contraction
 from chasles.rewriting.term_basis import TermBasis, dimension_of, fit
 from chasles.vocabulary import Node
 
@@ -100,7 +101,7 @@ def _sum(terms: tuple[Node, ...]) -> Node:
 
 
 def _contracted(factors: tuple[Node, ...]) -> Node:
-    return factors[0] if len(factors) == 1 else w.printed(lambda: w.Contract(factors))
+    return w.printed(lambda: contraction(factors))
 
 
 def _factored(left: Node, right: Node, basis: TermBasis) -> Iterator[SingleEdit]:

@@ -44,7 +44,7 @@ def split(node: Node, constant: Callable[[Node], bool]) -> Term:
     match node:
         case Negative(term):
             inner = split(term, constant)
-            return Term(_negated(inner.coefficient), inner.core)
+            return Term(negated(inner.coefficient), inner.core)
         case Scale(factor, term):
             one, other = split(factor, constant), split(term, constant)
             return Term(product(one.coefficient, other.coefficient), _product(one.core, other.core))
@@ -84,7 +84,8 @@ def _quotient(like: Quotient, above: Node | None, below: Node) -> Node:
     return above if below == ONE else with_fields(like, numerator=above, denominator=below)
 
 
-def _negated(node: Node) -> Node:
+def negated(node: Node) -> Node:
+    """The expression with the other sign: without one if it has one in front."""
     return node.term if isinstance(node, Negative) else Negative(node)
 
 
@@ -119,7 +120,7 @@ def scaled(term: Node, number: Fraction) -> Node | None:
     if number == 0:
         return None
     if number == -1:
-        return _negated(term)
+        return negated(term)
     own = split(term, lambda scalar: isinstance(scalar, Number))
     value = number * _value(own.coefficient)
     if isinstance(own.core, Quotient) and own.core.numerator.is_scalar:

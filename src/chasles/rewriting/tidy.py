@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from chasles.rewriting.coefficients import added
+from chasles.rewriting.coefficients import added, negated
 from chasles.vocabulary import Contract, Negative, Node, Number, Quotient, Scale, Sum, Zero, rebuilt
 
 
@@ -41,9 +41,8 @@ def tidied(node: Node) -> Node:
 def _without_opposites(terms: list[Node]) -> list[Node]:
     kept: list[Node] = []
     for term in terms:
-        opposite = term.term if isinstance(term, Negative) else Negative(term)
-        if opposite in kept:
-            kept.remove(opposite)
+        if negated(term) in kept:
+            kept.remove(negated(term))
         else:
             kept.append(term)
     return kept

@@ -10,10 +10,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace as with_fields
 from fractions import Fraction
+from functools import partial
 from itertools import chain
 from typing import TYPE_CHECKING
 
 from chasles.statements.hypotheses import Hypothesis, nonzero
+from chasles.statements.simpler_words import said_otherwise
 from chasles.statements.varied import opened_parts
 from chasles.vocabulary import Call, Dot, Integral, Node, Norm, Number, Rate, Scale, Symbol, replace, undotted, uniform
 
@@ -65,29 +67,17 @@ def _with_direction(problem: Problem, vector: Symbol) -> Problem:
 
     def said(hypothesis: Hypothesis) -> Hypothesis:
         here = {**values, vector: direction} if hypothesis.kind == "perpendicular" else values
-        equations = tuple((replace(left, here), replace(right, here)) for left, right in hypothesis.equations)
-        subjects, places = (tuple(replace(node, here) for node in nodes)
-                            for nodes in (hypothesis.subjects, hypothesis.nonvanishing))  # fmt: skip
-        changed = (subjects, equations, places) != (hypothesis.subjects, hypothesis.equations, hypothesis.nonvanishing)
-        parts = {"subjects": subjects, "equations": equations, "nonvanishing": places}
-        return with_fields(hypothesis, **parts) if changed else hypothesis  # type: ignore[arg-type]
+        return hypothesis.rewritten(partial(replace, values=here))
 
     unit = (Dot(direction, direction), Number(Fraction(1)))
     hypotheses = [Hypothesis("direction", (direction,), (unit,), (), "", f"{direction.name} is a direction")]
     moves = any(isinstance(part, Rate) for node in _sides(problem) for part in opened_parts(node))
     if moves and not vector.constant and not any(Norm(vector) in h.nonvanishing for h in problem.hypotheses):
         hypotheses.append(said(nonzero(Norm(vector))))
-    goals, conditions, cases = (
-        tuple(type(goal)(goal.label, replace(goal.left, values), replace(goal.right, values)) for goal in part)
-        for part in (problem.goals, problem.conditions, problem.cases)
-    )
+    found = said_otherwise(problem, lambda side: replace(side, values), said)
     return with_fields(
-        problem,
-        goals=goals,
-        conditions=conditions,
-        cases=cases,
-        rules=tuple((left, replace(right, values)) for left, right in problem.rules),
-        hypotheses=(*hypotheses, *map(said, problem.hypotheses)),
+        found,
+        hypotheses=(*hypotheses, *found.hypotheses),
         presupposed=(*map(said, problem.presupposed), *hypotheses[1:]),
         nonnegative=(*problem.nonnegative, angle),
     )

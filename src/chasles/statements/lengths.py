@@ -12,6 +12,7 @@ from functools import lru_cache
 
 from chasles import vocabulary as w
 from chasles.statements.hypotheses import Hypothesis
+from chasles.statements.squares import relied_on
 from chasles.vocabulary import Node
 
 
@@ -69,18 +70,12 @@ class Lengths:
         return w.Norm(of)
 
     def _is_nonnegative(self, factor: Node) -> bool:
-        match factor:
-            case w.Number(value):
-                return value >= 0
-            case w.Norm():
-                return True
-            case w.Group(of):
-                return self._is_nonnegative(of)
-            case w.Power(of, exponent):
-                return exponent % 2 == 0 or self._is_nonnegative(of)
-            case w.Scale(one, other) | w.Quotient(one, other):
-                return self._is_nonnegative(one) and self._is_nonnegative(other)
-        return self._says("positive", factor)
+        try:
+            used = dict.fromkeys(relied_on(factor, self._known.values()))
+        except w.Misfit:
+            return False
+        self.used |= used
+        return True
 
     def _turns(self, matrix: Node) -> bool:
         inner = matrix.of if isinstance(matrix, w.Transpose | w.Group) else matrix

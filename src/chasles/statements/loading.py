@@ -1,20 +1,20 @@
-"""What do the modules of a package of declarations declare? Its statements, in the book's order."""
+"""What do the modules of a package of declarations declare? Its statements, in the book's order, in their sections."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from importlib import import_module
 from importlib.util import find_spec
+from itertools import combinations
 from pkgutil import iter_modules
 from types import ModuleType
 from typing import Any
 
-from chasles.statements.chapter import Entry, Section
+from chasles.statements.chapter import Entry, Section, place_of
 from chasles.statements.elsewhere import is_of_another
 from chasles.statements.inversion import Inverse
 from chasles.statements.packages import DeclarationError
-from chasles.statements.sections import in_own_sections
 from chasles.statements.statement import Statement, Theorem
 
 
@@ -26,7 +26,7 @@ def declared_by(book: ModuleType) -> tuple[Entry, ...]:
         raise DeclarationError(f"UNITS of {book.__name__} is {book.UNITS!r}: write UNITS = False for a chapter without")
     for module in _modules(book):
         own = [each for each in _entries(module, seen) if not is_of_another(each.statement, book.__name__)]
-        entries += in_own_sections(module.__name__, own)
+        entries += _in_own_sections(module.__name__, own)
         seen.update(id(entry.statement) for entry in entries)
     if not entries:
         raise DeclarationError(f"{book.__name__} has no statements: none of its SECTIONS declares one")
@@ -63,6 +63,30 @@ def _entries(module: ModuleType, seen: set[int]) -> Iterator[Entry]:
             section = value
         elif isinstance(value, Statement | Theorem | Inverse) and id(value) not in seen:
             yield Entry(name, section or Section("", ""), value)
+
+
+def _in_own_sections(module: str, entries: Sequence[Entry]) -> Sequence[Entry]:
+    """The entries; raises `DeclarationError` for a number that is among those of an earlier section of the module."""
+    for entry in entries:
+        if not entry.section.number:
+            raise DeclarationError(f"{entry.place}{module}.{entry.name} is declared before any Section")
+    numbered: dict[Section, list[tuple[list[int], Entry]]] = {}
+    for entry in entries:
+        kind, place, _ = place_of(entry.statement.number)
+        if kind == 0:
+            numbered.setdefault(entry.section, []).append(([digits for digits, _ in place], entry))
+    for (earlier, before), (later, own) in combinations(numbered.items(), 2):
+        places = [place for place, _ in before]
+        strays = [entry for place, entry in own if min(places) <= place <= max(places)]
+        rest = [place for place, entry in own if entry not in strays]
+        if strays and len(rest) > len(strays) and min(rest) > max(places):
+            stray = strays[0]
+            raise DeclarationError(
+                f"{stray.place}{module}.{stray.name} has the number ({stray.statement.number}), as in Section "
+                f"{earlier.number}, and is declared in Section {later.number}: move it there"
+                " or number it otherwise"
+            )
+    return entries
 
 
 def _named(variables: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container
+from collections.abc import Callable, Container, Iterable, Iterator
 from dataclasses import replace as with_fields
 from typing import TYPE_CHECKING
 
@@ -11,8 +11,8 @@ from chasles.statements.goals import Goal
 from chasles.statements.hypotheses import Hypothesis
 from chasles.statements.inverses import Inverses, reached
 from chasles.statements.lengths import Lengths
-from chasles.statements.of_all_members import summed
-from chasles.vocabulary import Node, Rate, walk
+from chasles.statements.varied import opened_parts
+from chasles.vocabulary import Integral, Node, Rate, Scale, Symbol, walk
 from chasles.vocabulary.shorthand import opened
 from chasles.vocabulary.sizes import sizes_of
 
@@ -24,11 +24,11 @@ def in_simpler_words(problem: Problem) -> Problem:
     """The same problem without defined words and inverses, under the hypotheses that there are such inverses."""
     if problem.has_functions:
         problem = _differentiated(problem)
-    problem = _rewritten(problem, opened, lambda said: said.rewritten(opened))
+    problem = said_otherwise(problem, opened, lambda said: said.rewritten(opened))
     sides = [*sides_of(problem), *(side for rule in problem.rules for side in rule)]
     inverses = Inverses(problem.hypotheses, dict(problem.rules), any_size=bool(sizes_of(sides)))
     at_work = reached(sides_of(problem), dict(problem.rules))
-    found = _rewritten(problem, inverses, inverses.hypothesis, at_work)
+    found = said_otherwise(problem, inverses, inverses.hypothesis, at_work)
     presupposed = tuple(dict.fromkeys((*problem.presupposed, *inverses.used)))
     return with_fields(found, hypotheses=(*inverses.needed, *found.hypotheses), presupposed=presupposed)
 
@@ -40,7 +40,7 @@ def with_what_is_seen(problem: Problem) -> Problem:
     sides = (*sides_of(problem), *(side for _, side in problem.rules))
     found = (
         *evident_divisors(sides, problem.hypotheses, dict(problem.rules)),
-        *summed(sides, problem.hypotheses),
+        *_summed(sides, problem.hypotheses),
     )
     return with_fields(problem, hypotheses=(*problem.hypotheses, *found)) if found else problem
 
@@ -59,7 +59,7 @@ def with_rates_said(problem: Problem) -> Problem:
     if problem.has_functions:
         problem = _differentiated(problem)
     carried_out = SizedRates({left: opened(right) for left, right in problem.rules})
-    found = _rewritten(problem, lambda side: carried_out(opened(side)), lambda said: said)
+    found = said_otherwise(problem, lambda side: carried_out(opened(side)), lambda said: said)
     return with_fields(
         found,
         rules=tuple((carried_out(left) if isinstance(left, Rate) else left, right) for left, right in found.rules),
@@ -72,7 +72,7 @@ def _differentiated(problem: Problem) -> Problem:
     from chasles.vocabulary.partial import with_derivatives  # of no use to most claims
 
     rules = dict(problem.rules)
-    found = _rewritten(problem, lambda side: with_derivatives(side, rules), lambda said: said)
+    found = said_otherwise(problem, lambda side: with_derivatives(side, rules), lambda said: said)
     if problem.conditions and found != problem:
         raise TypeError("a derivative is taken: what a statement with one is given has to be definitions")
     return found
@@ -83,7 +83,7 @@ def sides_of(problem: Problem) -> list[Node]:
     return [side for goal in (*problem.goals, *problem.conditions) for side in (goal.left, goal.right)]
 
 
-def _rewritten(
+def said_otherwise(
     problem: Problem,
     side: Callable[[Node], Node],
     hypothesis: Callable[[Hypothesis], Hypothesis],
@@ -108,5 +108,27 @@ def _rewritten(
 def with_simple_lengths(problem: Problem) -> Problem:
     """The same problem with every length said of as simple a vector as is known."""
     lengths = Lengths(problem.hypotheses, dict(problem.rules))
-    found = _rewritten(problem, lengths, lengths.hypothesis)
+    found = said_otherwise(problem, lengths, lengths.hypothesis)
     return with_fields(found, presupposed=tuple(dict.fromkeys((*problem.presupposed, *lengths.used))))
+
+
+def _summed(sides: Iterable[Node], hypotheses: tuple[Hypothesis, ...]) -> Iterator[Hypothesis]:
+    """The sums of both sides of each equation that is assumed of what differs, also weighted by what differs."""
+    integrals = [part for side in sides for part in opened_parts(side) if isinstance(part, Integral)]
+    if not integrals:
+        return
+    first = integrals[0]
+    weights = [
+        part for part in dict.fromkeys(part for each in integrals for part in opened_parts(each.of))
+        if isinstance(part, Symbol) and part.is_scalar and part in first.running
+    ]  # fmt: skip
+    for hypothesis in hypotheses:
+        about = {part for pair in hypothesis.equations for side in pair for part in opened_parts(side)}
+        if not about & first.running:
+            continue
+        pairs = [*hypothesis.equations]
+        pairs += [(Scale(weight, one), Scale(weight, other)) for weight in weights for one, other in pairs]
+        sums = tuple(tuple(with_fields(first, of=side) for side in pair) for pair in pairs)
+        equations = tuple((one, other) for one, other in sums)
+        text = f"{hypothesis.text} for each"
+        yield Hypothesis("of all members", sum(sums, ()), equations, (), hypothesis.latex, text, free=True)
