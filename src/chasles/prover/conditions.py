@@ -187,7 +187,7 @@ def _as_atoms(context: Context, determinant: Polynomial) -> tuple[tuple[int, ...
                 return exponents, c / d
     raise Untreatable(
         f"the conditions determine {describe(context.problem.unknowns)} only where a determinant is not zero "
-        "that no hypothesis declares nonzero"
+        "that no hypothesis declares nonzero: assume it, pose them on what they determine, or give a `solution`"
     )
 
 
