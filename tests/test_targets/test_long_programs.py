@@ -97,6 +97,7 @@ def test_parts_read_what_is_kept_and_store_each_entry_once(seed, monkeypatch):
 
 
 @needs_c
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("level", ["baseline", "x86-64-v3", "x86-64-v4"])
 @pytest.mark.parametrize("seed", range(2))
 def test_parts_compute_the_same_bits(seed, level, monkeypatch):
