@@ -31,10 +31,9 @@ def without_inequalities(said: Said) -> Said:
     """What was said, with equations for what is given as `a > b`, and `a != b` as what does not vanish.
 
     A symbol or function that is compared with zero is read with that assumption. One between two multiples of pi is
-    an angle whose tangent, sine or direction may have any value; one between a and b is (a + b d_1)/(1 + d_1), or, if it
-    may be both, a + (b - a) (1 + d_1)^2/(2 + 2 d_1^2). Else
-    a = b + d_1 for a positive d_1, and where that defines a symbol, everything is said by d_1. Inequalities of
-    functions of time hold at all times.
+    an angle whose tangent, sine or direction may have any value; one between a and b is (a + b d_1)/(1 + d_1), or, if
+    it may be both, a + (b - a) (1 + d_1)^2/(2 + 2 d_1^2). Else a = b + d_1 for a positive d_1, and where that defines a
+    symbol, everything is said by d_1. Inequalities of functions of time hold at all times.
 
     Raises `Untreatable` for an inequality between functions of different variables, or with what is infinite.
     """
