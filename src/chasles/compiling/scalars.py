@@ -137,11 +137,14 @@ class Scalars:
             if len(factors) > 1 and isinstance(factor, sympy.Pow) and factor in self._shared:
                 above.append(self.of(factor))
                 continue
-            base, exponent = factor.as_base_exp() if isinstance(factor, sympy.Pow) else (factor, sympy.S.One)
+            if not isinstance(factor, sympy.Pow):
+                above.append(self.of(factor))
+                continue
+            base, exponent = factor.as_base_exp()
             if not isinstance(exponent, sympy.Rational | sympy.Float):
                 above.append(self.build.function("pow", self.of(base), self.of(exponent)))
                 continue
-            exact = Fraction(str(sympy.Rational(exponent)))
+            exact = Fraction(*map(int, sympy.Rational(exponent).as_numer_denom()))
             (below if exact < 0 else above).append(power(self.build, self.of(base), abs(exact)))
         numerator = reduce(self.build.multiply, above, self.build.one)
         return self.build.divide(numerator, reduce(self.build.multiply, below)) if below else numerator

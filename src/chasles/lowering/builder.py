@@ -26,6 +26,7 @@ class Builder:
     def __init__(self) -> None:
         self._numbers: dict[Step, int] = {}
         self._steps: list[Step] = []
+        self._foldable: set[int] = set()
         self.zero = self.constant(0)
         self.one = self.constant(1)
 
@@ -65,6 +66,8 @@ class Builder:
 
     def add(self, a: int, b: int) -> int:
         """The sum a + b."""
+        if a not in self._foldable and b not in self._foldable:
+            return self._commuting(Op.ADD, a, b)
         (x, y), (inner_a, inner_b) = (self.value(a), self.value(b)), (self._opposite(a), self._opposite(b))
         if x is not None and y is not None:
             return self.constant(x + y)
@@ -99,6 +102,8 @@ class Builder:
 
     def multiply(self, a: int, b: int) -> int:
         """The product a b."""
+        if a not in self._foldable and b not in self._foldable:
+            return self._commuting(Op.MULTIPLY, a, b)
         (x, y), (inner_a, inner_b) = (self.value(a), self.value(b)), (self._opposite(a), self._opposite(b))
         if x is not None and y is not None:
             return self.constant(x * y)
@@ -220,4 +225,6 @@ class Builder:
         if number is None:
             number = self._numbers[step] = len(self._steps)
             self._steps.append(step)
+            if step.op is Op.CONSTANT or step.op is Op.NEGATE:
+                self._foldable.add(number)
         return number

@@ -96,10 +96,14 @@ class Step:
 
     def __hash__(self) -> int:
         """Of what tells most steps apart: a fraction's hash, and an operation's, take longer than all of it."""
-        return hash((self.operands, self.argument, self.entry, self.value.numerator, self.value.denominator))
+        if self.op is Op.CONSTANT:
+            return hash((self.value.numerator, self.value.denominator))
+        return hash((self.operands, self.argument, self.entry))
 
     def on(self, operands: tuple[int, ...]) -> Step:
         """The same operation on other steps."""
+        if operands == self.operands:
+            return self
         return Step(self.op, operands, self.argument, self.entry, self.value, self.function)
 
 
@@ -125,8 +129,9 @@ class Program:
 
     def __post_init__(self) -> None:
         for number, step in enumerate(self.steps):
-            if any(operand >= number for operand in step.operands):
-                raise ValueError(f"{self.name}: step {number} reads a step that comes after it")
+            for operand in step.operands:
+                if operand >= number:
+                    raise ValueError(f"{self.name}: step {number} reads a step that comes after it")
         for result in self.results:
             if any(entry >= len(self.steps) for entry in result.entries):
                 raise ValueError(f"{self.name}: result {result.name} names a step that does not exist")
