@@ -4,18 +4,21 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from dataclasses import replace
 from itertools import pairwise
 from xml.etree.ElementTree import fromstring
 
 import pytest
 
 from chasles.decisions.session import Session
+from chasles.report.findings import slips_in_words
 from chasles.report.html.citing import place_of_number
 from chasles.report.html.page import PageContents, page
 from chasles.report.html.palette import DARK, LIGHT
 from chasles.report.html.trusted import Trusted
 from chasles.report.latex_page import escaped, latex_page
 from chasles.statements import Chapter, Claim, Entry, Section, Statement, load, nonzero
+from chasles.verdict import Undecided
 from chasles.vocabulary import column, norm, scalar, vector
 
 from .parsed_page import Parsed
@@ -185,6 +188,14 @@ def test_what_is_wrong_has_its_reason_and_what_is_right(html: str) -> None:
     assert all(f"<dt>{word}</dt>" in fails for word in ("at", "the left side is", "the right side is"))
     assert 'class="added"' in fails
     assert 'class="taken"' in fails
+
+
+def test_only_what_is_refuted_or_ill_formed_is_called_wrong():
+    said = {name: Session().decide(EVERYTHING[name]) for name in ("right_one", "wrong", "hollow")}
+    pairs = [(Entry(name, SECTION, EVERYTHING[name]), decision) for name, decision in said.items()]
+    assert slips_in_words(pairs) == "1 wrong in the book, 1 lost by the scan"
+    open_ones = [(entry, replace(decision, verdict=Undecided("too large"))) for entry, decision in pairs]
+    assert slips_in_words(open_ones) == ""
 
 
 def test_certificates_and_kernels_are_named(html: str) -> None:

@@ -47,6 +47,8 @@ class Verdict(Displayed):
     name: ClassVar[str] = "verdict"
     true: ClassVar[bool] = True
     """Whether the statement may stand as printed."""
+    wrong: ClassVar[bool] = False
+    """Whether the statement is wrong as printed: what is undecided, or said under contradictory hypotheses, is not."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,6 +125,7 @@ class Fails(Verdict):
 
     name: ClassVar[str] = "fails"
     true: ClassVar[bool] = False
+    wrong: ClassVar[bool] = True
     counterexample: Counterexample
 
 
@@ -132,6 +135,7 @@ class IllFormed(Verdict):
 
     name: ClassVar[str] = "ill-formed"
     true: ClassVar[bool] = False
+    wrong: ClassVar[bool] = True
     reason: str
 
 

@@ -80,7 +80,7 @@ def replacements(entry: Entry, decision: Decision) -> tuple[Replacement, ...]:
 
 def slips(decided: Pairs) -> dict[str, Pairs]:
     """The equations that are wrong as printed, by whose slip it probably is; only what there is."""
-    wrong = [(entry, decision) for entry, decision in decided if not decision.verdict.true]
+    wrong = [(entry, decision) for entry, decision in decided if decision.verdict.wrong]
     by_slip = {slip: [each for each in wrong if _slip(*each) == slip] for slip in SLIPS}
     return {slip: pairs for slip, pairs in by_slip.items() if pairs}
 

@@ -113,7 +113,7 @@ def _headings(decided: Pairs, hypotheses: Mapping[str, str]) -> Iterator[tuple[s
 def item_of(entry: Entry, decision: Decision, before: str, hypotheses: Mapping[str, str]) -> Item:
     """A statement; `before` is the number of the one before it."""
     found = replacements(entry, decision)
-    wrong = not decision.verdict.true
+    wrong = decision.verdict.wrong
     return Item(
         number="" if entry.number == before else escaped(number_in_words(entry.number)),
         verdict=VERDICTS[decision.verdict.name][2],

@@ -62,7 +62,7 @@ def _totals(book: Chapter, decided: Pairs) -> Iterator[str]:
     earlier = f", {count.earlier} of earlier chapters," if count.earlier else ""
     yield f"{count.own} numbered equations{earlier} and {count.others} theorems, displays and exercises without one,"
     yield f"in {number_of(len(decided), 'statement')}: {counted(d.verdict for _, d in decided)}."
-    wrong = [(e, d) for e, d in decided if not d.verdict.true]
+    wrong = [(e, d) for e, d in decided if d.verdict.wrong]
     found = [replacement[0].found if (replacement := replacements(e, d)) else "nothing" for e, d in wrong]
     if wrong:
         yield (

@@ -30,7 +30,7 @@ def overview(book: Book, decided: Pairs, roads: tuple[DerivationView, ...], trus
     `without` how it is repaired; `postulates` are the laws that are assumed. A row is a section with its counts, in the
     order of the shares.
     """
-    wrong = [(entry, decision) for entry, decision in decided if not decision.verdict.true]
+    wrong = [(entry, decision) for entry, decision in decided if decision.verdict.wrong]
     how = [found[0].found if (found := replacements(*each)) else "nothing" for each in wrong]
     sections = tallies(decided)
     shares = _shares(sections)

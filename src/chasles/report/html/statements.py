@@ -38,7 +38,7 @@ def place_of_part(entry: Entry) -> str:
 def part_of(book: Book, entry: Entry, decision: Decision, kernels: Sequence[KernelRow]) -> Part:
     """All that is said of a statement; `kernels` are those that it asks for."""
     found = replacements(entry, decision)
-    wrong = not decision.verdict.true
+    wrong = decision.verdict.wrong
     return Part(
         place=place_of_part(entry),
         name=entry.name,
