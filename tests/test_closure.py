@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from chasles.cli.closure import CHECKERS, closure, lines
+from chasles.report.closure import CHECKERS, closure, lines
 
 MOST = {"declared": 6_230, "prove": 5_088}
 """It may become less."""

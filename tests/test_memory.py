@@ -15,7 +15,6 @@ import pytest
 
 from chasles.algebra.values import InPi
 from chasles.checker.certificate import check
-from chasles.cli.closure import closure
 from chasles.cli.outcome import decide
 from chasles.decisions import processes as spreading
 from chasles.decisions import recalled
@@ -25,6 +24,7 @@ from chasles.decisions.plain_data import from_data, to_data
 from chasles.decisions.prediction import predict
 from chasles.decisions.processes import spread
 from chasles.decisions.session import Session
+from chasles.report.closure import closure
 from chasles.statements import Claim, Hypothesis, Inverse, Statement, load, rotation
 from chasles.verdict import Fails, Holds, HoldsUnder, Undecided, Verdict
 from chasles.vocabulary import PI, Node, cos, cross, rate, scalar, square, vector, walk

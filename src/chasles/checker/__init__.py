@@ -1,1 +1,1 @@
-"""Certificates and counterexamples checked again, by what shares nothing with the prover: declarations and integers."""
+"""Certificates and counterexamples checked again, by what imports nothing of the prover: declarations and integers."""

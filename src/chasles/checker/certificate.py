@@ -1,4 +1,4 @@
-"""Is a certificate right? The checker shares no code with the prover, and it searches for nothing.
+"""Is a certificate right? The checker imports nothing of the prover, and it searches for nothing.
 
 It reads the problem from the declaration. A certificate says by what to divide, and supplies cofactors where division
 alone does not do, the values of what conditions determine, and a witness: each is tried, and nothing else is believed.

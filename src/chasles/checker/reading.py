@@ -1,4 +1,4 @@
-"""What does a declaration say? It is read a second time here, for the checker, which shares no code with the prover.
+"""What does a declaration say? It is read a second time here, for the checker, which imports nothing of the prover.
 
 What a hypothesis declares nonzero has its inverse as a variable, so that every expression is a polynomial.
 """

@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from chasles import __version__, cache
-from chasles.cli.closure import CHECKERS, lines
+from chasles.report.closure import CHECKERS, lines
 
 Data = dict[str, Any]
 _BACKEND, _INSTRUCTIONS = "CHASLES_BACKEND", "CHASLES_INSTRUCTIONS"

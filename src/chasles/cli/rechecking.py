@@ -1,4 +1,4 @@
-"""Certificates and counterexamples checked again, by the checker, which shares no code with the prover."""
+"""Certificates and counterexamples checked again, by the checker, which imports nothing of the prover."""
 
 from __future__ import annotations
 

@@ -60,7 +60,7 @@ def refute(
 
 
 def _is_accepted(context: Context, found: Counterexample) -> bool:
-    """Whether the checker, which shares nothing with the search, finds a motion through the point that refutes."""
+    """Whether the checker, which imports nothing of the search, finds a motion through the point that refutes."""
     try:
         check_counterexample(context.problem, found)
     except Rejected:

@@ -1,4 +1,4 @@
-"""Does a certificate prove an equation of SymPy expressions? The checker shares nothing with the prover.
+"""Does a certificate prove an equation of SymPy expressions? The checker imports nothing of the prover.
 
 It reads both sides and what is given by itself, as polynomials. A certificate says by what to multiply, and supplies
 cofactors, the values of roots, and a witness: each is tried, and nothing else is believed.
