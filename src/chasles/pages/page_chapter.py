@@ -19,7 +19,7 @@ Key = tuple[str, int]
 def chapter_of(title: str, equations: Iterable[PageEquation]) -> tuple[Chapter, dict[str, PageEquation]]:
     """The chapter of all equations that are read, and from what on the page each entry, by its name, was made.
 
-    What is open is a claim there, or a postulate where something rests on it.
+    What is open on the page is a postulate there: as a claim it would be called wrong where it may be a condition.
     """
     made = _Declarations(equations)
     for key, (each, _) in made.equations.items():
@@ -39,9 +39,6 @@ class _Declarations:
             for each, statement in found
             if statement.sign in EQUAL
         }
-        self._rested_on = {
-            (given.number, given.part) for _, statement in self.equations.values() for given in statement.given
-        }
         self._declared: dict[Key, Statement] = {}
 
     def declare(self, key: Key, section: Section) -> Statement:
@@ -51,8 +48,8 @@ class _Declarations:
         each, statement = self.equations[key]
         given = tuple(self._cited(other, section) for other in statement.given)
         said = with_fields(statement, given=given, sic=statement.fault is not None)
-        if each.finding and each.finding.open and key in self._rested_on:
-            said = Postulate(key[0], *statement.printed, part=key[1], sign=statement.sign)
+        if each.finding and each.finding.open:
+            said = Postulate(key[0], *statement.printed, part=key[1], sign=statement.sign, sic=said.sic)
         stem = identifier(key[0])
         stem = stem if stem.isidentifier() else f"equation_{stem}".rstrip("_")
         name = free_name(f"{stem}_{key[1]}" if key[1] > 1 else stem, self.read)
