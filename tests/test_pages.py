@@ -175,7 +175,7 @@ def test_what_is_undecided_is_no_verdict() -> None:
     book, decisions = decided(right_one)
     decisions[name_of(right_one)] = Decision(right_one, Undecided("too long"))
     assert row(verdict_page(book, decisions), "(9.2)")[2:] == ["**undecided**", "", "**nothing: a gap**"]
-    assert "It is undecided: too long." in errata_page(book, decisions)
+    assert "There are none." in errata_page(book, decisions)
 
 
 def test_nothing_in_a_text_is_a_mark() -> None:

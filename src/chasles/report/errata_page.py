@@ -79,8 +79,6 @@ def _why(entry: Entry, decision: Decision) -> Iterator[str]:
             yield ""
             assert isinstance(entry.statement, Statement)
             yield from _by_hand(entry.statement, decision, counterexample)
-        case other:
-            yield f"It is {escaped(said(other))}: {escaped(str(getattr(other, 'reason', '')))}."
     yield ""
     correction = decision.correction
     for tried in () if correction is None else (*correction.others, correction):
