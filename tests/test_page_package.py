@@ -72,8 +72,9 @@ def test_what_a_person_has_changed_is_kept(tmp_path: Path) -> None:
         assert again.count("# mine") == edited.count("# mine") == 1
         assert "scale = Fraction(1, 2)" in again
     assert load(folder).entries
-    (folder / RECORD).write_text("[", "utf-8")
-    assert RECORD in out(tmp_path, "with_edits").stderr
+    for record in ("[", "[]", '{"s1.py": 1}'):
+        (folder / RECORD).write_text(record, "utf-8")
+        assert RECORD in out(tmp_path, "with_edits").stderr
     module.write_text("equation = (", "utf-8")
     (folder / RECORD).unlink()
     assert f"{module}:1: " in out(tmp_path, "with_edits").stderr

@@ -18,6 +18,8 @@ def merged(new: Mapping[str, str], found: Mapping[str, str]) -> dict[str, str]:
     Raises SyntaxError for a module that is no Python, and ValueError for a record that is none.
     """
     record: Record = json.loads(found.get(RECORD, "{}"))
+    if not isinstance(record, dict) or not all(isinstance(each, dict) for each in record.values()):
+        raise ValueError("a table of hashes for each module was expected")
     files = {name: _merged(text, found.get(name, ""), record.get(name, {}), name) for name, text in new.items()}
     now = {name: {key: _hash(said) for key, (_, said) in _declarations(text).items()} for name, text in new.items()}
     return {**files, RECORD: json.dumps(now, indent=1) + "\n"}
