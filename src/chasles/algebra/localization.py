@@ -49,6 +49,7 @@ class Ratio:
     denominator: tuple[int, ...]
 
     def __add__(self, other: Ratio) -> Ratio:
+        spend(len(self.numerator) + len(other.numerator))
         if self.denominator == other.denominator:
             return Ratio(self.field, self.numerator + other.numerator, self.denominator)
         common = _largest(self.denominator, other.denominator)

@@ -73,10 +73,9 @@ def _require_few_terms(context: Context, suspects: Sequence[UnprovedPart]) -> No
 
 
 class _Likely(DeclaredPoints):
-    """Points that satisfy what a proof rests on, and no others; few rates of hypotheses may do."""
+    """Points that satisfy what a proof rests on, and no others."""
 
     attempts = ATTEMPTS
-    closed = False
 
     def refute(self, context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnprovedPart]) -> None:
         raise _Unproved

@@ -9,10 +9,13 @@ from typing import Any
 from chasles.algebra.localization import Ratio
 from chasles.algebra.rings import Polynomial
 from chasles.algebra.values import InPi, Value, divided, is_zero
+from chasles.algebra.work_limit import spend
 from chasles.problems.context import Context
 from chasles.statements import Hypothesis
 
 Point = dict[str, Fraction]
+A_TERM = 1
+"""What the evaluation of a term counts as, in products of terms."""
 Term = tuple[tuple[int, int], tuple[tuple[str, int], ...], int]
 
 
@@ -21,8 +24,10 @@ def evaluate(context: Context, polynomial: Polynomial, point: Point) -> Value:
 
     Numerators and denominators are multiplied on their own: a fraction in lowest terms after each step takes longer.
     """
+    terms = terms_of(context, polynomial)
+    spend(A_TERM * len(terms))
     total: dict[int, tuple[int, int]] = {}
-    for coefficient, factors, power in terms_of(context, polynomial):
+    for coefficient, factors, power in terms:
         above, below = coefficient
         for name, exponent in factors:
             value = point[name]

@@ -73,11 +73,8 @@ class Context:
         return self.unfold.field
 
 
-def build(problem: Problem, closed: bool = True) -> Context:
-    """The context of a problem; raises `Untreatable` for what the procedure does not treat.
-
-    If it is not `closed`, it has not all rates of its hypotheses that may matter: then it refutes nothing.
-    """
+def build(problem: Problem) -> Context:
+    """The context of a problem; raises `Untreatable` for what the procedure does not treat."""
     rules = dict(problem.rules)
     found = Variables()
     for hypothesis in problem.hypotheses:
@@ -87,7 +84,7 @@ def build(problem: Problem, closed: bool = True) -> Context:
         scan(found, goal.left, 0, rules)
         scan(found, goal.right, 0, rules)
     complete_subjects(problem, found)
-    active = relevant_hypotheses(problem, found, closed)
+    active = relevant_hypotheses(problem, found)
     order = "grevlex" if any(h.kind in ("rotation", "half_turn", "orthonormal") for h in active) else "lex"
     unfold, nonzero = _unfolder(problem, found, active, order)
     variables, ring = unfold.variables, unfold.field.ring

@@ -27,14 +27,9 @@ def complete_subjects(problem: Problem, found: Variables) -> None:
                     scan(found, node, 0, rules)
 
 
-def relevant_hypotheses(problem: Problem, found: Variables, closed: bool = True) -> tuple[Hypothesis, ...]:
-    """The hypotheses on symbols that occur freely, and on what these share a hypothesis with, rates included.
-
-    Unless they are to be `closed`, rates that come in only with those of hypotheses are not followed further: what is
-    proved from fewer is proved.
-    """
+def relevant_hypotheses(problem: Problem, found: Variables) -> tuple[Hypothesis, ...]:
+    """The hypotheses on symbols that occur freely, and on what these share a hypothesis with, rates included."""
     rules = dict(problem.rules)
-    asked = dict(found.reached)
     symbols = {
         hypothesis: {s for node in hypothesis.subjects for s in free_symbols(node, rules)}
         for hypothesis in problem.hypotheses
@@ -51,8 +46,6 @@ def relevant_hypotheses(problem: Problem, found: Variables, closed: bool = True)
         occurring = set(found.orders) | set(found.angles)
         bear = {h: own for h, own in symbols.items() if not own or _bears_on(own, rates) & occurring}
         now = {h: _order(found, h, own, rates, rules) for h, own in bear.items()}
-        if not closed:
-            now = {h: min(order, _raised(asked, h, rules)) for h, order in now.items()}
         changed = now != active
         active = now
         for hypothesis, order in active.items():
@@ -71,16 +64,26 @@ def _bears_on(symbols: set[Symbol], rates: Rates) -> set[Symbol]:
 def _order(
     found: Variables, hypothesis: Hypothesis, symbols: set[Symbol], rates: Rates, rules: Mapping[Node, Node]
 ) -> int:
-    """Up to which rate the equations of a hypothesis say something of use."""
+    """Up to which rate the equations of a hypothesis say something of use, without a rate higher than any that occurs.
+
+    What they say of higher ones may restrict lower ones; a counterexample stands only if the checker sees that it does
+    not.
+    """
     if not hypothesis.equations or hypothesis.kind == "given" or is_turned(hypothesis, rules):
         return 0
-    return min(MOST, max((_reached(found, symbol, rates, frozenset()) for symbol in symbols), default=0))
+    reached = {symbol: _reached(found, symbol, rates, frozenset()) for symbol in symbols}
+    stated = [each for node in hypothesis.subjects for each in _spoken_of(node, rules).items()]
+    most = min(MOST, max((reached[symbol] - order for symbol, order in stated), default=0))
+    highest = max(found.orders.values(), default=0)
+    return next((order for order in range(most) if _highest(hypothesis, order + 1, rules) > highest), most)
 
 
-def _raised(asked: Mapping[Symbol, int], hypothesis: Hypothesis, rules: Mapping[Node, Node]) -> int:
-    """By how much the rates that are asked for exceed those of which a hypothesis speaks."""
-    own = [each for node in hypothesis.subjects for each in _spoken_of(node, rules).items()]
-    return max((asked.get(symbol, 0) - order for symbol, order in own), default=0)
+def _highest(hypothesis: Hypothesis, order: int, rules: Mapping[Node, Node]) -> int:
+    """The highest rate of a symbol that the `order`-th rate of a hypothesis speaks of, once the rules are applied."""
+    found = Variables()
+    for node in hypothesis.subjects:
+        scan(found, node, order, rules)
+    return max(found.orders.values(), default=0)
 
 
 def _reached(found: Variables, symbol: Symbol, rates: Rates, through: frozenset[Symbol]) -> int:

@@ -24,7 +24,8 @@ UNSAID = ("given", "direction", "evident")
 class ProvedEntry:
     """One entry of one goal: what must vanish, and how it was found to.
 
-    `by_division` says that the stated hypotheses, each divided by in turn, leave nothing of it: a checker can divide.
+    `by_division` says that the stated hypotheses, each divided by in turn, leave nothing of it: a checker can divide,
+    unless it was `multiplied` by what does not vanish before.
     """
 
     goal: Goal
@@ -33,6 +34,7 @@ class ProvedEntry:
     ratio: Ratio
     cofactors: Combination | None = None
     by_division: bool = False
+    multiplied: bool = False
 
 
 def certified(
@@ -99,7 +101,8 @@ def _drop_unneeded(
         if all(remainder == 0 for _, remainder in attempts):
             dropped.add(hypothesis)
             for entry, (cofactors, _) in zip(done, attempts, strict=True):
-                entry.cofactors, entry.by_division = {kept[k]: c for k, c in cofactors.items()}, not values
+                entry.cofactors = {kept[k]: c for k, c in cofactors.items()}
+                entry.by_division = not (values or entry.multiplied)
     used = {h.text for h in _used_hypotheses(context, solved, done)}
     return tuple(h.text for h in own if h.text not in used)
 

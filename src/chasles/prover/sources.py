@@ -22,13 +22,7 @@ Suspects = Sequence[UnprovedPart]
 
 
 class PointSource(Protocol):
-    """Finds exact points of a problem; `write` writes its certificates, if not as for what is declared.
-
-    If the hypotheses are not to be `closed` under rates, it refutes nothing.
-    """
-
-    @property
-    def closed(self) -> bool: ...
+    """Finds exact points of a problem; `write` writes its certificates, if not as for what is declared."""
 
     @property
     def write(self) -> Callable[..., dict[str, Any]] | None: ...
@@ -54,7 +48,6 @@ class DeclaredPoints:
     """Points of what is declared, drawn so that they satisfy its hypotheses."""
 
     write = None
-    closed = True
     attempts = points.ATTEMPTS
     """So often a point is drawn at which the entries are looked at."""
     fruitless = FRUITLESS
