@@ -49,10 +49,12 @@ def in_new_process(model: Model, cache: str, limit: float, tool: str = "chasles"
     held.parent.mkdir(parents=True, exist_ok=True)
     held.write_bytes(pickle.dumps(model))
     command = [sys.executable, "-m", "benchmarks.compile.making", str(held), tool]
+    # Bytecode is written once, when a package is installed or first used: all peers have theirs.
+    inherited = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
     try:
         done = subprocess.run(
             command,
-            env={**os.environ, "CHASLES_CACHE": cache},
+            env={**inherited, "CHASLES_CACHE": cache},
             capture_output=True,
             text=True,
             timeout=limit,

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace as with_fields
-from typing import Any
 
 import sympy
-from sympy.simplify.cse_main import opt_cse
 
 from chasles.algebra.work_limit import within
 from chasles.compiling.derived import DerivedResults
@@ -17,6 +15,8 @@ from chasles.compiling.operands import Input, ResultEntries
 from chasles.compiling.removable import without_removable
 from chasles.compiling.rewriting import in_known_functions
 from chasles.compiling.scalars import Scalars
+from chasles.compiling.sharing import common as common_in
+from chasles.compiling.sharing import repeated
 from chasles.lowering.builder import Builder
 from chasles.lowering.cost import price
 from chasles.lowering.equivalence.programs import equivalent
@@ -102,9 +102,8 @@ def _program(
         for entry, symbol in enumerate(item.symbols)
     }
     entries = [entry for output in outputs for entry in output.entries]
-    # In SymPy's order of its own it takes a time that grows with the tree.
-    spelled = opt_cse(entries, order="none") if common else {}
-    scalars = Scalars(build, places, spelled, _repeated(entries, spelled) if common else ())
+    spelled = common_in(entries) if common else {}
+    scalars = Scalars(build, places, spelled, repeated(entries, spelled) if common else ())
     numbers = iter([scalars.of(entry) for entry in entries])
     results = [
         Result(output.name, output.shape, f"output {place}", tuple(next(numbers) for _ in output.entries))
@@ -114,16 +113,3 @@ def _program(
     if derived is not None:
         results, arguments = derived.results(build, results), (*arguments, *derived.more)
     return pruned(Program(name, arguments, build.steps, tuple(results)))
-
-
-def _repeated(entries: Sequence[sympy.Basic], spelled: Mapping[sympy.Basic, Any]) -> Iterator[sympy.Basic]:
-    """The parts that come more than once where each part is written once."""
-    seen: set[sympy.Basic] = set()
-    waiting = list(entries)
-    while waiting:
-        part = waiting.pop()
-        if part in seen:
-            yield part
-        else:
-            seen.add(part)
-            waiting += [inner for inner in spelled.get(part, part).args if not isinstance(inner, int)]

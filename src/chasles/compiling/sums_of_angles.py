@@ -149,7 +149,19 @@ def has_limit(found: Sum, divided: int) -> bool:
             term = coefficient * times**order * (-1) ** (order // 2) / factorial(order)
             power = degree + order
             polynomial[power] = polynomial.get(power, 0) + term
-    return all(sympy.expand(left) == 0 for left in polynomial.values())
+    return all(map(_vanishes, polynomial.values()))
+
+
+@lru_cache(KEPT)
+def _vanishes(left: Any) -> bool:
+    """Whether nothing is left once it is multiplied out; what holds no product or power of a sum is so already."""
+    nested = any(
+        isinstance(inner, sympy.Add)
+        for part in parts_of(left, ())
+        if isinstance(part, sympy.Mul | sympy.Pow | sympy.exp)
+        for inner in part.args
+    )
+    return bool((sympy.expand(left) if nested else left) == 0)
 
 
 def _singular(degree: sympy.Rational, divided: int, *, even: bool) -> range:

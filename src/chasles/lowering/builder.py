@@ -43,6 +43,12 @@ class Builder:
         """The step that does to the operands what another one does to its own."""
         return self.input(step.argument, step.entry) if step.op is Op.INPUT else applied(self, step, operands)
 
+    def copied(self, step: Step, operands: Sequence[int]) -> int:
+        """A step that a builder made, on copies of its operands: there is nothing to fold."""
+        if step.op is Op.ADD or step.op is Op.EQUAL or (step.op is Op.MULTIPLY and operands[0] not in self._foldable):
+            operands = sorted(operands)
+        return self._add(step.on(tuple(operands)))
+
     def value(self, number: int) -> Fraction | None:
         """The exact value of a constant step, else None."""
         step = self._steps[number]

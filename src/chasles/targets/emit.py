@@ -6,15 +6,15 @@ import json
 from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from functools import cache
 from pathlib import Path, PurePosixPath
 from typing import TYPE_CHECKING
 
-from jinja2 import Environment, FileSystemLoader, StrictUndefined, TemplateError, TemplateRuntimeError
+from jinja2 import TemplateError
 
 from chasles import __version__
 from chasles.lowering.program import Op
 from chasles.targets.contract import cited, operations
+from chasles.targets.filling import layout
 from chasles.targets.kernel import EmissionError, TargetKernel, signature
 from chasles.targets.offering import offering
 from chasles.targets.target import Origin, Page, Target, discover, every_target
@@ -143,34 +143,13 @@ def _bound(bound: Bound | None) -> str:
     return f"{{ program = {program}, reason = {reason}, guarantees = [{guarantees}] }}"
 
 
-class _Layout(Environment):
-    """Templates in which a key of a table is never taken for a method of Python's dictionaries."""
-
-    def getattr(self, obj: object, attribute: str) -> object:
-        if isinstance(obj, Mapping) and hasattr(dict, attribute):
-            raise TemplateRuntimeError(f"the key {attribute!r} is the name of a method of dictionaries: rename it")
-        return super().getattr(obj, attribute)
-
-
-@cache
-def _layout(templates: Path) -> _Layout:
-    return _Layout(
-        loader=FileSystemLoader(templates),
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-        autoescape=False,
-    )
-
-
 def filled(templates: Path, page: Page, origin: Origin, head: tuple[str, ...] = ()) -> str:
     """The page's text. Raises EmissionError where the template is missing, wrong, or asks for what is not there."""
     path = PurePosixPath(page.path)
     if path.is_absolute() or ".." in path.parts or not path.parts:
         raise EmissionError(f"a page's path must lie below the target's folder, not at {page.path!r}")
     try:
-        text = _layout(templates).get_template(page.template).render({**origin.values, **page.values})
+        text = layout(templates).get_template(page.template).render({**origin.values, **page.values})
     except TemplateError as error:
         raise EmissionError(f"template {page.template}: {type(error).__name__}: {error}") from error
     comment = _COMMENTS.get(path.suffix, "")

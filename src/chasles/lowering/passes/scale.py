@@ -61,6 +61,7 @@ class _Scaling:
         self._place: dict[int, int] = {}
         self._forms: dict[int, Form] = {}
         self._bound: set[int] = set()
+        self._copies: set[int] = set()
         self._scale = -1
         for number, step in enumerate(program.steps):
             self._read(number, step)
@@ -74,7 +75,7 @@ class _Scaling:
             self._forms[number] = self._form_of_divisor(step)
             return
         if self._bound.isdisjoint(step.operands):
-            self._place[number] = self._build.like(step, [self._place[k] for k in step.operands])
+            self._place[number] = self._copied(number, step)
             form = self._combined(step)
             if number in self._divisor.leaves:
                 self._forms[number] = 1, self._divided(number)
@@ -84,6 +85,14 @@ class _Scaling:
         self._bound.add(number)
         form = self._combined(step)
         self._forms[number] = form or (0, self._build.like(step, [self._plain(k) for k in step.operands]))
+
+    def _copied(self, number: int, step: Step) -> int:
+        """A step that the divisor does not enter; most of them only do what they did on copies of their operands."""
+        operands = [self._place[k] for k in step.operands]
+        if not self._copies.issuperset(step.operands):
+            return self._build.like(step, operands)
+        self._copies.add(number)
+        return self._build.copied(step, operands)
 
     def _form_of_divisor(self, step: Step) -> Form:
         for leaf in self._divisor.leaves:
