@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 from pathlib import Path
 
 import pytest
@@ -15,6 +16,7 @@ from chasles.pages.kept_declarations import RECORD
 from chasles.pages.package import package_of
 from chasles.pages.page import read, read_page
 from chasles.pages.page_chapter import chapter_of
+from chasles.pages.python_layout import WIDTH, laid_out
 from chasles.pages.python_source import PythonSource, imports
 from chasles.reading.pages import displayed
 from chasles.statements import load
@@ -28,6 +30,9 @@ def test_a_statement_written_as_python_is_the_same(package: str) -> None:
         text = source.text(entry.statement)
         names = {"__name__": "written"}
         exec(imports(source.used), names)
+        laid = laid_out(text, indent=4)
+        assert ast.dump(ast.parse(laid)) == ast.dump(ast.parse(text))
+        assert all(len(line) <= WIDTH or '"' in line for line in f"    {laid}".splitlines())
         assert fingerprint(eval(text, names)) == fingerprint(entry.statement), entry.name
 
 
@@ -98,3 +103,18 @@ def test_what_is_open_is_assumed_in_the_chapter_misfits_of_a_proposal_too() -> N
     assert [each.finding.open for each in page.equations if each.finding] == [True, True]
     chapter, _ = chapter_of("page", page.equations)
     assert [each.statement.role for each in chapter] == ["postulate", "postulate"]
+
+
+def test_a_fault_of_another_kind_is_not_told_of_the_record(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "chapter").mkdir()
+    (tmp_path / "chapter" / RECORD).write_text("[]", "utf-8")
+    assert RECORD in out(tmp_path, "chapter").output
+    monkeypatch.setattr("chasles.pages.folder.package_of", lambda *_: int("none"))
+    assert RECORD not in out(tmp_path, "other").output
+
+
+def test_long_expressions_are_broken_where_a_formatter_breaks_them() -> None:
+    long = f"f(({'a' * 60}, {'b' * 60},), c * (d + e) ** 2)"
+    assert laid_out(long) == f"f(\n    (\n        {'a' * 60},\n        {'b' * 60},\n    ),\n    c * (d + e) ** 2,\n)"
+    assert laid_out(f"x + {'y' * 115}", 4) == f"x\n    + {'y' * 115}"
+    assert laid_out(f'"(,{"+" * 120}"', 4) == f'"(,{"+" * 120}"'

@@ -33,7 +33,7 @@ def files_of(page: Page, given: Mapping[str, Mapping[str, Any]], found: Mapping[
     """The text of each file by its name; answers that are `given` stay where they are asked for.
 
     Of the files that are `found` in the folder, declarations that a person has changed are kept. Raises SyntaxError for
-    a module that is no Python, and ValueError for a record of another form.
+    a module that is no Python, and `BadRecord` for a record of another form.
     """
     chapter, read = chapter_of(page.file or "page", page.equations)
     said = {name: f"{each.printed.file or page.file}:{each.line}" for name, each in read.items()}

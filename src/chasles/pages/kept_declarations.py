@@ -12,17 +12,29 @@ RECORD = "written.json"
 Record = dict[str, dict[str, str]]
 
 
+class BadRecord(ValueError):
+    """A record of another form than was written: its text says in one line what was expected."""
+
+
 def merged(new: Mapping[str, str], found: Mapping[str, str]) -> dict[str, str]:
     """The modules as they are to be written, and the record; `found` are files of the folder as they are.
 
-    Raises SyntaxError for a module that is no Python, and ValueError for a record that is none.
+    Raises SyntaxError for a module that is no Python, and `BadRecord` for a record that is none.
     """
-    record: Record = json.loads(found.get(RECORD, "{}"))
-    if not isinstance(record, dict) or not all(isinstance(each, dict) for each in record.values()):
-        raise ValueError("a table of hashes for each module was expected")
+    record = _record(found.get(RECORD, "{}"))
     files = {name: _merged(text, found.get(name, ""), record.get(name, {}), name) for name, text in new.items()}
     now = {name: {key: _hash(said) for key, (_, said) in _declarations(text).items()} for name, text in new.items()}
     return {**files, RECORD: json.dumps(now, indent=1) + "\n"}
+
+
+def _record(text: str) -> Record:
+    try:
+        record = json.loads(text)
+    except ValueError as error:
+        raise BadRecord(str(error)) from None
+    if not isinstance(record, dict) or not all(isinstance(each, dict) for each in record.values()):
+        raise BadRecord("a table of hashes for each module was expected")
+    return record
 
 
 def _merged(new: str, old: str, written: Mapping[str, str], file: str) -> str:

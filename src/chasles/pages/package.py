@@ -10,6 +10,7 @@ from itertools import count
 from typing import Any
 
 from chasles import statements, vocabulary
+from chasles.pages.python_layout import laid_out
 from chasles.pages.python_source import PythonSource, imports
 from chasles.statements import Chapter, Entry, Section
 from chasles.vocabulary import Symbol, abbreviation, scalar, square, vector
@@ -63,10 +64,13 @@ class _Modules:
     def files(self) -> dict[str, str]:
         """The modules of the sections, of the notation and of the package, by their names."""
         sections = {f"{name}.py": self._section(section) for section, name in self.modules.items()}
-        own = [f"TITLE = {self.notation.text(self.chapter.title)}", f"SECTIONS = {tuple(self.modules.values())!r}"]
+        own = [
+            f"TITLE = {self.notation.text(self.chapter.title)}",
+            laid_out(f"SECTIONS = {self.notation.text(tuple(self.modules.values()))}"),
+        ]
         own += [] if all(map(has_units, self.homes)) else ["UNITS = False"]
         forms = next((forms for each in self.homes.values() if (forms := notation_of(each)) is not BOOK), None)
-        last = [] if forms is None else [f"NOTATION = {self.notation.text(forms)}"]
+        last = [] if forms is None else [laid_out(f"NOTATION = {self.notation.text(forms)}")]
         return {
             "__init__.py": _module("What was read of a page", [], ["\n".join(own)]),
             f"{NOTATION}.py": _module(
@@ -81,7 +85,7 @@ class _Modules:
             written = self._symbol(value)
             name = identifier(value.name)
             name = self._free(name if name.isidentifier() else f"x_{name}")
-            self.declared.append(f"{name} = {written}")
+            self.declared.append(laid_out(f"{name} = {written}"))
             self.variables[value] = f".{NOTATION}", name
             self.homes.setdefault(value.home, value)
         return self.variables.get(value)

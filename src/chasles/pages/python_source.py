@@ -18,9 +18,11 @@ from itertools import product
 from typing import Any, NamedTuple, get_type_hints
 
 from chasles import statements, vocabulary
+from chasles.pages.python_layout import WIDTH, laid_out
 from chasles.statements import Hypothesis, matrices
 from chasles.statements.fingerprint import is_said
-from chasles.vocabulary import Contract, Negative, Node, Number, Power, Quotient, Scale, Sum, Symbol, printed
+from chasles.vocabulary import Contract, Negative, Node, Number, Power, Quotient, Scale, Sum, Symbol, printed, uniform
+from chasles.vocabulary.measure import Measure
 from chasles.vocabulary.notation import Notation
 from chasles.vocabulary.parts import Submatrix
 
@@ -73,6 +75,8 @@ class PythonSource:
                 return f"{self._named(Notation.__module__, 'Notation')}({self.text(value.all_forms)})"
             case type():
                 return self.called(value)
+            case Measure() if value == uniform(value.shape, value.grid[0][0]):
+                return f"{self.called(uniform)}({self.text(value.shape)}, {self.text(value.grid[0][0])})"
             case Node():
                 text = self._word(value).text
                 return f"{self.called(printed)}(lambda: {text})" if value.fault else text
@@ -89,7 +93,7 @@ class PythonSource:
         texts = [self.text(getattr(value, each.name)) for each in said]
         inner = [t if n else f"{each.name}={t}" for each, n, t in zip(said, needed, texts, strict=True)]
         inner += ["home=__name__"] if isinstance(value, Symbol) else []
-        listed = "".join(f"\n    {each}," for each in inner) + "\n" if in_lines else ", ".join(inner)
+        listed = "".join(f"\n    {laid_out(each, 4, 1)}," for each in inner) + "\n" if in_lines else ", ".join(inner)
         return f"{self.called(type(value))}({listed})"
 
     def _variable(self, value: Any) -> str:
@@ -119,9 +123,11 @@ class PythonSource:
                 said = str(value) if value.denominator == 1 else self.text(value)
                 return PythonText(f"{self.called(vocabulary.number)}({said})", node)
             case Negative(term):
-                return PythonText(f"-{self._word(term).within(POWER)}", node, SIGN)
+                return PythonText(f"-{self._word(term).within(ATOM)}", node, SIGN)
             case Power(base, exponent):
-                return PythonText(f"{self._word(base).within(ATOM)}**{self.text(exponent)}", node, POWER)
+                of = self._word(base).within(ATOM)
+                sign = "**" if of.replace(".", "_").isidentifier() else " ** "
+                return PythonText(f"{of}{sign}{self.text(exponent)}", node, POWER)
             case Sum(terms):
                 signs = [("-", operator.sub) if isinstance(each, Negative) else ("+", operator.add) for each in terms]
                 bare = [each.term if isinstance(each, Negative) else each for each in terms[1:]]
@@ -210,4 +216,6 @@ def imports(used: Iterable[tuple[str, str]]) -> str:
     by_module: dict[str, list[str]] = {}
     for module, name in sorted(used, key=lambda each: (each[0].startswith("."), each[0].startswith("chasles"), each)):
         by_module.setdefault(module, []).append(name)
-    return "".join(f"from {module} import {', '.join(names)}\n" for module, names in by_module.items())
+    lines = {module: f"from {module} import {', '.join(names)}" for module, names in by_module.items()}
+    long = {module: laid_out(f"from {module} import ({', '.join(by_module[module])})", behind=3) for module in lines}
+    return "".join(f"{line if len(line) <= WIDTH else long[module]}\n" for module, line in lines.items())

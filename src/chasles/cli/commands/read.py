@@ -223,7 +223,7 @@ def _answered(out: Path) -> tuple[Path, dict[str, dict[str, str]]]:
 def _write(page: Page, given: dict[str, dict[str, str]], out: Path) -> None:
     """Write the chapter and what is asked to the folder, but for declarations in it that a person has changed."""
     from chasles.pages.folder import files_of
-    from chasles.pages.kept_declarations import RECORD
+    from chasles.pages.kept_declarations import RECORD, BadRecord
 
     try:
         out.mkdir(parents=True, exist_ok=True)
@@ -234,7 +234,7 @@ def _write(page: Page, given: dict[str, dict[str, str]], out: Path) -> None:
     except SyntaxError as error:
         where = f"{out / (error.filename or '')}:{error.lineno}"
         raise Failure(f"{where}: {error.msg}: correct the module, or remove it", BAD_INPUT) from error
-    except ValueError as error:
+    except BadRecord as error:
         raise Failure(f"{out / RECORD}: {error}: correct the file, or remove it", BAD_INPUT) from error
 
 
