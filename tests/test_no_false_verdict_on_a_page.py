@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 import chasles
+from chasles.pages.findings_told import told
 from chasles.reading.notation_file import load_notation
 from chasles.reading.pages import displayed
 from chasles.reading.proposal import proposed
@@ -213,3 +214,59 @@ def test_what_is_said_of_a_place_or_of_letters_with_numbers_is_read() -> None:
 def test_the_inverse_of_a_quaternion_is_no_inverse_of_a_column() -> None:
     (one,) = chasles.read(r"\[ q^{-1} q = 1 \]", {"symbols": {"q": "quaternion"}}, "tex").equations
     assert one.verdict == "unread"
+
+
+@pytest.mark.parametrize(
+    "claims",
+    [
+        ("A B = B A", "(A + B)^2 = A^2 + 2 A B + B^2", "e^{A + B} = e^A e^B"),
+        (r"\hat{x} \hat{p} - \hat{p} \hat{x} = i \hbar", r"\hat{x} \hat{p} = \hat{p} \hat{x}"),
+        ("L = D^2 + p D", "L D = D L", "D (u v) = u D v"),
+        (r"\sigma_x \sigma_y = - \sigma_y \sigma_x", r"\sigma_x \sigma_y \sigma_x = \sigma_x^2 \sigma_y"),
+        ("E X Y = X E Y",),
+        ("j i = i j",),
+        ("H = X (X^T X)^{-1} X^T", "H = I"),
+        (r"\mathbf{J}^+ = \mathbf{J}^T (\mathbf{J} \mathbf{J}^T)^{-1}", r"\mathbf{J}^+ \mathbf{J} = \mathbf{I}"),
+        (r"\mathbf{1}^T \mathbf{1} = n", r"\mathbf{1} \mathbf{1}^T = I"),
+        (r"I(2 \theta) = 2 I(\theta)", "I(0) = 0"),
+        (r"x^{k+1} = x^k - g^k", "x^1 = x^0 + h", "x^1 x^2 = x^3"),
+        ("v^1 = u^1 + w^1", "v^1 v^1 = v^2"),
+        ("T(2 x) = (2/3) T(3 x)",),
+        (r"\dot{x} + x = 0", r"x(0) = 1, \quad \dot{x}(0) = 0"),
+        ("s = a_i b_i", "r = a_j b_j", "s^2 = a_i^2 b_i^2", "s a_i = a_i^2 b_i"),
+        ("C = 1/2 \\pi f", r"C = \frac{1}{2} \pi f"),
+        (r"a / b c = \frac{a c}{b}",),
+        (r"\lfloor 2 x \rfloor = 2 \lfloor x \rfloor",),
+        ("V = (1 + r)^T", "(a b)^T = b a"),
+    ],
+)
+def test_what_holds_of_numbers_alone_or_of_another_reading_is_not_said_to_hold(claims: tuple[str, ...]) -> None:
+    assert not {*verdicts_as_proposed(*claims)} & {"holds", "holds-under", "fails", "ill-formed"}
+
+
+@pytest.mark.parametrize(
+    "claims",
+    [
+        (r"A = l \times w", r"A = w \times l"),
+        (r"F = m \times a", r"F = a \times m"),
+        ("i j = k", "j i = -k"),
+        ("A + A = A",),
+        ("O(n) + O(n) = O(n)",),
+        ("n = n / 2",),
+        ("u(t)^2 = u(t)",),
+        (r"\Theta(n^2) = \Theta(2 n^2)",),
+        (r"S = I - \frac{1}{n} \mathbf{1} \mathbf{1}^T", "S^2 = S", r"S \mathbf{1} = 0"),
+    ],
+)
+def test_what_fails_of_one_kind_of_letters_alone_is_not_said_to_fail(claims: tuple[str, ...]) -> None:
+    assert not {*verdicts_as_proposed(*claims)} & {"fails", "ill-formed"}
+
+
+def test_what_holds_of_letters_of_either_kind_holds() -> None:
+    true = "A B - B A = C", "(A + B)^2 = A^2 + A B + B A + B^2", r"V = I R, \quad P = V I, \quad P = V^2 / R"
+    assert [each for each in verdicts_as_proposed(*true) if each != "defined"] == ["holds", "holds-under"]
+    notation = {"symbols": {"A": {"is": "scalar", "or": "matrix"}, "B": {"is": "scalar", "or": "matrix"}}}
+    (said,) = chasles.read("A B = B A", {**notation, "page": {"proposed": True}}).equations
+    assert "if A, B are scalars" in told(said)
+    (known,) = chasles.read("A B = B A", notation).equations
+    assert known.verdict == "holds"

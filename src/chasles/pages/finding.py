@@ -14,7 +14,8 @@ class PageFinding:
     """What was made of one relation: its role, its verdict, and the statement, with the premises that it needs.
 
     `against` are the premises of a refutation; `instead` is what is true in place of what fails; `given` are premises
-    that a person says, and needs no more. The verdict of an `open` one says why it was not proved.
+    that a person says, and needs no more. The verdict of an `open` one says why it was not proved; where there is a
+    `doubt`, it is found only if letters are what is proposed, and that says of which kind.
     """
 
     role: str
@@ -24,3 +25,4 @@ class PageFinding:
     instead: Repair | None = None
     against: tuple[str, ...] = ()
     given: tuple[str, ...] = ()
+    doubt: str = ""

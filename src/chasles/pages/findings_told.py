@@ -44,6 +44,8 @@ def told(each: PageEquation) -> str:
     if finding is None:
         column = f", column {each.read.column}" if each.read.column else ""
         return f"unread: {each.read.why}{column}"
+    if finding.doubt:
+        return f"ambiguous: {finding.verdict.name} if {finding.doubt}, as is proposed, and is open otherwise"
     if each.verdict == "ambiguous":
         others = "; ".join(f"{verdict} if read {reading}" for verdict, reading in each.others)
         own = "open" if finding.open else finding.verdict.name

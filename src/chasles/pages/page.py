@@ -69,7 +69,7 @@ class PageEquation(Displayed):
         """The verdict in one word: what was not decided is "open", "ambiguous" or "unread"."""
         if self.finding is None:
             return "unread"
-        if self.others:
+        if self.others or self.finding.doubt:
             return "ambiguous"
         return "open" if self.finding.open else self.finding.verdict.name
 

@@ -11,6 +11,7 @@ from chasles.pages.consequences import Consequences
 from chasles.pages.finding import PageFinding
 from chasles.pages.notes import is_defining
 from chasles.pages.premises import Premises, chosen_rules, free_quantities
+from chasles.pages.quantities import quantities, quantity
 from chasles.pages.slips import true_but_for_a_slip
 from chasles.reading.fits import OF_ITS_OWN
 from chasles.repairs.repair import Repair
@@ -42,7 +43,7 @@ def refuted(
     """The finding on a claim that is not proved: it fails, or is open; one that may define tells no point then."""
     rules = chosen_rules(claim.printed, premises.defined())
     of_its_own = any(symbol.meaning == OF_ITS_OWN for symbol, _ in free_quantities(claim.printed, rules))
-    is_asked = not is_defining(claim) and not of_its_own
+    is_asked = not (is_defining(claim) or of_its_own or _is_new_value(claim))
     is_false = may_define and consequences.may_follow(*claim.printed, rules) is False
     instead = _instead(claim, premises, session, consequences) if is_asked and is_false else None
     if may_define and instead is None and (is_false or not is_asked):
@@ -62,6 +63,12 @@ def refuted(
     refuted_claim, first = everywhere[0]
     against = (*(given.number for given in refuted_claim.given), *(h.text for h in refuted_claim.assuming))
     return PageFinding("claim", first, refuted_claim, instead=instead, against=against)
+
+
+def _is_new_value(claim: Claim) -> bool:
+    """Whether a number is said to be made of itself: n = n/2 gives it a new value, and A + A = A is a law."""
+    sides = (claim.printed, claim.printed[::-1])
+    return any(one.is_scalar and (key := quantity(one)) and key in quantities(other) for one, other in sides)
 
 
 def _instead(claim: Claim, premises: Premises, session: Session, consequences: Consequences) -> Repair | None:

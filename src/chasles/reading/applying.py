@@ -11,7 +11,7 @@ from chasles.reading.context import FittingContext
 from chasles.reading.fits import Fit, Shape, made
 from chasles.reading.glyphs import Glyph, in_latex
 from chasles.reading.spellings import Make
-from chasles.vocabulary import Call, Dot, Node, Power, latex
+from chasles.vocabulary import Call, Dot, Node, Power, Transpose, latex, symbols_of
 from chasles.vocabulary.functions import PRINTED, FunctionOf
 from chasles.vocabulary.motion_vectors import MotionByVector
 from chasles.vocabulary.parts import component, part
@@ -62,10 +62,19 @@ def _raised(fits: list[Fit], sup: str, rest: Glyph, ctx: FittingContext) -> list
         for word in parts:
             fits = _raised(fits, word, Glyph("", sups=(word,), place=rest.place), ctx)
         return fits
+    if Transpose in makes:
+        numbers = [fit for fit in fits if fit.node is not None and _is_of_numbers(fit.node)]
+        powers = _of_its_own(numbers, f"}}^{{{in_latex(words)}}}", ctx, "{")
+        return powers + applied(makes, [fit for fit in fits if fit not in numbers], ctx, rest, f"^{{{words}}}")
     found = applied(makes, fits, ctx, rest, f"^{{{words}}}")
     if found or not ctx.level or words.isdigit():
         return found
     return _of_its_own(fits, f"}}^{{{in_latex(words)}}}", ctx, "{", is_alike=False)
+
+
+def _is_of_numbers(node: Node) -> bool:
+    """Whether no letter in it has rows or columns, so that nobody transposes it: the T is an exponent."""
+    return node.is_scalar and all(symbol.is_scalar for symbol in symbols_of(node))
 
 
 def _of_its_own(

@@ -28,9 +28,11 @@ TYPEFACE_NAMES = ("mathbf", "boldsymbol", "mathrm", "operatorname")
 SIGNS = {"*": "star", "+": "plus", "-": "minus"}
 """How signs in a letter's scripts are called in its name."""
 OTHERS = ("component", "entry", "index")
+OTHERWISE = ("matrix", "scalar")
+"""What else a letter may be said to be, `or`: what is found only if it is not that is ambiguous then."""
 KNOWN_KEYS: dict[str, type] = {
     "is": str, "unit": str, "constant": bool, "positive": bool, "shape": object, "size": int, "of": str,
-    "inverse": str, "stands_for": str, "meaning": str,
+    "inverse": str, "stands_for": str, "meaning": str, "or": str,
 }  # fmt: skip
 """What may be said of a letter, and of which type it is; the shape is checked where it is read."""
 UNITS = {"m": Dimension(1), "kg": Dimension(0, 1), "s": Dimension(0, 0, 1), "rad": NO_DIMENSION, "1": NO_DIMENSION,
@@ -78,7 +80,10 @@ def _quantity(notation: PageNotation, table: LetterTable, letter: Glyph, text: s
     notation.quaternions |= kind.endswith("quaternion")
     dimension = _dimension(said.get("unit", ""), where)
     measure = uniform((rows, columns), dimension if has_units(notation.home) else NO_DIMENSION)
-    meaning = " ".join(filter(None, ("positive" if said.get("positive") else kind, said.get("meaning", ""))))
+    if said.get("or", OTHERWISE[0]) not in OTHERWISE:
+        raise BadNotation(f"{where}: or = {said['or']!r}; expected one of {', '.join(OTHERWISE)}")
+    other = f"or {said['or']}" if "or" in said else ""
+    meaning = " ".join(filter(None, ("positive" if said.get("positive") else kind, said.get("meaning", ""), other)))
     inverse = said.get("inverse")
     if inverse is not None and "{swapped}" not in inverse.replace("swapped", "{swapped}"):
         raise BadNotation(f"{where}: inverse = {inverse!r} does not say 'swapped', as in 'R_{{swapped}}'")

@@ -18,6 +18,7 @@ from chasles.reading.printed import PrintedEquation
 from chasles.reading.reading import Part, ReadEquation, Reading, settled
 from chasles.reading.respelling import atoms_in
 from chasles.reading.segments import chains_of, segments
+from chasles.reading.summed_indices import index_letters, summed_over
 from chasles.reading.sums import sum_fits
 from chasles.vocabulary import Misfit, Node, Rate, Symbol, symbols_of, walk
 from chasles.vocabulary.fitting import measured
@@ -41,7 +42,8 @@ def read_equations(printed: Sequence[PrintedEquation], notation: PageNotation) -
     found: list[ReadEquation] = []
     before: Atoms | None = None
     chains = [chain for equation in printed for chain in chains_of(equation)]
-    notation = replace(notation, functions=functions_in(chains), alone=shown_alone(chains))
+    said = {"functions": functions_in(chains), "alone": shown_alone(chains), "numbering": index_letters(chains)}
+    notation = replace(notation, **said)
     for equation in printed:
         try:
             marks, here = _as_noted(equation, notation), notation.within(equation.section)
@@ -159,6 +161,8 @@ def _chain(said: PrintedChain, ctx: FittingContext) -> list[tuple[int, tuple[Par
     unknown = next((r for r in chain.relations if r.text in NO_CLAIM), None)
     if unknown:
         raise Unread(f"{unknown.text} claims nothing that can be decided", unknown)
+    if index := summed_over(chain, ctx.notation.numbering - ctx.notation.indices.keys()):
+        raise Unread(f"{index} stands twice in a product and not in all terms: it may be summed over")
     sides = [ctx.terms(side) for side in chain.sides if side is not None]
     if not all(sides):
         return []

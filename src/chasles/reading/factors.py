@@ -127,6 +127,9 @@ def _value_fits(atom: Atom, bracket: Atom, ctx: FittingContext) -> list[Fit]:
     is_function = ctx.notation.functions.get(replace(letter, arguments="", sups=()))
     if is_function and is_operator(letter) and next(ctx.notation.letters.meanings(letter), None) is None:
         return ctx.of_its_own(spelled(letter))
+    if letter.accents and all(piece.kind == "NUMBER" or piece.sub for piece in pieces_of(bracket)):
+        bare = letter_fits(replace(letter, arguments=""), ctx)  # the rate is taken before the place
+        return ctx.of_its_own(spelled(letter), [fit.node for fit in bare if fit.node is not None])
     fits = letter_fits(letter, ctx, is_function=is_function is not None)
     return [replace(fit, cost=fit.cost + (2 * UNUSUAL if is_function is False else 0)) for fit in fits]
 

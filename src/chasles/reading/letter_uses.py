@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import combinations
+from typing import NamedTuple
 
 from chasles.reading.applying import EVALUATED
-from chasles.reading.atoms import TYPEFACES, Atom, said_of
+from chasles.reading.atoms import TYPEFACES, Atom, Atoms, said_of
 from chasles.reading.commands import MARKS
 from chasles.reading.derivatives import differential
 from chasles.reading.glyphs import ARROWS, Glyph, joined, letter_of, pieces_of, spelled, text_of
-from chasles.reading.grammar import Terms, terms_in
+from chasles.reading.grammar import Chain, Terms, terms_in
 from chasles.reading.marks import SIZE, WITHOUT_WORD
 from chasles.reading.notation_file import load_notation
 from chasles.reading.page_functions import DIFFERENCES, makes_difference, shown_alone
@@ -22,6 +24,7 @@ from chasles.reading.spellings import called
 from chasles.vocabulary.measure import Extent
 
 TRANSPOSES, INVERSES = ("T", r"\top", r"\intercal"), ("- 1", "- T", r"- \top")
+PSEUDOINVERSES = ("+", r"\sharp")
 RATES = (r"\dot", r"\ddot", r"\dddot")
 OPERATORS = (*RATES, r"\tilde")
 """Accents that are put on a letter; any other is part of its name."""
@@ -34,18 +37,23 @@ BARE = (r"\pi", "e", "0", r"\mathbf 0", r"\mathrm d", *IDENTITIES)
 """What is no letter of the page where it has no subscript."""
 INERTIA = re.compile(
     r"(?:(\\mathbf) \{ I \}|(?<!\{ )\bI)"
-    r" (?:\\(?:[a-z]*dot|vec|mathbf|boldsymbol|omega|alpha) |[a-z] |\^ \{ - 1|_ \{? ?1 )"
+    r" (?:\\(?:[a-z]*dot|vec|mathbf|boldsymbol|omega|alpha) |[A-Za-z(] |\^ \{ - 1|_ \{? ?1 )"
+    r"|(\\mathbf) \{ 1 \} \^ \{ (?:T|\\top|\\mathsf \{ T \}|\\mathrm \{ T \}) \}"
 )
-"""An I before a letter, or inverted, is no identity, nor is one of one row: nobody writes that."""
+"""An I before a letter or brackets, or inverted, is no identity, nor one of one row, nor a 1 that is transposed."""
 WORDS = (*TRANSPOSES, *INVERSES, r"\wedge", r"\vee", r"\times")
 MANY = 3
+NUMBERS = frozenset({"1/", r"\sqrt", r"\sin", r"\cos", r"\tan"})
 SKEW = frozenset({r"^\wedge", r"^\times", r"[]_\times"})
 """Signs that make a cross-product matrix of a vector."""
 
 
 @dataclass
 class LetterUse:
-    """How a letter is used on the page: with which signs, in which functions, with which subscripts, where."""
+    """How a letter is used on the page: with which signs, in which functions, with which subscripts, where.
+
+    If it `has_order`, the page has it before and behind the same letter, as no author does of numbers.
+    """
 
     signs: set[str] = field(default_factory=set)
     letters: dict[Glyph, dict[int, None]] = field(default_factory=dict)
@@ -53,6 +61,12 @@ class LetterUse:
     kind: str = ""
     other: str = ""
     shape: tuple[Extent, ...] = ()
+    has_order: bool = False
+
+    @property
+    def is_number(self) -> bool:
+        """Whether something is divided by it, or a root or an angle is made of it."""
+        return bool(self.signs & NUMBERS)
 
     @property
     def is_square(self) -> bool:
@@ -65,24 +79,45 @@ class LetterUse:
         return self.is_square or any(f"^{sup}" in self.signs for sup in (*TRANSPOSES, r"\dagger"))
 
 
+class NameMarks(NamedTuple):
+    """Which marks are no part of a letter's name: accents that are `operators`, and numbers above letters.
+
+    Above those that are `labelled` a number is part of the name, as in x^1, where others have x^{k + 1} at its place.
+    """
+
+    operators: tuple[str, ...]
+    labelled: frozenset[str] = frozenset()
+
+    @classmethod
+    def on_page(cls, texts: Iterable[str], operators: tuple[str, ...]) -> NameMarks:
+        """Those of a page whose equations are these, as one text each."""
+        return cls(operators, frozenset("".join(found) for text in texts for found in _LABELLED.findall(f"= {text}")))
+
+
+_LABELLED = re.compile(
+    r"(\\?[A-Za-z]+)(?: \})?(?: _ \{ [^{}]* \})? \^ \{ [01] \}"
+    r"|(?<== )(?:\\\w+ \{ )*(\\?[A-Za-z]+)(?: \})*(?: _ \{ [^{}]* \})? \^ \{ [a-z] [+] 1 \} (?:=|-|:=)"
+)
+
+
 @dataclass(frozen=True, slots=True)
 class _Noting:
-    """Where letters are noted: in an equation at a place, with accents that are operators."""
+    """Where letters are noted: in an equation at a place, with the marks that are no part of their names."""
 
     uses: dict[Glyph, LetterUse]
     usual: PageNotation
     at: int
-    operators: tuple[str, ...]
+    marks: NameMarks
     bare: frozenset[str]
     alone: frozenset[str]
 
 
 def letter_uses(
-    equations: Sequence[PrintedEquation], texts: Sequence[str], operators: tuple[str, ...], bare: frozenset[str]
+    equations: Sequence[PrintedEquation], texts: Sequence[str], marks: NameMarks, bare: frozenset[str]
 ) -> dict[Glyph, LetterUse]:
     """The letters in their order, with how they are used and what they may be.
 
-    `texts` are the equations' tokens as one text each. Accents that are no `operators` are part of a letter's name.
+    `texts` are the equations' tokens as one text each. `marks` are no part of a letter's name.
     """
     usual = load_notation("")
     uses: dict[Glyph, LetterUse] = {}
@@ -90,9 +125,14 @@ def letter_uses(
     alone = shown_alone(chain for chains in found for chain in chains)
     for place, chains in enumerate(found):
         for side in (side for chain in chains for side in chain.sides):
-            _note(side, "", _Noting(uses, usual, place, operators, bare, alone))
+            _note(side, "", _Noting(uses, usual, place, marks, bare, alone))
     if any(map(DIFFERENTIAL.search, texts)):
         uses.pop(Glyph("d"), None)
+    products = [[each for chain in chains for each in _products(chain, marks)] for chains in found]
+    pairs = [each for page in products for each in page if len(each) == 2]
+    for own in set().union(*map(_in_both_orders, (*products, pairs))):
+        if (use := uses.get(stem_of(own))) and own in use.letters:
+            use.has_order = True
     uses = dict(sorted(uses.items(), key=lambda each: spelled(each[0])))
     are_bold = sum(looks(stem)[0] for stem in uses) >= MANY
     are_thin = any(map(GRID.search, texts))
@@ -103,12 +143,50 @@ def letter_uses(
         sign, _, bare_letter = stem.base.partition(" ")
         of = replace(stem, base=bare_letter) if sign in DIFFERENCES and bare_letter else stem
         use.kind, use.other = _kind(of, uses.get(of, use), are_bold, are_thin, has_parts)
+        if use.kind == "matrix" and use.signs.isdisjoint(f"^{each}" for each in INVERSES):
+            use.shape = _oblong(stem.base, texts)
     return uses
+
+
+def _in_both_orders(products: Iterable[Sequence[Glyph]]) -> set[Glyph]:
+    """The letters that stand in one product before, in another behind the same letter."""
+    pairs = {pair for letters in products for pair in combinations(letters, 2) if pair[0] != pair[1]}
+    return {letter for one, other in pairs if (other, one) in pairs for letter in (one, other)}
+
+
+def _products(chain: Chain, marks: NameMarks) -> list[list[Glyph]]:
+    """The letters of each term of the sides."""
+    return [_factors(row, marks) for side in chain.sides if side is not None for row in side.rows]
+
+
+def _factors(row: Atoms, marks: NameMarks) -> list[Glyph]:
+    """The letters of a product in the order of print, those in brackets among them; behind another sign none."""
+    found: list[Glyph] = []
+    for piece in row:
+        if piece.kind == "INFIX" and piece.text != r"\cdot":
+            break
+        if piece.text == "()":
+            found += [each for terms in piece.inside for inner in terms.rows for each in _factors(inner, marks)]
+        elif piece.kind == "LETTER" or piece.text in TYPEFACES or piece.text in MARKS:
+            found.append(parted(letter_of(piece), marks)[0])
+    return found
+
+
+def _oblong(letter: str, texts: Sequence[str]) -> tuple[Extent, ...]:
+    """The shape of a matrix that is inverted only in a product with its own transpose, as X is in (X^T X)^{-1}."""
+    words = letter.split()
+    found, turned = re.escape(" { ".join(words) + " }" * (len(words) - 1)), r" \^ \{ (?:T|\\top|\\intercal) \}"
+    ends = (
+        rf"\( {found}{turned} (?:[^()]* )?{found} \) \^ \{{ -",
+        rf"\( {found} (?:[^()]* )?{found}{turned} \) \^ \{{ -",
+    )
+    shapes = [shape for shape, end in zip(((4, 3), (3, 4)), ends, strict=True) if any(re.search(end, t) for t in texts)]
+    return shapes[0] if len(shapes) == 1 else ()
 
 
 def inertias(text: str) -> set[str]:
     """The letters for an identity that are something else in this equation, given as one text."""
-    return {f"{face} I".strip() for face in INERTIA.findall(f"{text} ")}
+    return {r"\mathbf 1" if ones else f"{face} I".strip() for face, ones in INERTIA.findall(f"{text} ")}
 
 
 def _kind(stem: Glyph, use: LetterUse, are_bold: bool, are_thin: bool, has_parts: bool) -> tuple[str, str]:
@@ -118,7 +196,7 @@ def _kind(stem: Glyph, use: LetterUse, are_bold: bool, are_thin: bool, has_parts
     """
     letter = stem.base.split()[-1]
     bold, large = looks(stem)
-    crossed = bool(use.signs & {r"\times", r"\|\|", r"\lfloor\rfloor", *SKEW})
+    crossed = bool(use.signs & {r"\times", r"\|\|", *SKEW})
     vector = crossed or (not large and r"\tilde" in use.signs)
     if large and (bold or use.is_matrix) and (use.is_square or not crossed or letter in ("R", "Q", "C")):
         return ("rotation", "matrix") if letter in ("R", "Q", "C") else ("matrix", "")
@@ -158,6 +236,7 @@ def _note(terms: Terms | None, within: str, noting: _Noting) -> None:
             after = row[place + 1] if place + 1 < len(row) else None
             around = {before, after.text if after and after.kind == "INFIX" else ""} - {""}
             around |= {"{}"} if after and after.kind == "GROUP" else set()
+            around |= {"1/"} if before == "/" else set()
             name = called(piece)
             if piece.kind == "LETTER" and name in noting.usual.spellings.names:
                 before = name
@@ -171,7 +250,7 @@ def _note(terms: Terms | None, within: str, noting: _Noting) -> None:
                 _note_letter(letter_of(joined((piece, after)) or piece), around, noting)
                 before = within
                 continue
-            inside = piece.text if piece.text in (r"\|\|", "||", r"\lfloor\rfloor") else before
+            inside = piece.text if piece.text in (r"\|\|", "||", r"\lfloor\rfloor", r"\sqrt") else before
             inside = (
                 r"[]_\times"
                 if piece.kind == "BRACKET" and r"\times" in map(said_of, (piece.sub or (), *piece.sups))
@@ -181,8 +260,9 @@ def _note(terms: Terms | None, within: str, noting: _Noting) -> None:
             inside = (
                 "d" if len(piece.arguments) == 2 and differential(piece.arguments[0]) in ("d", r"\partial") else inside
             )
-            for inner in terms_in(piece):
-                _note(inner, inside, noting)
+            is_divided = piece.text.endswith("frac") and inside != "d"
+            for held in range(len(within_it := [*terms_in(piece)])):
+                _note(within_it[held], "1/" if is_divided and held == len(within_it) - 1 else inside, noting)
             if piece.kind == "LETTER" or piece.text in TYPEFACES or piece.text in MARKS:
                 _note_letter(letter_of(piece), around, noting)
             before = within
@@ -197,20 +277,23 @@ def _is_derivative(terms: Terms | None, within: str) -> bool:
     return within == "d" or terms is None or "int" in text_of(terms)
 
 
-def parted(letter: Glyph, operators: Sequence[str]) -> tuple[Glyph, tuple[str, ...]]:
+def parted(letter: Glyph, marks: NameMarks) -> tuple[Glyph, tuple[str, ...]]:
     """The letter with all that is part of its name, and the accents and superscripts that are not."""
     plain = {re.sub(r"\\math\w+ ", "", sup): sup for sup in letter.sups}
-    scripts = tuple(sup for sup in plain if sup in WORDS or (sup.isdigit() and sup != "0") or sup.startswith(EVALUATED))
-    accents = tuple(accent for accent in letter.accents if accent not in operators)
+    is_power = letter.base.split()[-1] not in marks.labelled
+    numbers = {sup for sup in plain if sup.isdigit() and sup != "0" and is_power}
+    scripts = tuple(sup for sup in plain if sup in WORDS or sup in numbers or sup.startswith(EVALUATED))
+    accents = tuple(accent for accent in letter.accents if accent not in marks.operators)
     own = tuple(sup for said, sup in plain.items() if said not in scripts)
-    made = tuple(accent for accent in letter.accents if accent in operators and accent not in RATES)
+    made = tuple(accent for accent in letter.accents if accent in marks.operators and accent not in RATES)
     return Glyph(letter.base, accents, letter.sub, letter.primes, own, letter.before), (*made, *scripts)
 
 
 def stem_of(own: Glyph) -> Glyph:
-    """What the letters have in common that are most likely of one kind: V, those as V_x, and those as V_{xx}."""
+    """What the letters have in common that are most likely of one kind: V, those as V_x, those as V_{xx}, and V^+."""
     count = sum(word.isalpha() for word in own.sub.split())
-    return Glyph(own.base, own.accents, "" if not own.sub else "#" if count < 2 else f"# {count}")
+    sub = "" if not own.sub else "#" if count < 2 else f"# {count}"
+    return Glyph(own.base, own.accents, sub, sups=tuple(sup for sup in own.sups if sup in PSEUDOINVERSES))
 
 
 def is_declared(letter: Glyph, bare: frozenset[str]) -> bool:
@@ -224,9 +307,9 @@ def is_declared(letter: Glyph, bare: frozenset[str]) -> bool:
 
 def _note_letter(letter: Glyph, around: set[str], noting: _Noting) -> None:
     if is_declared(letter, noting.bare):
-        own, marks = parted(letter, noting.operators)
+        own, marks = parted(letter, noting.marks)
         use = noting.uses.setdefault(stem_of(own), LetterUse())
         use.letters.setdefault(own, {})[noting.at] = use.places[noting.at] = None
         use.signs |= {"marked"} if letter.sub or letter.accents or letter.primes or letter.sups else set()
         use.signs |= {r"^\dagger"} if r"\dagger" in own.sups else set()
-        use.signs |= around | {each if each in noting.operators else f"^{each}" for each in marks}
+        use.signs |= around | {each if each in noting.marks.operators else f"^{each}" for each in marks}

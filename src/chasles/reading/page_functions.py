@@ -9,30 +9,35 @@ from itertools import pairwise
 from chasles.reading.atoms import TYPEFACES, Atom
 from chasles.reading.commands import MARKS
 from chasles.reading.derivatives import derivative
-from chasles.reading.glyphs import Glyph, is_operator, letter_of, with_arguments
+from chasles.reading.glyphs import Glyph, is_operator, letter_of, text_of_atom, with_arguments
 from chasles.reading.grammar import Chain, Terms, terms_in
 
 
 def functions_in(chains: Iterable[Chain]) -> dict[Glyph, bool]:
-    r"""The letters with arguments: True for those that have letters alone, \Gamma(\phi), False for those never without.
+    r"""The letters with arguments: True for functions, False for others that are never without.
 
-    (t) makes no function of a quantity.
+    A function has letters alone for arguments, \Gamma(\phi), or different ones and is never without. (t) makes no
+    function of a quantity.
     """
     listed: set[Glyph] = set()
+    arguments: dict[Glyph, set[str]] = {}
     found: dict[bool, set[Glyph]] = {False: set(), True: set()}
-    for one, bracket in _neighbours(chains):
+    for one, bracket in neighbours(chains):
         letter = replace(letter_of(one), sups=(), place=None)
         is_called = bracket is not None and with_arguments(letter, bracket) is not None
         if bracket is not None and not is_called and letter.base != "E" and is_operator(letter):
             continue  # the L of \mathcal{L} f may be no factor
         found[is_called].add(letter)
+        if bracket is not None and is_called:
+            arguments.setdefault(letter, set()).add(text_of_atom(bracket.bare))
         listed |= {letter} if bracket is not None and lists_letters(bracket) else set()
     called = found[True] - found[False]
-    return dict.fromkeys(called, False) | dict.fromkeys(listed | set(filter(is_operator, called)), True)
+    listed |= {letter for letter in called if is_operator(letter) or len(arguments[letter]) > 1}
+    return dict.fromkeys(called, False) | dict.fromkeys(listed, True)
 
 
-def _neighbours(chains: Iterable[Chain]) -> Iterator[tuple[Atom, Atom | None]]:
-    """Each atom of the page, and the one that stands right behind it."""
+def neighbours(chains: Iterable[Chain]) -> Iterator[tuple[Atom, Atom | None]]:
+    """Each atom of the page but signs, and the one that stands right behind it."""
     waiting = [side for chain in chains for side in chain.sides if side is not None]
     while waiting:
         for row in waiting.pop().rows:
@@ -49,7 +54,7 @@ DIFFERENCES = (r"\Delta", r"\delta", "d", r"\mathrm d", r"\partial")
 
 def shown_alone(chains: Iterable[Chain]) -> frozenset[str]:
     """The signs of differences that stand on the page where nothing follows them: there they are letters."""
-    return frozenset(_sign(letter_of(one)) for one, behind in _neighbours(chains) if behind is None) - {""}
+    return frozenset(_sign(letter_of(one)) for one, behind in neighbours(chains) if behind is None) - {""}
 
 
 def _sign(letter: Glyph) -> str:

@@ -55,8 +55,8 @@ class PageNotation:
     `home` is the module that stands for the page. If it is `proposed`, what the letters are is not known for sure.
     `assuming` is what holds on all of the page, in LaTeX; `notes` are what is said of single equations; `checks` raise
     where something that is declared cannot be read. `functions` are the letters that the page has with arguments,
-    `alone` the signs of differences that it has as letters, and `matched` says which entries of a file some letter has
-    matched. Of one equation so many nodes are printed again, at `most_work`.
+    `alone` the signs of differences that it has as letters, `numbering` those that are indices; `matched` says which
+    entries of a file some letter has matched. Of one equation so many nodes are printed again, at `most_work`.
     """
 
     letters: LetterTable = field(default_factory=LetterTable)
@@ -75,6 +75,7 @@ class PageNotation:
     checks: list[Callable[[], Node]] = field(default_factory=list)
     functions: Mapping[Glyph, bool] = field(default_factory=dict)
     alone: frozenset[str] = frozenset()
+    numbering: frozenset[str] = frozenset()
     matched: dict[str, bool] = field(default_factory=dict)
     most_work: int = 50_000
 

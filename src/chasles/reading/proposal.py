@@ -12,7 +12,18 @@ from typing import Any
 from chasles.reading.atoms import TYPEFACES, Unread, marks_of
 from chasles.reading.commands import LETTERS, MARKS
 from chasles.reading.glyphs import Glyph, in_latex, letter_in, spelled
-from chasles.reading.letter_uses import BARE, IDENTITIES, OPERATORS, RATES, TRANSPOSES, LetterUse, inertias
+from chasles.reading.letter_uses import (
+    BARE,
+    IDENTITIES,
+    OPERATORS,
+    RATES,
+    SKEW,
+    TRANSPOSES,
+    LetterUse,
+    NameMarks,
+    inertias,
+    looks,
+)
 from chasles.reading.lexemes import BadPage
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.shape_search import shaped_letters
@@ -35,9 +46,9 @@ def proposed(equations: Sequence[PrintedEquation]) -> str:
     texts = [_text_of(equation) for equation in equations]
     inertia = set().union(*map(inertias, texts))
     bare = frozenset(BARE) - inertia
-    uses, faults = shaped_letters(equations, texts, OPERATORS, bare)
+    uses, faults = shaped_letters(equations, texts, NameMarks.on_page(texts, OPERATORS), bare)
     if any(r"tilde " in text for text in texts):
-        other, fewer = shaped_letters(equations, texts, RATES, bare)
+        other, fewer = shaped_letters(equations, texts, NameMarks.on_page(texts, RATES), bare)
         uses = other if fewer < faults else uses
     primes = {prime for text in texts for prime in PRIMED.findall(text)}
     signs = ", ".join(f'"#{each.replace(" ", "")}"' for each in sorted(primes))
@@ -46,11 +57,14 @@ def proposed(equations: Sequence[PrintedEquation]) -> str:
     lines = ["[operators]", *operators, "", "[symbols]"]
     marked = {word for stem, use in uses.items() if "marked" in use.signs for word in stem.base.split()}
     letters = KNOWN | marked - {word for stem, use in uses.items() if "{}" in use.signs for word in stem.base.split()}
+    with_order = any(use.has_order or r"^\dagger" in use.signs for use in uses.values())
     for stem, use in uses.items():
         question = f"  # ? or {use.other}" if use.other not in ("", use.kind) else ""
+        doubt = _otherwise(stem, use, with_order)
         for glyph, said in _declared(stem, use, uses):
             of = f", of = {_quoted(said['of'])}" if "of" in said else ""
             of += f", shape = {said['shape']}" if "shape" in said else ""
+            of += f', or = "{doubt}"' if doubt and said["is"] == use.kind else ""
             if unknown := [word for word in stem.base.split() if word[0] == "\\" and word not in letters]:
                 lines.append(f"# {unknown[-1]}: no command of LaTeX; --macros FILE defines it, or say here what it is")
                 continue
@@ -58,6 +72,19 @@ def proposed(equations: Sequence[PrintedEquation]) -> str:
             entry = f'{_quoted(spelled(glyph))} = {{ is = "{said["is"]}"{of} }}{"" if of else question}'
             lines.append(entry if known else f"# {spelled(glyph)}: several letters in one; say what it is")
     return "\n".join([*lines, "", "[page]", PROPOSED]) + "\n"
+
+
+def _otherwise(stem: Glyph, use: LetterUse, with_order: bool) -> str:
+    """What else than proposed a letter may be, where that is as likely: then what holds of one alone is in doubt.
+
+    Where a page has products in both orders, it speaks of matrices or operators; a cross may stand between numbers.
+    """
+    bold, large = looks(stem)
+    are_entries = all(ENTRY.fullmatch(glyph.sub) for glyph in use.letters)
+    if use.kind == "scalar" and not (use.is_number or are_entries) and (use.has_order or (large and with_order)):
+        return "matrix"
+    is_vector = bold or use.signs & {r"\cdot", r"\|\|", *SKEW, *(f"^{each}" for each in TRANSPOSES)}
+    return "scalar" if use.kind == "vector" and r"\times" in use.signs and not is_vector else ""
 
 
 def _text_of(equation: PrintedEquation) -> str:
@@ -104,13 +131,14 @@ def _quoted(text: str) -> str:
 def _operators(uses: dict[Glyph, LetterUse], inertia: set[str]) -> list[str]:
     """The spellings that occur of transposes, cross-product matrices and identities."""
     signs = set().union(*(use.signs for use in uses.values()))
+    of_bold = set().union(*(use.signs for stem, use in uses.items() if looks(stem)[0]))
     skew = [
         form
         for sign, form in ((r"\tilde", r"\tilde{#}"), (r"^\wedge", r"#^\wedge"), (r"^\times", r"#^\times"))
         if sign in signs
     ]
     transposes = [f"#^{sup}" for sup in TRANSPOSES if f"^{sup}" in signs] or ["#^T"]
-    skew += [r"\lfloor # \rfloor"] if r"\lfloor\rfloor" in signs else []
+    skew += [r"\lfloor # \rfloor"] if r"\lfloor\rfloor" in of_bold else []
     lines = ["skew = [" + ", ".join(f"'{form}'" for form in (*skew, r"[#]_\times")) + "]"] if skew else []
     lines += ["transpose = [" + ", ".join(f"'{form}'" for form in transposes) + "]"]
     ones = ", ".join(f"'{in_latex(each)}'" for each in IDENTITIES if each not in inertia)

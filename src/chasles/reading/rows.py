@@ -13,7 +13,7 @@ from chasles.reading.context import FittingContext
 from chasles.reading.expanding import OPEN, TOTALS, end_of_total, takes_all, totals
 from chasles.reading.factors import factors, is_argument, operators_of
 from chasles.reading.fits import UNUSUAL, Fit, kept, made
-from chasles.reading.glyphs import Glyph, joined, letter_of
+from chasles.reading.glyphs import Glyph, in_latex, joined, letter_of, text_of_row
 from chasles.reading.page_functions import lists_letters
 from chasles.reading.products import multiplied, times
 from chasles.reading.spellings import Make, called
@@ -108,7 +108,15 @@ def _has_value(pieces: Atoms, ctx: FittingContext) -> bool:
 
 
 def _stroke(left: Atoms, right: Atoms, usual: int, ctx: FittingContext) -> Iterator[Fit]:
-    """A quotient on one line: of the product before the stroke by the next factor, or by all that follows."""
+    """A quotient on one line: of the product before the stroke by the next factor, or by all that follows.
+
+    Which of them is clear where both are numbers, as in 1/2 m v^2; any other, such as a/b c, is a quantity of its own.
+    """
+    are_numbers = left[-1].kind == right[0].kind == "NUMBER" and right[1:] and right[1].text != r"\pi"
+    is_one = are_numbers or any(end == len(right) and fits for end, fits in factors(right, 0, ctx))
+    if not (is_one or any(piece.kind == "INFIX" for piece in right)):
+        yield from ctx.of_its_own(in_latex(f"{text_of_row(left)} / {text_of_row(right)}"))
+        return
     for end in range(1, len(right) + 1 if all(piece.kind != "INFIX" for piece in right) else 0):
         divisors = _product(right[:end], ctx)
         for top in _signed(left, ctx):

@@ -9,7 +9,7 @@ from itertools import combinations, islice, product
 from chasles.reading.glyphs import ARROWS, Glyph, letter_of, spelled
 from chasles.reading.grammar import Chain, Terms
 from chasles.reading.letter_shapes import Misshapen, Shape, shape_of_chain
-from chasles.reading.letter_uses import SKEW, LetterUse, is_declared, letter_uses, looks, parted, stem_of
+from chasles.reading.letter_uses import SKEW, LetterUse, NameMarks, is_declared, letter_uses, looks, parted, stem_of
 from chasles.reading.notation_file import load_notation
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.segments import chains_of
@@ -34,11 +34,11 @@ UNLIKELY = 0.3
 
 
 def shaped_letters(
-    equations: Sequence[PrintedEquation], texts: Sequence[str], operators: tuple[str, ...], bare: frozenset[str]
+    equations: Sequence[PrintedEquation], texts: Sequence[str], marks: NameMarks, bare: frozenset[str]
 ) -> tuple[dict[Glyph, LetterUse], int]:
     """The letters with what they are, and how many equations do not fit together even so."""
-    uses = letter_uses(equations, texts, operators, bare)
-    search = _KindSearch([chains_of(equation) for equation in equations], uses, operators, bare)
+    uses = letter_uses(equations, texts, marks, bare)
+    search = _KindSearch([chains_of(equation) for equation in equations], uses, marks, bare)
     search.go_through()
     return dict(sorted(search.uses.items(), key=lambda each: spelled(each[0]))), search.all_faults
 
@@ -50,10 +50,10 @@ class _KindSearch:
         self,
         chains: Sequence[Sequence[Chain]],
         uses: dict[Glyph, LetterUse],
-        operators: tuple[str, ...],
+        marks: NameMarks,
         bare: frozenset[str],
     ) -> None:
-        self.chains, self.uses, self.operators, self.bare = chains, uses, operators, bare
+        self.chains, self.uses, self.bare = chains, uses, bare
         self.names = frozenset(load_notation("").spellings.names)
         self.stems: dict[int, list[Glyph]] = {}
         for stem, use in uses.items():
@@ -63,7 +63,7 @@ class _KindSearch:
         self.known: dict[object, int] = {}
         self.sizes: set[int] = set()
         self.work = 0
-        self.parted = lru_cache(maxsize=None)(lambda letter: parted(letter, operators))
+        self.parted = lru_cache(maxsize=None)(lambda letter: parted(letter, marks))
 
     @property
     def all_faults(self) -> int:
@@ -178,4 +178,6 @@ def _kinds(stem: Glyph, use: LetterUse) -> list[Kind]:
     quaternion = ["quaternion"] if {r"\otimes", r"\circ"} & use.signs else []
     matrix = ["matrix"] if use.is_matrix else []
     usual = [use.kind] if use.signs & SKEW else usual
-    return [(kind, ()) for kind in dict.fromkeys((use.kind, *usual, *quaternion, *matrix))]
+    return list(
+        dict.fromkeys([(use.kind, use.shape), *((kind, ()) for kind in (use.kind, *usual, *quaternion, *matrix))])
+    )

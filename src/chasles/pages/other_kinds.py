@@ -1,0 +1,137 @@
+"""Whether what is found would be found of letters of the other kind that they may be, where the kinds are proposed.
+
+What holds of scalars alone may fail of matrices and operators, whose products have an order; what fails of vectors may
+hold of scalars, whose products are printed with a cross, too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace as with_fields
+from functools import reduce
+
+from chasles.pages.consequences import Consequences
+from chasles.pages.premises import PosedEquation
+from chasles.pages.quantities import Quantity, quantity, symbols_in
+from chasles.statements import Claim, Condition, Hypothesis, Statement
+from chasles.vocabulary import (
+    NO_DIMENSION,
+    Contract,
+    Cross,
+    Dot,
+    Identity,
+    Inverse,
+    Misfit,
+    Node,
+    Quotient,
+    Scale,
+    Sum,
+    Symbol,
+    Transpose,
+    uniform,
+)
+from chasles.vocabulary.functions import FunctionOf
+from chasles.vocabulary.tree import rebuilt
+
+SHAPES = {"matrix": (3, 3), "scalar": (1, 1)}
+"""The other kinds that a letter may be, and the shape in which they are tried."""
+Kinds = Mapping[Symbol, Symbol]
+
+
+def in_doubt(claim: Claim) -> dict[Symbol, Symbol]:
+    """The letters of a claim and its premises that may be of another kind, and as what."""
+    sides = (*claim.printed, *(side for each in claim.given for side in each.printed))
+    sides += tuple(side for each in claim.assuming for pair in each.equations for side in pair)
+    found: dict[Symbol, Symbol] = {}
+    for symbol in sorted(symbols_in(sides), key=lambda symbol: symbol.name):
+        other = symbol.meaning.partition(" or ")[2]
+        if other in SHAPES:
+            found[symbol] = with_fields(symbol, size=uniform(SHAPES[other], NO_DIMENSION), meaning=other)
+    return found
+
+
+def follows_of(claim: Claim, kinds: Kinds, consequences: Consequences) -> bool | None:
+    """Whether a claim may follow from its premises with letters of these kinds; None where they do not fit in it.
+
+    Of functions of matrices nothing is known, hence nothing follows.
+    """
+    try:
+        rules, kinds = _rules_of(claim, kinds)
+        given = [each for each in claim.given if isinstance(each, Condition)]
+        pairs = [each.printed for each in given]
+        pairs += [pair for each in claim.assuming if each.free for pair in each.equations]
+        posed = [PosedEquation(ASSUMED, *_same_shape(*pair, kinds), True) for pair in pairs]
+        return consequences.may_follow(*_same_shape(*claim.printed, kinds), rules, posed)
+    except _OfMatrices:
+        return False
+    except (Misfit, TypeError, ValueError):
+        return None
+
+
+class _OfMatrices(Exception):
+    """An exponential or a logarithm of a matrix."""
+
+
+ASSUMED = Hypothesis("posed", (), free=True)
+
+
+def _rules_of(claim: Claim, kinds: Kinds) -> tuple[dict[Quantity, Statement], Kinds]:
+    """The rules among the premises, and the kinds with those of the letters that they say something of."""
+    rules = {key: each for each in claim.given if not isinstance(each, Condition) and (key := quantity(each.left))}
+    changed, kinds = True, dict(kinds)
+    while changed:
+        changed = False
+        for (symbol, _), rule in rules.items():
+            size = _of(rule.right, kinds).measure
+            if symbol not in kinds and size is not None and size.shape != symbol.shape:
+                kinds[symbol], changed = with_fields(symbol, size=size), True
+    made: dict[Quantity, Statement] = {}
+    for (symbol, order), rule in rules.items():
+        left, right = _same_shape(rule.left, rule.right, kinds)
+        made[kinds.get(symbol, symbol), order] = with_fields(rule, left=left, right=right)
+    return made, kinds
+
+
+def _same_shape(left: Node, right: Node, kinds: Kinds) -> tuple[Node, Node]:
+    one, other = _as_large((_of(left, kinds), _of(right, kinds)))
+    return one, other
+
+
+def _as_large(terms: tuple[Node, ...]) -> tuple[Node, ...]:
+    """The terms with scalars among matrices as multiples of the identity."""
+    sizes = {term.shape[0] for term in terms if not term.is_scalar and term.shape[0] == term.shape[1]}
+    if len(sizes) != 1 or all(not term.is_scalar for term in terms):
+        return terms
+    (size,) = sizes
+    return tuple(Scale(term, Identity(int(size))) if term.is_scalar else term for term in terms)
+
+
+def _of(node: Node, kinds: Kinds) -> Node:
+    """The expression with letters of other kinds, its products in the order of print; raises `Misfit` where none is."""
+    if isinstance(node, Symbol):
+        return kinds.get(node, node) if node.stands_for is None else _of(node.stands_for, kinds)
+    parts = tuple(_of(part, kinds) for part in node.below)
+    if parts == node.below:
+        return node
+    match node:
+        case Scale(trailing=trailing):
+            return _times(*(parts[::-1] if trailing else parts))
+        case Contract():
+            return reduce(_times, parts)
+        case Cross() | Dot() if all(part.is_scalar for part in parts):
+            return _times(*parts)
+        case Quotient() if not parts[1].is_scalar:
+            return _times(parts[0], Inverse(parts[1]))
+        case Transpose() if parts[0].is_scalar:
+            return parts[0]
+        case FunctionOf("exp" | "log") if not parts[0].is_scalar:
+            raise _OfMatrices
+        case Sum():
+            return Sum(_as_large(parts))
+    return rebuilt(node, parts)
+
+
+def _times(left: Node, right: Node) -> Node:
+    if left.is_scalar:
+        return Scale(left, right)
+    return Scale(right, left, True) if right.is_scalar else Contract((left, right))
