@@ -42,8 +42,8 @@ def read_equations(printed: Sequence[PrintedEquation], notation: PageNotation) -
     found: list[ReadEquation] = []
     before: Atoms | None = None
     chains = [chain for equation in printed for chain in chains_of(equation)]
-    said = {"functions": functions_in(chains), "alone": shown_alone(chains), "numbering": index_letters(chains)}
-    notation = replace(notation, **said)
+    functions, alone, numbering = functions_in(chains), shown_alone(chains), index_letters(chains)
+    notation = replace(notation, functions=functions, alone=alone, numbering=numbering)
     for equation in printed:
         try:
             marks, here = _as_noted(equation, notation), notation.within(equation.section)
