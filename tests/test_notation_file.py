@@ -67,7 +67,7 @@ def read(text: str, **place: str):
         (r"\omega_x^2 = |\boldsymbol\omega|^2", r"\|\boldsymbol{\omega}\|^2"),
         (r"\mathbf{Q} = \operatorname{Exp}(\phi\mathbf e)", r"\operatorname{Exp}(\phi \mathbf{e})"),
         (r"p = q \otimes p", r"q \otimes p"),
-        (r"1 = \cos^2\phi + \sin^2 \phi", r"\left( \cos \phi \right)^2 + \left( \sin \phi \right)^2"),
+        (r"1 = \cos^2\phi + \sin^2 \phi", r"\cos^2 \phi + \sin^2 \phi"),
         (r"\mathbf{r}_A \cdot \mathbf e = \mathbf{r}_A \cdot \mathbf e \times \boldsymbol\omega",
          r"\mathbf{r}_{A} \cdot \left( \mathbf{e} \times \boldsymbol{\omega} \right)"),
         (r"\dot{\mathbf r}_A = \frac{d}{dt}\left(\mathbf Q \mathbf{r}_B\right)",

@@ -90,6 +90,12 @@ def test_false_ones_are_refuted(said: Claim) -> None:
     refuted(said)
 
 
+def test_a_condition_on_each_is_summed() -> None:
+    posed = Condition("0", x * y, lifted(0), on=(x, y))
+    assert Session().decide(claim(total(x * y, j), 0, given=(posed,))).verdict.needs == ()
+    refuted(claim(total(x + y, j), 0, given=(posed,)))
+
+
 def test_what_is_assumed_of_each_is_assumed_of_elements_of_a_body() -> None:
     """The integral of a unit vector's square is that of one: once this was refuted at moments of no unit vectors."""
     rho, u = scalar("rho", r"\rho", "", constant=True), vector("u", "u", "")
@@ -104,7 +110,7 @@ def test_what_is_assumed_of_each_is_assumed_of_elements_of_a_body() -> None:
     [
         claim(total(x**2, j), n, given=(Condition("0", x**2, lifted(1), on=(x,)),)),
         claim(total(dot(e, e) ** 3, i), n, unit(e)),
-        claim(total(x * y, j), 0, given=(Condition("0", x * y, lifted(0), on=(x, y)),)),
+        claim(total(x**2 * y**2, j), 0, given=(Condition("0", x * y, lifted(0), on=(x, y)),)),
     ],
     ids=str,
 )

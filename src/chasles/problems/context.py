@@ -135,7 +135,7 @@ def _unfolder(
 def _unfold_all(problem: Problem, active: tuple[Hypothesis, ...], unfold: Unfolder) -> None:
     """Unfold everything, to see which moments of the body occur; what cannot be unfolded is reported later."""
     goals = (*problem.goals, *problem.conditions)
-    assumed = (pair for h in active if h.kind == "of all members" for pair in h.equations)
+    assumed = (pair for h in active if h.kind in ("of all members", "condition") for pair in h.equations)
     for pair in (*((goal.left, goal.right) for goal in goals), *assumed):
         for side in pair:
             with suppress(UndeclaredDivisor):

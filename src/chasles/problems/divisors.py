@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from chasles.algebra.localization import Localization
 from chasles.evaluation.matrices import Matrix
-from chasles.vocabulary import Group, Negative, Node, Norm, Number, Power, Scale, plain
+from chasles.vocabulary import Group, Negative, Node, Norm, Number, Power, Quotient, Scale, plain
 
 
 class UndeclaredDivisor(ValueError):
@@ -41,6 +41,9 @@ class Divisors:
             case Scale(factor, term):
                 (a, one), (b, other) = self(factor), self(term)
                 return a * b, joined(one, other)
+            case Quotient(above, below):
+                (a, one), (b, other) = self(above), self(below)
+                return a / b, joined(one, tuple(-power for power in other))
             case Power(Norm(of), exponent) if exponent % 2 == 0 and not self._is_atom(Norm(of)):
                 constant, exponents = self._atom(Power(Norm(of), 2))
                 return constant ** (exponent // 2), tuple(e * (exponent // 2) for e in exponents)

@@ -16,7 +16,7 @@ from chasles.prover.conditions import Solved
 from chasles.statements import Goal, Hypothesis
 from chasles.verdict import Holds, HoldsUnder, Verdict
 
-UNSAID = ("given", "direction", "evident")
+UNSAID = ("given", "condition", "direction", "evident")
 """Hypotheses that are no conditions: they say again what is given, or hold whatever symbols stand for."""
 
 

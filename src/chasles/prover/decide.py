@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from itertools import islice
 from math import inf
+from typing import Any
 
 from chasles.algebra.groebner import Basis, combined, completed
 from chasles.algebra.work_limit import OutOfTime, remaining, within
@@ -21,6 +23,7 @@ from chasles.prover.conditions import Solved, satisfying_point, solve_conditions
 from chasles.prover.consistency import contradiction
 from chasles.prover.sources import SAMPLES, DeclaredPoints, PointSource
 from chasles.statements import Goal, Hypothesis, Problem
+from chasles.statements.conditions import assumed
 from chasles.statements.spins import with_spins
 from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, IllFormed, Posed, Undecided, Verdict
 from chasles.vocabulary import Symbol, symbols_of
@@ -152,13 +155,23 @@ def pose(problem: Problem, attempts: int = points.ATTEMPTS) -> Verdict:
 
         return pose_at_sizes(problem)
     try:
-        context = build(problem)
-        witness = satisfying_point(context, islice(points.sample(context, {}, attempts=attempts), SAMPLES))
-    except Untreatable as error:
-        return Undecided(str(error))
+        witness = _satisfying(problem, attempts)
+    except Untreatable:
+        try:
+            free = replace(problem, hypotheses=(*problem.hypotheses, *assumed(problem.conditions)), conditions=())
+            witness = _satisfying(replace(free, unknowns=()), attempts)
+        except Untreatable as error:
+            return Undecided(str(error))
     if witness is None:
         return contradiction(problem) or Undecided("no point was found that satisfies the condition")
-    return Posed(measured(context, witness))
+    return Posed(witness)
+
+
+def _satisfying(problem: Problem, attempts: int) -> Mapping[str, Any] | None:
+    """A point that satisfies the conditions and hypotheses, as it is shown, if one is found."""
+    context = build(problem)
+    witness = satisfying_point(context, islice(points.sample(context, {}, attempts=attempts), SAMPLES))
+    return None if witness is None else measured(context, witness)
 
 
 def _entries(context: Context) -> list[ProvedEntry]:

@@ -15,8 +15,8 @@ from chasles.vocabulary import Call, Dot, Node, Power, Transpose, latex, symbols
 from chasles.vocabulary.functions import PRINTED, FunctionOf
 from chasles.vocabulary.motion_vectors import MotionByVector
 from chasles.vocabulary.parts import component, part
+from chasles.vocabulary.pieces import Precedence
 from chasles.vocabulary.rotation_vectors import RotationByVector
-from chasles.vocabulary.spelling import Precedence
 
 OF_VECTORS = ("exp", "log", "sqrt", "operatorname{Exp}")
 """What may be of columns, too."""

@@ -13,7 +13,8 @@ from chasles.reading.page_notation import PageNotation
 from chasles.vocabulary import NO_DIMENSION, Group, Node, uniform
 from chasles.vocabulary.dimension import has_units
 from chasles.vocabulary.fitting import measured
-from chasles.vocabulary.spelling import Piece, Precedence, spell
+from chasles.vocabulary.pieces import Piece, Precedence
+from chasles.vocabulary.spelling import spell
 from chasles.vocabulary.typesetting import BRACKETS, Latex
 
 KINDS = {"()": "()", "[]": "[]", r"\{\}": "{}"}

@@ -29,7 +29,7 @@ from chasles.reading.spellings import Make, called
 from chasles.vocabulary import At, Group, Node, Symbol, latex, symbols_of
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.partial import PartialDerivative
-from chasles.vocabulary.spelling import Precedence
+from chasles.vocabulary.pieces import Precedence
 
 COUNTERS = ("n", "k", "i", "j", "m", "t")
 """Letters that number the members of a sequence."""

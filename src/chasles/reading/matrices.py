@@ -11,7 +11,7 @@ from chasles.reading.fits import MOST, Fit, Shape
 from chasles.reading.grammar import Terms
 from chasles.vocabulary import Block, Determinant, Symbol, symbols_of
 from chasles.vocabulary.measure import Extent
-from chasles.vocabulary.spelling import Precedence
+from chasles.vocabulary.pieces import Precedence
 
 MOST_SIZES = 1000
 MATRICES = ("bmatrix", "pmatrix", "Bmatrix", "matrix", "array", "smallmatrix", "bsmallmatrix", "psmallmatrix")

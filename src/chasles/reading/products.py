@@ -8,7 +8,7 @@ from chasles.reading.context import FittingContext
 from chasles.reading.fits import Fit, made
 from chasles.vocabulary import Block, Contract, Misfit, Node, Scale, Sum
 from chasles.vocabulary.parts import part
-from chasles.vocabulary.spelling import Precedence
+from chasles.vocabulary.pieces import Precedence
 
 
 def times(left: Fit, right: Fit, ctx: FittingContext) -> Iterator[Fit]:

@@ -17,7 +17,7 @@ from chasles.reading.page_notation import repeated_rate
 from chasles.reading.spellings import exponential
 from chasles.vocabulary import Node, Quotient
 from chasles.vocabulary.partial import PartialDerivative
-from chasles.vocabulary.spelling import Precedence
+from chasles.vocabulary.pieces import Precedence
 
 
 def of_atoms(atoms: Atoms, ctx: FittingContext) -> list[Fit]:

@@ -18,7 +18,7 @@ from chasles.reading.page_functions import lists_letters
 from chasles.reading.products import multiplied, times
 from chasles.reading.spellings import Make, called
 from chasles.vocabulary import Quotient, Skew
-from chasles.vocabulary.spelling import Precedence
+from chasles.vocabulary.pieces import Precedence
 
 
 def row_fits(row: Atoms, ctx: FittingContext) -> list[Fit]:

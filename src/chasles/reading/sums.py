@@ -12,7 +12,7 @@ from chasles.reading.rows import row_fits
 from chasles.reading.spellings import called
 from chasles.vocabulary import Negative, Node, Sum
 from chasles.vocabulary.dimension import has_units
-from chasles.vocabulary.spelling import Precedence
+from chasles.vocabulary.pieces import Precedence
 
 MOST_TERMS = 500
 DOTS = (r"\dots", r"\ldots", r"\cdots")

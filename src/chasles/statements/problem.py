@@ -11,6 +11,7 @@ from dataclasses import replace as with_fields
 from weakref import WeakKeyDictionary
 
 from chasles.statements.angles import determined_angle, turning
+from chasles.statements.conditions import assumed, solvable
 from chasles.statements.directions import with_directions
 from chasles.statements.goals import (
     AcceptedSides,
@@ -115,6 +116,9 @@ def _problem_of(statement: Decidable, form: str, standing: AcceptedSides) -> Pro
     refuse_circles(statement.number, rules, unknowns)
     rules += _counted(_said(statement, form, rules), rules)
     hypotheses = tuple(dict.fromkeys((*_hypotheses(statement), *_agreeing(dict(rules)))))
+    if not solvable(conditions, unknowns, dict(rules)):
+        hypotheses += tuple(assumed(conditions))
+        conditions, unknowns = [], {}
     problem = Problem((), tuple(rules), tuple(conditions), tuple(unknowns), hypotheses)
     if isinstance(statement, Theorem):
         goals = tuple(goals_of_theorem(statement, problem))

@@ -6,6 +6,7 @@ from collections.abc import Callable, Container, Iterable, Iterator
 from dataclasses import replace as with_fields
 from typing import TYPE_CHECKING
 
+from chasles.statements.conditions import as_rules
 from chasles.statements.evident import evident_divisors
 from chasles.statements.goals import Goal
 from chasles.statements.hypotheses import Hypothesis
@@ -52,10 +53,7 @@ def with_rates_said(problem: Problem) -> Problem:
         return problem
     from chasles.statements.sized_rates import SizedRates  # few chapters have such
 
-    if problem.conditions:
-        raise TypeError(
-            "a rate of a matrix of any size is taken: what a statement with one is given has to be definitions"
-        )
+    problem = _without_conditions(problem, "a rate of a matrix of any size")
     if problem.has_functions:
         problem = _differentiated(problem)
     carried_out = SizedRates({left: opened(right) for left, right in problem.rules})
@@ -68,14 +66,31 @@ def with_rates_said(problem: Problem) -> Problem:
 
 
 def _differentiated(problem: Problem) -> Problem:
-    """The same problem with partial derivatives carried out; TypeError where it has conditions too."""
-    from chasles.vocabulary.partial import with_derivatives  # of no use to most claims
+    """The same problem with partial derivatives carried out; TypeError where conditions do not say what symbols are."""
+    from chasles.vocabulary.partial import differentiates, with_derivatives  # of no use to most claims
 
+    if not any(
+        differentiates(side) for side in (*sides_of(problem), *(side for rule in problem.rules for side in rule))
+    ):
+        return problem
+    problem = _without_conditions(problem, "a derivative")
     rules = dict(problem.rules)
-    found = said_otherwise(problem, lambda side: with_derivatives(side, rules), lambda said: said)
-    if problem.conditions and found != problem:
-        raise TypeError("a derivative is taken: what a statement with one is given has to be definitions")
-    return found
+    return said_otherwise(problem, lambda side: with_derivatives(side, rules), lambda said: said)
+
+
+def _without_conditions(problem: Problem, taken: str) -> Problem:
+    """The same problem with a definition for each condition, which may be differentiated."""
+    if not problem.conditions:
+        return problem
+    bound = {part for h in problem.hypotheses for pair in h.equations for side in pair for part in opened_parts(side)}
+    bound |= {subject for hypothesis in problem.hypotheses for subject in hypothesis.subjects}
+    found = as_rules(problem.conditions, problem.unknowns, problem.rules, bound)
+    if found is None:
+        raise TypeError(
+            f"{taken} is taken: what a statement with one is given has to be definitions, "
+            "or conditions in which a symbol that they are posed on stands alone"
+        )
+    return with_fields(problem, rules=found, conditions=(), unknowns=())
 
 
 def sides_of(problem: Problem) -> list[Node]:
@@ -131,4 +146,5 @@ def _summed(sides: Iterable[Node], hypotheses: tuple[Hypothesis, ...]) -> Iterat
         sums = tuple(tuple(with_fields(first, of=side) for side in pair) for pair in pairs)
         equations = tuple((one, other) for one, other in sums)
         text = f"{hypothesis.text} for each"
-        yield Hypothesis("of all members", sum(sums, ()), equations, (), hypothesis.latex, text, free=True)
+        kind = "condition" if hypothesis.kind == "condition" else "of all members"
+        yield Hypothesis(kind, sum(sums, ()), equations, (), hypothesis.latex, text, free=True)

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 from chasles.vocabulary.arguments import declaring, making
 from chasles.vocabulary.fitting import measured, word
 from chasles.vocabulary.letters import Symbol
 from chasles.vocabulary.measure import Measure, Misfit
 from chasles.vocabulary.nodes import Node, lifted
-
-if TYPE_CHECKING:
-    from chasles.vocabulary.spelling import Piece, Style
+from chasles.vocabulary.pieces import Piece, Precedence, Style
 
 
 @word
@@ -37,8 +35,6 @@ class UpTo(Node):
         return measured(self.of)
 
     def spelled(self, style: Style, spell: Callable[[Node], Piece]) -> Piece:
-        from chasles.vocabulary.spelling import Piece, Precedence
-
         piece, small = spell(self.of), spell(self.small)
         if not self.printed:
             return piece
@@ -62,10 +58,8 @@ class Limit(Node):
         return measured(self.of)
 
     def spelled(self, style: Style, spell: Callable[[Node], Piece]) -> Piece:
-        from chasles.vocabulary.spelling import Piece, Precedence
-
         piece = spell(self.of)
-        text = piece.text if piece.level >= Precedence.QUOTIENT else style.brackets(piece.text, piece.depth)
+        text = piece.at_least(Precedence.QUOTIENT, style).text
         to_zero = style.called(f"lim {self.small} -> 0", rf"\lim_{{{spell(self.small).text} \to 0}}")
         return Piece(f"{to_zero} {text}", Precedence.DOT, piece.depth + 1)
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 from chasles.vocabulary.arguments import Declared, declaring
 from chasles.vocabulary.dimension import NO_DIMENSION, Dimension
@@ -17,9 +17,7 @@ from chasles.vocabulary.fitting import SCALAR, measured, word
 from chasles.vocabulary.layout import Rate
 from chasles.vocabulary.measure import Measure, Misfit, added, uniform
 from chasles.vocabulary.nodes import Node, Sum, lifted
-
-if TYPE_CHECKING:
-    from chasles.vocabulary.spelling import Piece, Style
+from chasles.vocabulary.pieces import Piece, Precedence, Style
 
 Scalar = Node | int | Fraction
 PRINTED = {
@@ -70,8 +68,6 @@ class FunctionOf(Node):
         return Sum(tuple(slope * Rate(argument) for slope, argument in zip(slopes, self.arguments, strict=True)))
 
     def spelled(self, style: Style, spell: Callable[[Node], Piece]) -> Piece:
-        from chasles.vocabulary.spelling import Piece, Precedence
-
         inner = [spell(argument) for argument in self.arguments]
         text, depth = ", ".join(piece.text for piece in inner), max(piece.depth for piece in inner)
         form = style.called(self.function, PRINTED[self.function])
@@ -116,8 +112,6 @@ class Cases(Node):
         return total
 
     def spelled(self, style: Style, spell: Callable[[Node], Piece]) -> Piece:
-        from chasles.vocabulary.spelling import Piece, Precedence
-
         shown = zip(self.left, self.signs, self.right, strict=True)
         where = [f"{spell(left).text} {style.compared(sign)} {spell(right).text}" for left, sign, right in shown]
         return Piece(style.cases([spell(value).text for value in self.values], where), Precedence.ATOM, 2)

@@ -17,10 +17,10 @@ from chasles.display import Displayed
 from chasles.vocabulary.dimension import NO_DIMENSION
 from chasles.vocabulary.fitting import SCALAR, Fitted, measured, square_measure, word
 from chasles.vocabulary.measure import Extent, Measure, Misfit, added, contracted, scaled, uniform
+from chasles.vocabulary.pieces import Piece, Style
 
 if TYPE_CHECKING:
     from chasles.vocabulary.functions import Relation
-    from chasles.vocabulary.spelling import Piece, Style
 
 HOLDING = ("Node", "tuple[Node, ...]")
 

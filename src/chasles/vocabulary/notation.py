@@ -7,15 +7,13 @@ import sys
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import fields
 from inspect import isclass
-from typing import TYPE_CHECKING, Any, get_type_hints
+from typing import Any, get_type_hints
 
 from chasles.vocabulary.arguments import WrongArgument
 from chasles.vocabulary.letters import Identity, Symbol, Zero
 from chasles.vocabulary.nodes import Node, node_fields
+from chasles.vocabulary.pieces import Piece, Precedence, Style
 from chasles.vocabulary.tree import walk
-
-if TYPE_CHECKING:
-    from chasles.vocabulary.spelling import Piece, Style
 
 PLACE = re.compile(r"#(\d)")
 POSTFIX = re.compile(r"#1\s*\^\s*(?:\{(.*)\}|(\\?\w+(?:\{\w+\})?))$")
@@ -46,8 +44,6 @@ class Notation:
 
     def spelled(self, node: Node, style: Style, spell: Callable[[Node], Piece]) -> Piece | None:
         """The word in the chapter's form; None where it has no other than the usual one."""
-        from chasles.vocabulary.spelling import Piece, Precedence
-
         form = self.form(node)
         if form is None:
             return None
@@ -63,7 +59,7 @@ class Notation:
             piece = spell(part)
             chained = infix and place == 0 and type(part) is type(node)
             if place not in enclosed and piece.level < least and not chained:
-                piece = Piece(style.brackets(piece.text, piece.depth), Precedence.ATOM, piece.depth + 1)
+                piece = piece.enclosed(style)
             texts.append(piece.text)
             depth = max(depth, piece.depth)
         if power := POSTFIX.match(form):

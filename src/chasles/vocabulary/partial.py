@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from functools import lru_cache
-from typing import TYPE_CHECKING, ClassVar
+from itertools import groupby
+from typing import ClassVar
 
 from chasles.vocabulary.arguments import declaring, making
 from chasles.vocabulary.differentiation import NoRule, rate_of
@@ -15,13 +16,11 @@ from chasles.vocabulary.matrix_derivatives import ONE, derivative_by_whole
 from chasles.vocabulary.measure import Measure, Misfit, entrywise
 from chasles.vocabulary.nodes import Contract, Negative, Node, Transpose
 from chasles.vocabulary.parts import Submatrix
+from chasles.vocabulary.pieces import Piece, Precedence, Style
 from chasles.vocabulary.shorthand import opened
 from chasles.vocabulary.sizes import extents_of, partition_of, sizes_of
 from chasles.vocabulary.spatial import Cofactor, Determinant, Inverse, Trace
 from chasles.vocabulary.tree import children, rebuilt, replace, undotted, walk
-
-if TYPE_CHECKING:
-    from chasles.vocabulary.spelling import Piece, Style
 
 
 @word
@@ -55,15 +54,21 @@ class PartialDerivative(Node):
         return Measure(tuple(tuple(d and e and d / e for (e,) in by.grid) for (d,) in of.grid), partition)
 
     def spelled(self, style: Style, spell: Callable[[Node], Piece]) -> Piece:
-        from chasles.vocabulary.spelling import Piece, Precedence
-
-        above, below = spell(self.of), spell(self.by)
+        of: Node = self
+        taken: list[Node] = []
+        while isinstance(of, PartialDerivative) and (of.by.is_scalar or not taken):
+            taken, of = [*taken, of.by], of.of
         sign = style.called("d", r"\partial ")
-        if above.level < Precedence.POWER:
-            above = Piece(style.brackets(above.text, above.depth), Precedence.ATOM, above.depth + 1)
+        above, below = spell(of).at_least(Precedence.POWER, style), list[str]()
+        for by, repeated in groupby(taken):
+            order = len([*repeated])
+            letter = spell(by).at_least(Precedence.ATOM, style).text if order > 1 else spell(by).text
+            below.append(sign + (style.power(letter, str(order)) if order > 1 else letter))
+        depth = max(spell(by).depth for by in taken)
+        times = style.power(sign.strip(), str(len(taken))) + " " * (sign != "d") if len(taken) > 1 else sign
         return style.fraction(
-            Piece(f"{sign}{above.text}", Precedence.PRODUCT, above.depth),
-            Piece(f"{sign}{below.text}", Precedence.POWER, below.depth),
+            Piece(f"{times}{above.text}", Precedence.PRODUCT, above.depth),
+            Piece(" ".join(below), Precedence.PRODUCT if len(below) > 1 else Precedence.POWER, depth),
         )
 
 

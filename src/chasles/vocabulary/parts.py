@@ -5,18 +5,16 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from fractions import Fraction
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 from chasles.vocabulary.fitting import word
 from chasles.vocabulary.layout import Block
 from chasles.vocabulary.letters import Identity, Symbol, Zero
 from chasles.vocabulary.measure import Misfit
 from chasles.vocabulary.nodes import Contract, Node, Number
+from chasles.vocabulary.pieces import Piece, Precedence, Style
 from chasles.vocabulary.shorthand import Shorthand
 from chasles.vocabulary.tree import undotted
-
-if TYPE_CHECKING:
-    from chasles.vocabulary.spelling import Piece, Style
 
 BOLD = re.compile(r"\\(?:mathbf|boldsymbol)\{(\\?[A-Za-z]+)\}")
 Range = tuple[int, int]
@@ -46,8 +44,6 @@ class Submatrix(Shorthand):
         return factors[0] if len(factors) == 1 else Contract(tuple(factors))
 
     def spelled(self, style: Style, spell: Callable[[Node], Piece]) -> Piece:
-        from chasles.vocabulary.spelling import Piece, Precedence
-
         piece = spell(self.of)
         if isinstance(undotted(self.of)[0], Symbol) and piece.level is Precedence.ATOM:
             letter = BOLD.sub(r"\1", piece.text) if self.is_scalar else piece.text

@@ -8,7 +8,8 @@ from collections.abc import Callable
 from chasles.vocabulary.layout import At
 from chasles.vocabulary.letters import Identity, Symbol, Zero
 from chasles.vocabulary.nodes import Node, Number
-from chasles.vocabulary.spelling import Piece, Precedence, spell
+from chasles.vocabulary.pieces import Piece, Precedence
+from chasles.vocabulary.spelling import spell
 
 BRACKETS = (("(", ")"), ("[", "]"), ("{", "}"))
 INFIX = {"dot": ".", "cross": "x"}
@@ -41,12 +42,8 @@ class _Plain:
         return bool(ENDS_WITH_NUMBER.search(left)) and right[0].isdigit()
 
     def fraction(self, numerator: Piece, denominator: Piece) -> Piece:
-        above = numerator if numerator.level >= Precedence.PRODUCT else self._grouped(numerator)
-        below = denominator if denominator.level >= Precedence.POWER else self._grouped(denominator)
+        above, below = numerator.at_least(Precedence.PRODUCT, self), denominator.at_least(Precedence.POWER, self)
         return Piece(f"{above.text} / {below.text}", Precedence.QUOTIENT, max(above.depth, below.depth))
-
-    def _grouped(self, piece: Piece) -> Piece:
-        return Piece(self.brackets(piece.text, piece.depth), Precedence.ATOM, piece.depth + 1)
 
     def power(self, base: str, exponent: str) -> str:
         return f"{base}^({exponent})" if " " in exponent else f"{base}^{exponent}"
@@ -54,8 +51,9 @@ class _Plain:
     def infix(self, sign: str, left: str, right: str) -> str:
         return f"{left} {INFIX[sign]} {right}"
 
-    def function(self, name: str, argument: Piece) -> Piece:
-        return Piece(f"{name}({argument.text})", Precedence.ATOM, argument.depth)
+    def function(self, name: str, argument: Piece, exponent: str = "") -> Piece:
+        called = Piece(f"{name}({argument.text})", Precedence.ATOM, argument.depth)
+        return Piece(self.power(called.text, exponent), Precedence.POWER, argument.depth) if exponent else called
 
     def called(self, name: str, in_latex: str) -> str:
         return "|#|" if name == "abs" else name
@@ -68,16 +66,17 @@ class _Plain:
         return f"({', '.join((*said, values[-1]))} otherwise)"
 
     def norm(self, of: Piece) -> Piece:
-        inner = self._grouped(of) if "|" in of.text else of
+        inner = of.enclosed(self) if "|" in of.text else of
         return Piece(f"|{inner.text}|", Precedence.ATOM, inner.depth)
 
     def rate(self, of: Node, text: str, order: int) -> str:
         argument = f"({of.argument})" if isinstance(of, At) else ""
         return f"{text.removesuffix(argument)}_{'d' * order}ot{argument}"
 
-    def derivative(self, text: str, order: int) -> str:
+    def derivative(self, of: Piece, order: int) -> Piece:
         power = f"^{order}" if order > 1 else ""
-        return f"d{power}/dt{power} {text}"
+        shown = of.at_least(Precedence.ATOM, self)
+        return Piece(f"d{power}/dt{power} {shown.text}", Precedence.DOT, shown.depth)
 
     def subscripted(self, text: str, subscript: str) -> str:
         return re.sub(r"\\(?:mathbf|boldsymbol|mathcal)?|[{}]", "", f"{text}_{subscript}")

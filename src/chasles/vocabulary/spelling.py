@@ -8,67 +8,18 @@ can be read in two ways. Nor do two numbers meet in a product, nor bars of a nor
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from enum import IntEnum
-from typing import Protocol
 
 from chasles.vocabulary.body import Integral
 from chasles.vocabulary.families import Entry, Kronecker, Member
 from chasles.vocabulary.layout import At, Block, Call, Group, Rate
 from chasles.vocabulary.letters import Identity, Symbol, Zero
 from chasles.vocabulary.nodes import Contract, Negative, Node, Number, Power, Quotient, Scale, Sum, Transpose
+from chasles.vocabulary.pieces import Piece, Precedence, Style
 from chasles.vocabulary.shorthand import Shorthand
 from chasles.vocabulary.spatial import Cofactor, Cross, Determinant, Dot, Inverse, Norm, Skew, Trace, Vect
 from chasles.vocabulary.tree import undotted
-
-
-class Precedence(IntEnum):
-    """How tightly a piece of text holds together."""
-
-    SUM = 1
-    NEGATIVE = 2
-    DOT = 3
-    QUOTIENT = 4
-    PRODUCT = 5
-    POWER = 6
-    ATOM = 7
-
-
-@dataclass(frozen=True, slots=True)
-class Piece:
-    """A spelled expression: its text, how tightly it holds together, how deep brackets are nested in it."""
-
-    text: str
-    level: Precedence
-    depth: int = 0
-
-
-class Style(Protocol):
-    """What a language of formulas must spell; words that it spells on its `own` are not spelled by their parts."""
-
-    def own(self, node: Node, spell: Callable[[Node], Piece]) -> Piece | None: ...
-    def symbol(self, symbol: Symbol) -> str: ...
-    def constant(self, node: Identity | Zero) -> str: ...
-    def number(self, number: Number) -> Piece: ...
-    def brackets(self, text: str, depth: int) -> str: ...
-    def product(self, factors: list[str]) -> str: ...
-    def numbers_meet(self, left: str, right: str) -> bool: ...
-    def fraction(self, numerator: Piece, denominator: Piece) -> Piece: ...
-    def power(self, base: str, exponent: str) -> str: ...
-    def infix(self, sign: str, left: str, right: str) -> str: ...
-    def function(self, name: str, argument: Piece) -> Piece: ...
-    def called(self, name: str, in_latex: str) -> str: ...
-    def compared(self, sign: str) -> str: ...
-    def cases(self, values: list[str], where: list[str]) -> str: ...
-    def norm(self, of: Piece) -> Piece: ...
-    def rate(self, of: Node, text: str, order: int) -> str: ...
-    def derivative(self, text: str, order: int) -> str: ...
-    def subscripted(self, text: str, subscript: str) -> str: ...
-    def component(self, text: str, mark: str) -> str: ...
-    def block(self, rows: list[list[str]]) -> str: ...
-    def integral(self, of: Piece, body: str) -> Piece: ...
-
 
 FUNCTIONS: dict[type[Node], str] = {Skew: "CPM", Vect: "vect", Trace: "tr", Determinant: "det", Cofactor: "cof"}
 
@@ -87,11 +38,7 @@ class _Speller:
         return self._letter(node) if own is None else own
 
     def bracketed(self, part: Node, least: Precedence) -> Piece:
-        piece = self.piece(part)
-        return piece if piece.level >= least else self._grouped(piece)
-
-    def _grouped(self, piece: Piece) -> Piece:
-        return Piece(self.style.brackets(piece.text, piece.depth), Precedence.ATOM, piece.depth + 1)
+        return self.piece(part).at_least(least, self.style)
 
     def _letter(self, node: Node) -> Piece:
         match node:
@@ -155,10 +102,12 @@ class _Speller:
         pieces = [self.bracketed(factor, Precedence.PRODUCT) for factor in factors]
         for k in range(1, len(pieces)):
             if self.style.numbers_meet(pieces[k - 1].text, pieces[k].text):
-                pieces[k] = self._grouped(pieces[k])
+                pieces[k] = pieces[k].enclosed(self.style)
         return _joined(pieces, self.style.product([piece.text for piece in pieces]), Precedence.PRODUCT)
 
     def _power(self, base: Node, exponent: str) -> Piece:
+        if isinstance(base, Call) and exponent.isdigit():
+            return self.style.function(base.function, self.piece(base.argument), exponent)
         piece = self.bracketed(base, Precedence.ATOM)
         return Piece(self.style.power(piece.text, exponent), Precedence.POWER, piece.depth)
 
@@ -191,8 +140,7 @@ class _Speller:
         of, order = undotted(node)
         if isinstance(of.of if isinstance(of, At) else of, Symbol | Member) or getattr(of, "is_letter", False):
             return Piece(self.style.rate(of, self.piece(of).text, order), Precedence.ATOM)
-        piece = self.bracketed(of, Precedence.ATOM)
-        return Piece(self.style.derivative(piece.text, order), Precedence.DOT, piece.depth)
+        return self.style.derivative(self.piece(of), order)
 
     def _group(self, piece: Piece, depth: int, frame: str) -> Piece:
         if frame:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING
 
 from chasles.vocabulary.arguments import Declared, WrongArgument, declaring
 from chasles.vocabulary.body import Integral
@@ -13,10 +12,8 @@ from chasles.vocabulary.fitting import word
 from chasles.vocabulary.letters import Symbol
 from chasles.vocabulary.measure import uniform
 from chasles.vocabulary.nodes import Node, Number, lifted
+from chasles.vocabulary.pieces import Piece, Precedence, Style
 from chasles.vocabulary.shorthand import Shorthand
-
-if TYPE_CHECKING:
-    from chasles.vocabulary.spelling import Piece, Style
 
 MEMBER = Symbol("member", "1", uniform((1, 1)), "what each member counts for", constant=True)
 
@@ -63,11 +60,7 @@ class Total(Shorthand):
         return frozenset(self.index.symbols)
 
     def spelled(self, style: Style, spell: Callable[[Node], Piece]) -> Piece:
-        from chasles.vocabulary.spelling import Piece, Precedence
-
-        piece = spell(self.of)
-        if piece.level < Precedence.QUOTIENT:
-            piece = Piece(style.brackets(piece.text, piece.depth), Precedence.ATOM, piece.depth + 1)
+        piece = spell(self.of).at_least(Precedence.QUOTIENT, style)
         number = spell(self.index.number).text
         letter = self.index.letter
         sign = style.called(f"sum over {letter} to {number} of", rf"\sum_{{{letter}=1}}^{{{number}}}")

@@ -9,7 +9,8 @@ from chasles.vocabulary.layout import At
 from chasles.vocabulary.letters import Identity, Symbol, Zero
 from chasles.vocabulary.nodes import Node, Number
 from chasles.vocabulary.notation import BOOK, Notation, notation_of
-from chasles.vocabulary.spelling import Piece, Precedence, spell
+from chasles.vocabulary.pieces import Piece, Precedence
+from chasles.vocabulary.spelling import spell
 
 BRACKETS = (("(", ")"), ("[", "]"), (r"\{", r"\}"))
 NUMBER = r"(?:\d+|\\frac\{\d+\}\{\d+\})"
@@ -58,7 +59,7 @@ class Latex:
 
     def fraction(self, numerator: Piece, denominator: Piece) -> Piece:
         depth = max(numerator.depth, denominator.depth)
-        return Piece(rf"\frac{{{numerator.text}}}{{{denominator.text}}}", Precedence.PRODUCT, depth)
+        return Piece(rf"\frac{{{numerator.text}}}{{{denominator.text}}}", Precedence.PRODUCT, depth, bar=True)
 
     def power(self, base: str, exponent: str) -> str:
         if not base.endswith(CLOSED) and _takes_no_superscript(base):
@@ -68,9 +69,10 @@ class Latex:
     def infix(self, sign: str, left: str, right: str) -> str:
         return f"{left} {INFIX[sign]} {right}"
 
-    def function(self, name: str, argument: Piece) -> Piece:
+    def function(self, name: str, argument: Piece, exponent: str = "") -> Piece:
         stem, _, mark = name.partition("_")
         command = (rf"\{name}" if name in ("sin", "cos", "det") else rf"\text{{{stem}}}") + f"_{mark}" * bool(mark)
+        command = self.power(command, exponent) if exponent else command
         is_letter = argument.level is Precedence.ATOM and argument.depth == 0 and "{" not in argument.text
         if is_letter and not argument.text[0].isdigit():
             return Piece(f"{command} {argument.text}", Precedence.PRODUCT)
@@ -89,7 +91,7 @@ class Latex:
 
     def norm(self, of: Piece) -> Piece:
         if r"\|" in of.text:
-            of = Piece(self.brackets(of.text, of.depth), Precedence.ATOM, of.depth + 1)
+            of = of.enclosed(self)
         return Piece(rf"\|{of.text}\|", Precedence.ATOM, of.depth)
 
     def rate(self, of: Node, text: str, order: int) -> str:
@@ -99,9 +101,10 @@ class Latex:
         cut = _end_of_stem(stem)
         return f"{frame}{dots}{{{stem[:cut]}}}{stem[cut:]}{argument}"
 
-    def derivative(self, text: str, order: int) -> str:
+    def derivative(self, of: Piece, order: int) -> Piece:
         power = f"^{order}" if order > 1 else ""
-        return rf"\frac{{d{power}}}{{dt{power}}} {text}"
+        shown = of if of.bar else of.at_least(Precedence.ATOM, self)
+        return Piece(rf"\frac{{d{power}}}{{dt{power}}} {shown.text}", Precedence.DOT, shown.depth)
 
     def subscripted(self, text: str, subscript: str) -> str:
         return f"{text}_{{{subscript}}}" if len(subscript) > 1 else f"{text}_{subscript}"

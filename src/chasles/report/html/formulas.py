@@ -15,7 +15,8 @@ from markupsafe import Markup
 from chasles.report.html.breaking import in_lines, width_of
 from chasles.vocabulary import Node
 from chasles.vocabulary.notation import notation_of
-from chasles.vocabulary.spelling import Piece, Precedence, spell
+from chasles.vocabulary.pieces import Piece, Precedence
+from chasles.vocabulary.spelling import spell
 from chasles.vocabulary.typesetting import Latex
 
 FUNCTIONS = (r"\sin", r"\cos", r"\det", r"\text{")
@@ -54,8 +55,8 @@ class _ForMathML(Latex):
             text += f" {THIN} {factor}" if apart else f" {factor}"
         return text
 
-    def function(self, name: str, argument: Piece) -> Piece:
-        spelled = super().function(name, argument)
+    def function(self, name: str, argument: Piece, exponent: str = "") -> Piece:
+        spelled = super().function(name, argument, exponent)
         command, blank, rest = spelled.text.partition(" ")
         if spelled.level is Precedence.PRODUCT and blank:
             return Piece(f"{command} {THIN} {rest}", spelled.level, spelled.depth)

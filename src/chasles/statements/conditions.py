@@ -1,0 +1,107 @@
+"""Conditions that no linear system solves for what they are posed on: they are assumed, or say what one symbol is."""
+
+from __future__ import annotations
+
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
+from math import prod
+
+from chasles import vocabulary as w
+from chasles.statements.goals import Goal
+from chasles.statements.hypotheses import Hypothesis
+from chasles.statements.rules import refuse_circles
+from chasles.statements.statement import Equation
+from chasles.statements.varied import opened_parts
+from chasles.vocabulary import Node
+from chasles.vocabulary.sizes import sizes_of
+
+
+def solvable(conditions: Sequence[Goal], unknowns: Iterable[w.Symbol], rules: Mapping[Node, Node]) -> bool:
+    """Whether there are as many equations as unknown entries, at least, and each of them is linear in the unknowns."""
+    wanted = [*unknowns]
+    sides = [side for goal in conditions for side in (goal.left, goal.right)]
+    if sizes_of([*sides, *wanted]):
+        return True
+    enough = sum(prod(goal.left.shape) for goal in conditions) >= sum(prod(symbol.shape) for symbol in wanted)
+    return enough and all(_degree(side, {*wanted}, rules) < 2 for side in sides)
+
+
+def assumed(conditions: Iterable[Goal]) -> Iterator[Hypothesis]:
+    """Conditions as hypotheses, which determine nothing."""
+    for goal in conditions:
+        difference = w.Sum((goal.left, w.Negative(goal.right)))
+        yield Hypothesis("condition", (difference,), ((goal.left, goal.right),), (), "", goal.label, free=True)
+
+
+def as_rules(
+    conditions: Iterable[Goal], unknowns: Iterable[w.Symbol], rules: Sequence[Equation], bound: Container[Node]
+) -> tuple[Equation, ...] | None:
+    """The rules, and what each condition says that one of its unknowns is, which stands alone in it as a term.
+
+    None where a condition has no such unknown; of those that are `bound` otherwise nothing is said.
+    """
+    found = [*rules]
+    left = [symbol for symbol in unknowns if symbol not in bound]
+    for goal in conditions:
+        for symbol in left:
+            rest = _rest(symbol, [*_terms(goal.left, 1), *_terms(goal.right, -1)])
+            if rest is not None and _fits([*found, (symbol, rest)]):
+                found.append((symbol, rest))
+                left.remove(symbol)
+                break
+        else:
+            return None
+    return tuple(found)
+
+
+def _fits(rules: Sequence[Equation]) -> bool:
+    try:
+        refuse_circles("", rules, ())
+    except TypeError:
+        return False
+    return True
+
+
+def _rest(symbol: w.Symbol, terms: list[tuple[int, Node]]) -> Node | None:
+    """What a symbol is if the terms add up to zero; None if it does not stand alone in one of them."""
+    alone = [sign for sign, term in terms if term == symbol]
+    others = [(sign, term) for sign, term in terms if term != symbol]
+    if len(alone) != 1 or any(symbol in opened_parts(term) for _, term in others):
+        return None
+    signed = tuple(term if sign != alone[0] else w.Negative(term) for sign, term in others)
+    return w.Sum(signed) if signed else w.Zero(*symbol.shape)
+
+
+def _terms(node: Node, sign: int) -> Iterator[tuple[int, Node]]:
+    match node:
+        case w.Sum(terms):
+            for term in terms:
+                yield from _terms(term, sign)
+        case w.Negative(term):
+            yield from _terms(term, -sign)
+        case w.Group(of):
+            yield from _terms(of, sign)
+        case _:
+            yield sign, node
+
+
+def _degree(node: Node, unknowns: set[w.Symbol], rules: Mapping[Node, Node]) -> int:
+    """The degree in the unknowns, by the words; 2 for what is no polynomial in them."""
+
+    def degree(part: Node) -> int:
+        return _degree(part, unknowns, rules)
+
+    match node:
+        case w.Symbol() if node in unknowns:
+            return 1
+        case w.Symbol() if (inner := rules.get(node, node.stands_for)) is not None:
+            return degree(inner)
+        case w.Scale() | w.Contract() | w.Dot() | w.Cross():
+            return sum(map(degree, w.children(node)))
+        case w.Power(base, int(exponent)):
+            return exponent * degree(base)
+        case w.Quotient(above, below):
+            return degree(above) + 2 * degree(below)
+        case w.Norm() | w.Call() | w.Inverse() | w.Determinant() | w.Cofactor() | w.Rate():
+            return 2 * max(map(degree, w.children(node)))
+        case _:
+            return max(map(degree, w.children(node)), default=0)
