@@ -5,7 +5,7 @@ The prover and the checker of certificates both start here, and from nowhere els
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
 from weakref import WeakKeyDictionary
@@ -116,7 +116,8 @@ def _problem_of(statement: Decidable, form: str, standing: AcceptedSides) -> Pro
     refuse_circles(statement.number, rules, unknowns)
     rules += _counted(_said(statement, form, rules), rules)
     hypotheses = tuple(dict.fromkeys((*_hypotheses(statement), *_agreeing(dict(rules)))))
-    if not solvable(conditions, unknowns, dict(rules)):
+    free = conditions and not solvable(conditions, unknowns, dict(rules))
+    if free and not _differentiates(_said(statement, form, rules)):
         hypotheses += tuple(assumed(conditions))
         conditions, unknowns = [], {}
     problem = Problem((), tuple(rules), tuple(conditions), tuple(unknowns), hypotheses)
@@ -133,6 +134,13 @@ def _problem_of(statement: Decidable, form: str, standing: AcceptedSides) -> Pro
         added(measured(goal.left), measured(goal.right), (goal.left, goal.right), "equate")
     problem = in_simpler_words(with_rates_said(with_fields(problem, goals=goals)))
     return with_directions(with_simple_lengths(with_what_is_seen(problem)))
+
+
+def _differentiates(sides: Iterable[Node]) -> bool:
+    """Whether derivatives or expansions are taken: what varies with what, a hypothesis does not say."""
+    from chasles.vocabulary.partial import differentiates  # of no use to most claims
+
+    return any(side.expands or differentiates(side) for side in sides)
 
 
 def _given(statement: Decidable, accepted: AcceptedSides) -> tuple[list[Equation], list[Goal], dict[Symbol, None]]:

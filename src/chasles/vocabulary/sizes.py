@@ -2,24 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
+from functools import reduce
+from math import prod
 
 from chasles.vocabulary.arguments import Declared, WrongArgument, declaring, declaring_module
 from chasles.vocabulary.dimension import NO_DIMENSION, Dimension, has_units
 from chasles.vocabulary.letters import Identity, Symbol, Zero
 from chasles.vocabulary.measure import Extent, Measure, Misfit, uniform
 from chasles.vocabulary.nodes import Node, Power
+from chasles.vocabulary.pieces import Piece, Style
+from chasles.vocabulary.shorthand import opened
 from chasles.vocabulary.tree import rebuilt
 
 
 @dataclass(frozen=True, slots=True)
 class Size(Declared):
-    """A letter that stands for a whole number of rows or columns, or the sum of such `parts`: n, m + n, n + 1."""
+    """A letter that stands for a whole number of rows or columns, or what is made of such: n, m + n, n + 1, m n.
+
+    It is the sum of its `parts` or the product of its `factors`, where it has any.
+    """
 
     name: str
     parts: tuple[Extent, ...] = ()
+    factors: tuple[Extent, ...] = ()
 
     def __str__(self) -> str:
         return self.name
@@ -29,6 +37,11 @@ class Size(Declared):
 
     def __radd__(self, other: int) -> Extent:
         return _sum((*parts_of(other), *parts_of(self)))
+
+    def __mul__(self, other: Extent) -> Extent:
+        return times(self, other)
+
+    __rmul__ = __mul__
 
     def __index__(self) -> int:
         raise Misfit(f"{self} stands for any number of rows or columns: entries are those of a matrix of a known size")
@@ -46,6 +59,19 @@ def parts_of(extent: Extent) -> tuple[Extent, ...]:
     if not isinstance(extent, int) or isinstance(extent, bool) or extent < 0:
         raise WrongArgument(f"{extent!r} is no size: write a whole number, or a letter for one, as in n = Size('n')")
     return (extent,) if extent else ()
+
+
+def times(one: Extent, other: Extent) -> Extent:
+    """The product; the factors of each part are put in one order, for m n rows are as many as n m."""
+    return _sum(_monomial(a, b) for a in parts_of(one) for b in parts_of(other))
+
+
+def _monomial(*parts: Extent) -> Extent:
+    factors = [f for part in parts for f in ((part.factors or (part,)) if isinstance(part, Size) else (part,))]
+    number = prod(factor for factor in factors if isinstance(factor, int))
+    letters = sorted((factor for factor in factors if isinstance(factor, Size)), key=lambda size: size.name)
+    found = (*((number,) if number != 1 or not letters else ()), *letters)
+    return found[0] if len(found) == 1 else Size(" ".join(map(str, found)), factors=found)
 
 
 def _sum(extents: Iterable[Extent]) -> Extent:
@@ -129,8 +155,23 @@ def sizes_of(nodes: Iterable[Node]) -> tuple[Size, ...]:
         partition = node.measure.partition if node.measure else None
         extents = (*partition.rows, *partition.columns) if partition is not None else ()
         extents += parts_of(node.exponent) if isinstance(node, Power) else ()
-        found |= {part: None for part in extents if isinstance(part, Size)}
+        letters = (part for extent in extents for part in (getattr(extent, "factors", ()) or (extent,)))
+        found |= {part: None for part in letters if isinstance(part, Size)}
     return tuple(found)
+
+
+class OfAnySize(Node):
+    """What a defined word means where sizes are letters, and no simpler words say it."""
+
+    __slots__ = ()
+
+    @property
+    def word(self) -> Node:
+        """The defined word, which simpler words say where sizes are numbers."""
+        raise NotImplementedError(type(self).__name__)
+
+    def spelled(self, style: Style, spell: Callable[[Node], Piece]) -> Piece:
+        return spell(self.word)
 
 
 def at_sizes(node: Node, numbers: Mapping[str, int]) -> Node:
@@ -146,7 +187,8 @@ def at_sizes(node: Node, numbers: Mapping[str, int]) -> Node:
         case Power(base, exponent):
             return Power(at_sizes(base, numbers), _count(exponent, numbers))
         case _:
-            return rebuilt(node, tuple(at_sizes(part, numbers) for part in node.below))
+            made = rebuilt(node, tuple(at_sizes(part, numbers) for part in node.below))
+            return opened(made.word) if isinstance(made, OfAnySize) else made
 
 
 def at_exponent(node: Node, letter: Size, exponent: Extent) -> Node:
@@ -155,15 +197,20 @@ def at_exponent(node: Node, letter: Size, exponent: Extent) -> Node:
         inner = None if node.stands_for is None else at_exponent(node.stands_for, letter, exponent)
         return node if inner is None or inner == node.stands_for else inner
     made = rebuilt(node, tuple(at_exponent(part, letter, exponent) for part in node.below)) if node.below else node
-    if not isinstance(made, Power) or letter not in (parts := parts_of(made.exponent)):
+    if not isinstance(made, Power):
         return made
-    return Power(
-        made.base, _sum(each for part in parts for each in (parts_of(exponent) if part == letter else (part,)))
-    )
+    parts = ((part.factors or (part,)) if isinstance(part, Size) else (part,) for part in parts_of(made.exponent))
+    products = (reduce(times, (exponent if factor == letter else factor for factor in factors)) for factors in parts)
+    return Power(made.base, _sum(each for product in products for each in parts_of(product)))
 
 
 def _count(extent: Extent, numbers: Mapping[str, int]) -> int:
-    return sum(part if isinstance(part, int) else numbers[part.name] for part in parts_of(extent))
+    def count(part: Extent) -> int:
+        if isinstance(part, int):
+            return part
+        return prod(map(count, part.factors)) if part.factors else numbers[part.name]
+
+    return sum(map(count, parts_of(extent)))
 
 
 def _numbered(measure: Measure, numbers: Mapping[str, int]) -> Measure:

@@ -15,12 +15,14 @@ from typing import Any
 
 from chasles import vocabulary as w
 from chasles.checker.any_size.free_algebra import Words, added
-from chasles.checker.any_size.free_blocks import BlockAlgebra, Blocks, key_of, multiplied, plus, stacked
+from chasles.checker.any_size.free_blocks import Blocks, key_of, multiplied, plus, stacked
 from chasles.checker.any_size.free_determinants import Determinants
+from chasles.checker.any_size.tensors import TensorAlgebra
 from chasles.checker.sparse import Rejected
 from chasles.statements import Goal, Problem
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.measure import Extent
+from chasles.vocabulary.products import SizedKroneckerProduct, SizedVectorized
 from chasles.vocabulary.sizes import blocks_of, parts_of
 
 
@@ -35,7 +37,7 @@ class Known:
     needs: str = ""
 
 
-class SymbolicReading(BlockAlgebra):
+class SymbolicReading(TensorAlgebra):
     """A problem in the free algebra: `known` are the equations that hold, by their labels.
 
     `inverses` are the letters of inverses, each with what it is the inverse of, `lengths` those of norms.
@@ -63,6 +65,7 @@ class SymbolicReading(BlockAlgebra):
                 for i, j, words, height, width in self.differences(left, right):
                     self._note(f"{text} [{number}: {i}, {j}]", words, height, width, needs)
         self._note_powers()
+        self._note_tensors()
 
     def __call__(self, node: w.Node) -> Blocks:
         """The blocks of an expression; raises `Rejected` for a word that the free algebra has not."""
@@ -111,8 +114,14 @@ class SymbolicReading(BlockAlgebra):
                 return self.flipped_blocks(self(of))
             case w.Block(blocks):
                 return stacked([[self(block) for block in row] for row in blocks])
+            case w.Inverse(SizedKroneckerProduct(left, right)) if left.shape[0] == left.shape[1]:
+                return self.tensor(self(w.Inverse(left)), self(w.Inverse(right)))
             case w.Inverse(of):
                 return self._inverse(of)
+            case SizedKroneckerProduct(left, right):
+                return self.tensor(self(left), self(right))
+            case SizedVectorized(of):
+                return self.vec(self(of))
             case w.Scale(factor, term):
                 return self.scaled(self.scalar(factor), self(term))
             case w.Quotient(numerator, w.Power(divisor, exponent)) if exponent > 0:
@@ -153,6 +162,14 @@ class SymbolicReading(BlockAlgebra):
                         label = f"powers [{len(self.known) + 1}]"
                         self._note(label, words, difference.heights[i], difference.widths[j], needs)
 
+    def _note_tensors(self) -> None:
+        """What is known of letters is known of them beside identities."""
+        for place, relation in enumerate(self.relations()):
+            self._note(f"Kronecker products [{place}]", *relation, "")
+        for known in tuple(self.known.values()):
+            for place, relation in enumerate(self.placed(known.words, known.height, known.width)):
+                self._note(f"{known.label} beside an identity [{place}]", *relation, known.needs)
+
     def _letter_alone(self, letter: int) -> Blocks:
         return Blocks((self.height(letter),), (self.width(letter),), [[self.alone((letter,))]])
 
@@ -169,6 +186,8 @@ class SymbolicReading(BlockAlgebra):
         match node:
             case w.Dot(left, right):
                 return self.times(self.flipped_blocks(self(left)), self(right)).rows[0][0]
+            case w.Trace(SizedKroneckerProduct(left, right)) if left.shape[0] == left.shape[1]:
+                return self.product(self.scalar(w.Trace(left)), self.scalar(w.Trace(right)))
             case w.Trace(of):
                 inner = self(of)
                 total: Words = {}

@@ -1,0 +1,81 @@
+"""Conditions that no linear system solves: more unknowns than equations, products of unknowns, derivatives taken."""
+
+from __future__ import annotations
+
+import pytest
+
+from chasles.decisions.session import Session
+from chasles.statements import Claim, Condition, Definition, nonzero
+from chasles.statements.matrices import invertible
+from chasles.verdict import Posed, Undecided
+from chasles.vocabulary import inverse, rate, scalar, square, vector
+from chasles.vocabulary.expansions import up_to
+from chasles.vocabulary.nodes import lifted
+from chasles.vocabulary.partial import partial
+from chasles.vocabulary.sizes import Size, rectangular
+
+from .decided import claim, proved, refuted
+
+UNITS = False
+V, i, R, w, K = (scalar(name, name, "") for name in "ViRwK")
+x, y = scalar("x", "x", ""), scalar("y", "y", "")
+a, b, c, r = (scalar(name, name, "", constant=True) for name in "abcr")
+n, k = Size("n"), Size("k")
+M, J, P, Q = square("M", "M", "", size=n), rectangular("J", "J", "", k, n), *(square(s, s, "", size=n) for s in "PQ")
+A = square("A", "A", "", size=n, constant=True)
+v, h, t, f = (vector(name, name, "", size=k if name == "f" else n) for name in "vhtf")
+
+motor = Condition("0", V, i * R + w / K, on=(V, i, R, w, K), assuming=(nonzero(K),))
+circle = Condition("0", x**2 + y**2, lifted(r**2), on=(x, y))
+roots = Condition("0", a * x**2 + b * x + c, lifted(0), on=(x,))
+motion = Condition("0", M @ rate(v) + h, t + J.T @ f, on=(v, h, t, f))
+lyapunov = Condition("0", A.T @ Q + Q @ A, -P, on=(P,))
+decay = Definition("0", V, v.T @ Q @ v), Definition("0", rate(v), A @ v), Definition("0", rate(Q), 0 * Q)
+line = Condition("0", y - a * x, lifted(b), on=(y,))
+
+TRUE = [
+    claim(V * K, i * R * K + w, given=(motor,)),
+    claim(K, w / (V - i * R), nonzero(V - i * R), given=(motor,)),
+    claim(x * rate(x) + y * rate(y), 0, given=(circle,)),
+    claim(x * rate(rate(x)) + y * rate(rate(y)), -(rate(x) ** 2) - rate(y) ** 2, given=(circle,)),
+    claim((2 * a * x + b) ** 2, b**2 - 4 * a * c, given=(roots,)),
+    claim(rate(v), inverse(M) @ (t + J.T @ f - h), invertible(M), given=(motion,)),
+    claim(t, M @ rate(v) + h - J.T @ f, given=(motion,)),
+    claim(rate(V), -(v.T @ P @ v), given=(*decay, lyapunov)),
+    claim(partial(y, x), a, given=(line,)),
+]
+FALSE = [
+    claim(V * K, i * R * K - w, given=(motor,)),
+    claim(x * rate(x), y * rate(y), given=(circle,)),
+    claim(x, y, given=(circle,)),
+    claim(2 * a * x, -b, given=(roots,)),
+    claim(t, M @ rate(v) + h + J.T @ f, given=(motion,)),
+    claim(rate(V), v.T @ P @ v, given=(*decay, lyapunov)),
+]
+
+
+@pytest.mark.parametrize("said", TRUE, ids=str)
+def test_what_is_true_is_proved_and_checked(said: Claim) -> None:
+    verdict = proved(said)
+    assert not any("(0)" in need for need in getattr(verdict, "needs", ()))
+
+
+@pytest.mark.parametrize("said", FALSE, ids=str)
+def test_what_is_false_is_refuted_and_checked(said: Claim) -> None:
+    refuted(said)
+
+
+@pytest.mark.parametrize("posed", [motor, circle, roots, motion], ids=str)
+def test_they_are_posed_with_a_point(posed: Condition) -> None:
+    assert isinstance(Session().decide(posed).verdict, Posed)
+
+
+def test_what_says_nothing_by_itself_is_not_differentiated() -> None:
+    said = claim(partial(y, x), a, given=(Condition("0", y**2, lifted(x), on=(y,)),))
+    assert isinstance(Session().decide(said).verdict, Undecided)
+
+
+def test_an_expansion_in_what_a_condition_binds_is_not_refuted() -> None:
+    root = Condition("0", y**2, 1 + x, on=(y,))
+    for said in (claim(y**2, up_to(1 + x, x, 2), given=(root,)), claim(y, up_to(1 + x, x, 2), given=(root,))):
+        assert isinstance(Session().decide(said).verdict, Undecided)
