@@ -218,8 +218,8 @@ class Quantities:
                 return self.inverse(of)
             case w.Scale(factor, term):
                 return self.inverse(factor) * self.inverse(term)
-            case w.Quotient(above, below):
-                return self.inverse(above) * self(below)[0][0]
+            case w.Quotient(above, divisor):
+                return self.inverse(above) * self(divisor)[0][0]
             case w.Power(base, exponent):
                 return reduce(mul, [self.inverse(base)] * exponent)
             case rule if rule is not node:

@@ -48,14 +48,14 @@ class TensorAlgebra(BlockAlgebra):
 
     def relations(self) -> Iterator[Relation]:
         """What holds of the letters that were placed beside identities."""
-        placed = {(letter >> 1, left) for letter, left, _ in self._placed}
+        placed = {(straight >> 1, left) for straight, left, _ in self._placed}
         letters = sorted({place for place, _ in placed})
         for one, other in product(letters, repeat=2):
             if (one, True) in placed and (other, False) in placed:
                 for turned in (0, 1):
                     yield self._commuting(2 * one + turned, 2 * other)
-        for letter in (2 * place + turned for place in letters for turned in (0, 1)) if self._columns else ():
-            words, (height, width) = self.alone((letter,)), (self.height(letter), self.width(letter))
+        for k in (2 * place + turned for place in letters for turned in (0, 1)) if self._columns else ():
+            words, height, width = self.alone((k,)), self.height(k), self.width(k)
             again = self.product(self._beside(self.transposed(words), True, height), self._unit(height))
             yield _difference(self._as_column(words, width), again), times(width, height), 1
         for (one, *shape), (other, *same) in product(self._columns, repeat=2):
