@@ -58,11 +58,11 @@ class TensorAlgebra(BlockAlgebra):
             words, height, width = self.alone((k,)), self.height(k), self.width(k)
             again = self.product(self._beside(self.transposed(words), True, height), self._unit(height))
             yield _difference(self._as_column(words, width), again), times(width, height), 1
-        for (one, *shape), (other, *same) in product(self._columns, repeat=2):
-            if shape == same:
-                columns = (self._as_column(words, shape[1]) for words in (one, other))
-                scalar = self.product(self.transposed(next(columns)), next(columns))
-                yield _difference(scalar, self.trace(self.product(self.transposed(one), other), shape[1])), 1, 1
+        for (first, *shape, width), (second, *same) in product(self._columns, repeat=2):
+            if [*shape, width] == same:
+                row, column = self.transposed(self._as_column(first, width)), self._as_column(second, width)
+                trace = self.trace(self.product(self.transposed(first), second), width)
+                yield _difference(self.product(row, column), trace), 1, 1
 
     def placed(self, words: Words, height: Extent, width: Extent) -> Iterator[Relation]:
         """The words beside identities, as far as all of their letters are."""
