@@ -68,3 +68,10 @@ def test_where_a_length_is_not_zero_its_square_is_not(length: Node) -> None:
 @pytest.mark.parametrize("divisor", [r + s, 1 - r**2, r**2 + s**2, 1 + r, dot(a, b) + 1, r**2 - 1], ids=str)
 def test_what_may_be_zero_is_asked_for(divisor: Node) -> None:
     assert isinstance(verdict_on(s / divisor, s / divisor), IllFormed)
+
+
+def test_entries_are_named_as_they_are_written() -> None:
+    for divisor, name in ((a[2], "a_2"), (C[1, 3], "C_13"), (a.x + 1, "a_x + 1")):
+        verdict = verdict_on(s / divisor, s)
+        assert isinstance(verdict, IllFormed)
+        assert verdict.reason.startswith(f"divides by {name.replace('_x', '_1')}, ")

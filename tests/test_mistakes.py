@@ -5,12 +5,14 @@ from __future__ import annotations
 import copy
 import inspect
 import pickle
+import re
 import sys
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 from pathlib import Path
 from typing import Any, get_type_hints
 
+import numpy as np
 import pytest
 from click.testing import CliRunner
 
@@ -39,7 +41,9 @@ from chasles.statements import (
 from chasles.statements.derivation import Take
 from chasles.statements.induction import ForAllK
 from chasles.vocabulary import (
+    CPM,
     LENGTH,
+    Identity,
     Index,
     Misfit,
     Node,
@@ -50,6 +54,9 @@ from chasles.vocabulary import (
     vector,
 )
 from chasles.vocabulary.arguments import Declared, WrongArgument, declaring
+from chasles.vocabulary.functions import maximum
+from chasles.vocabulary.notation import Notation
+from chasles.vocabulary.sizes import Size
 
 s, k, phi = scalar("s", "s", ""), scalar("k", "k", ""), scalar("phi", r"\phi", "")
 v, w, e = vector("v", "v", ""), vector("w", "w", ""), vector("e", "e", "")
@@ -101,6 +108,10 @@ NAMED: list[tuple[Callable[[], Any], str]] = [
     (lambda: scalar("x", "x", LENGTH), "scalar: `meaning` is a Dimension, .*: `dimension` takes that"),
     (lambda: Take((defined,)), r"Take: statements\[0] is a tuple (a Definition), .*: leave the brackets"),
     (lambda: Zero("3", 1), "'3' is no size: write a whole number, or a letter for one"),
+    (lambda: Identity(M), "M is no size: write a whole number, or a letter for one"),
+    (lambda: vector("z", "z", "", size=0), "0 is no size: it is 1 or more"),
+    (lambda: Size("n") * 2.5, "2.5 is no size"),
+    (lambda: Notation([CPM]), "Notation takes a table of words and forms"),
     (lambda: vocabulary.Dot(v, 3), "Dot: `right` is 3, and must be an expression"),
 ]  # fmt: skip
 
@@ -112,6 +123,21 @@ def test_a_mistake_is_told_with_its_place(write: Callable[[], Any], said: str) -
         write()
     assert "\n" not in str(raised.value)
     assert str(raised.value).startswith(f"{__file__}, line {write.__code__.co_firstlineno}: ")
+
+
+@pytest.mark.parametrize(
+    ("write", "said"),
+    [
+        (lambda: np.eye(3) @ v, "got a ndarray: write `matrix` or `column`, of exact numbers"),
+        (lambda: np.array([1, 2, 3]) * s, "got a ndarray: write `matrix` or `column`, of exact numbers"),
+        (lambda: np.float64(0.5) * s, "got np.float64(0.5): write Fraction(1, 2)"),
+        (lambda: M.x, "M is 3 x 3: a component is that of a column"),
+        (maximum, "max takes one scalar or more"),
+    ],
+)
+def test_what_no_operator_takes_is_told(write: Callable[[], Any], said: str) -> None:
+    with pytest.raises((TypeError, Misfit), match=re.escape(said)):
+        write()
 
 
 # Every argument of every word, with things of other types.

@@ -8,15 +8,15 @@ from fractions import Fraction
 from chasles.algebra.localization import Localization
 from chasles.evaluation.matrices import Matrix
 from chasles.vocabulary import Group, Negative, Node, Norm, Number, Power, Quotient, Scale, plain
+from chasles.vocabulary.parts import with_entries
 
 
 class UndeclaredDivisor(ValueError):
     """A division by something that no hypothesis says is not zero."""
 
     def __init__(self, divisor: Node) -> None:
-        super().__init__(
-            f"divides by {plain(divisor)}, which nothing declares nonzero: assume nonzero({plain(divisor)})"
-        )
+        said = plain(with_entries(divisor))
+        super().__init__(f"divides by {said}, which nothing declares nonzero: assume nonzero({said})")
         self.divisor = divisor
 
 

@@ -41,6 +41,8 @@ class FunctionOf(Node):
     has_no_polynomial_form: ClassVar[bool] = True
 
     def _measured(self) -> Measure:
+        if not self.arguments:
+            raise Misfit(f"{self.function} takes one scalar or more")
         first = measured(self.arguments[0])
         for argument in self.arguments:
             if not argument.is_scalar:

@@ -19,6 +19,7 @@ NAMES: dict[Any, str] = {
     bool: "True or False",
     "Node": "an expression",
     "Callable": "a function",
+    "Any": "given",
 }
 
 

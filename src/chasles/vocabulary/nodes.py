@@ -32,6 +32,7 @@ class Node(Displayed, Fitted):
     has_no_polynomial_form: ClassVar[bool] = False
     expands: ClassVar[bool] = False
     __iter__ = None  # places are counted from 1, which Python's own way through them is not
+    __array_ufunc__ = None  # an array on the left leaves the operator to this class, which says what it takes
 
     def _parts(self) -> tuple[Node, ...]:
         held = [getattr(self, name) for name in node_fields(type(self))]  # type: ignore[arg-type]
@@ -110,6 +111,9 @@ class Node(Displayed, Fitted):
             return Negative(self.term @ other)
         return Contract((*(self.factors if isinstance(self, Contract) else (self,)), lifted(other)))
 
+    def __rmatmul__(self, other: object) -> Node:
+        return lifted(other) @ self  # type: ignore[arg-type]
+
     def __pow__(self, exponent: Extent) -> Power:
         from chasles.vocabulary.sizes import Size
 
@@ -170,8 +174,12 @@ def lifted(value: Node | int | Fraction) -> Node:
         return value
     if isinstance(value, int | Fraction) and not isinstance(value, bool):
         return Number(Fraction(value))
-    exact = f": write {Fraction(value).limit_denominator(1000)!r}" if isinstance(value, float) else ""
-    raise TypeError(f"expected an expression, an integer or a Fraction, got {value!r}{exact}")
+    shown, instead = repr(value), ""
+    if isinstance(value, float):
+        instead = f": write {Fraction(value).limit_denominator(1000)!r}"
+    elif hasattr(value, "__array__"):
+        shown, instead = f"a {type(value).__name__}", ": write `matrix` or `column`, of exact numbers"
+    raise TypeError(f"expected an expression, an integer or a Fraction, got {shown}{instead}")
 
 
 def _terms(node: Node) -> tuple[Node, ...]:

@@ -30,6 +30,8 @@ class Notation:
     """
 
     def __init__(self, forms: Mapping[Any, str]) -> None:
+        if not isinstance(forms, Mapping):
+            raise WrongArgument(f"Notation takes a table of words and forms: {FORMS}")
         self.all_forms = {_key(word): form for word, form in forms.items()}
         for word, form in self.all_forms.items():
             parts = None if isinstance(word, str) else node_fields(word)

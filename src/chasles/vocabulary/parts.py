@@ -11,10 +11,10 @@ from chasles.vocabulary.fitting import word
 from chasles.vocabulary.layout import Block
 from chasles.vocabulary.letters import Identity, Symbol, Zero
 from chasles.vocabulary.measure import Misfit
-from chasles.vocabulary.nodes import Contract, Node, Number
+from chasles.vocabulary.nodes import Contract, Node, Number, Transpose
 from chasles.vocabulary.pieces import Piece, Precedence, Style
 from chasles.vocabulary.shorthand import Shorthand
-from chasles.vocabulary.tree import undotted
+from chasles.vocabulary.tree import children, rebuilt, undotted
 
 BOLD = re.compile(r"\\(?:mathbf|boldsymbol)\{(\\?[A-Za-z]+)\}")
 Range = tuple[int, int]
@@ -61,6 +61,27 @@ def _selection(places: Range, size: int) -> Node:
     return Block((tuple(block for block in blocks if block.shape[1]),))
 
 
+def with_entries(node: Node) -> Node:
+    """The expression with an entry, as its author wrote it, for each product with rows of an identity."""
+    if isinstance(node, Contract):
+        before = _place(node.factors[0])
+        behind = _place(node.factors[-1].of) if isinstance(node.factors[-1], Transpose) else None
+        inner = node.factors[before is not None : len(node.factors) - (behind is not None)]
+        if (before or behind) and len(inner) == 1 and (before or inner[0].shape[0] == 1):
+            return inner[0][before] if behind is None else inner[0][before or 1, behind]
+    parts = children(node)
+    return rebuilt(node, tuple(map(with_entries, parts))) if parts else node
+
+
+def _place(row: Node) -> int | None:
+    """Which row of the identity it is, if it is one."""
+    blocks = row.rows[0] if isinstance(row, Block) and row.shape[0] == 1 else ()
+    ones = [k for k, block in enumerate(blocks) if not isinstance(block, Zero)]
+    if len(ones) != 1 or blocks[ones[0]] != Number(Fraction(1)):
+        return None
+    return 1 + sum(block.shape[1] for block in blocks[: ones[0]])
+
+
 def part(of: Node, places: int | slice | tuple[int | slice, int | slice]) -> Node:
     """The entry or block in the given rows and columns; of a column or a row, one place is enough."""
     height, width = of.shape
@@ -78,6 +99,8 @@ def part(of: Node, places: int | slice | tuple[int | slice, int | slice]) -> Nod
 
 def component(of: Node, row: int, mark: str) -> Node:
     """The component of a column in the given row, printed with a mark of the author's: q_w, omega_x."""
+    if of.shape[1] != 1:
+        raise Misfit(f"{of} is {of.shape[0]} x {of.shape[1]}: a component is that of a column")
     return Submatrix(of, (row, row), (1, 1), mark)
 
 

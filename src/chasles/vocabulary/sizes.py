@@ -8,10 +8,10 @@ from dataclasses import replace as with_fields
 from functools import reduce
 from math import prod
 
-from chasles.vocabulary.arguments import Declared, WrongArgument, declaring, declaring_module
-from chasles.vocabulary.dimension import NO_DIMENSION, Dimension, has_units
+from chasles.vocabulary.arguments import Declared, WrongArgument, declaring
+from chasles.vocabulary.dimension import NO_DIMENSION, Dimension
 from chasles.vocabulary.letters import Identity, Symbol, Zero
-from chasles.vocabulary.measure import Extent, Measure, Misfit, uniform
+from chasles.vocabulary.measure import Extent, Measure, Misfit
 from chasles.vocabulary.nodes import Node, Power
 from chasles.vocabulary.pieces import Piece, Style
 from chasles.vocabulary.shorthand import opened
@@ -57,7 +57,8 @@ def parts_of(extent: Extent) -> tuple[Extent, ...]:
     if isinstance(extent, Size):
         return extent.parts or (extent,)
     if not isinstance(extent, int) or isinstance(extent, bool) or extent < 0:
-        raise WrongArgument(f"{extent!r} is no size: write a whole number, or a letter for one, as in n = Size('n')")
+        shown = extent if isinstance(extent, Node) else repr(extent)
+        raise WrongArgument(f"{shown} is no size: write a whole number, or a letter for one: n = Size('n')")
     return (extent,) if extent else ()
 
 
@@ -231,7 +232,6 @@ def rectangular(
     constant: bool = False,
 ) -> Symbol:
     """A matrix of so many rows and columns, numbers or letters for numbers; its letter is printed bold."""
-    from chasles.vocabulary.words import boldface
+    from chasles.vocabulary.words import boldface, declared
 
-    size = uniform((rows, columns), dimension if has_units(declaring_module()) else NO_DIMENSION)
-    return Symbol(name, boldface(letter), size, meaning, constant, home=declaring_module())
+    return declared(name, boldface(letter), (rows, columns), dimension, meaning, constant)

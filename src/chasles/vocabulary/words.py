@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from math import inf
 
-from chasles.vocabulary.arguments import declaring, declaring_module, making
+from chasles.vocabulary.arguments import WrongArgument, declaring, declaring_module, making
 from chasles.vocabulary.body import Integral
 from chasles.vocabulary.dimension import NO_DIMENSION, Dimension, has_units
 from chasles.vocabulary.layout import At, Block, Call, Group, Rate
@@ -25,21 +25,21 @@ def scalar(
     name: str, letter: str, meaning: str, dimension: Dimension = NO_DIMENSION, *, constant: bool = False
 ) -> Symbol:
     """A scalar quantity."""
-    return Symbol(name, letter, _measure((1, 1), dimension), meaning, constant, home=declaring_module())
+    return declared(name, letter, (1, 1), dimension, meaning, constant)
 
 
 @declaring
 def vector(name: str, letter: str, meaning: str, dimension: Dimension = NO_DIMENSION, *, constant: bool = False,
            size: Extent = 3) -> Symbol:  # fmt: skip
     """A vector, a column of three or another `size`; its letter is printed bold."""
-    return Symbol(name, boldface(letter), _measure((size, 1), dimension), meaning, constant, home=declaring_module())
+    return declared(name, boldface(letter), (size, 1), dimension, meaning, constant)
 
 
 @declaring
 def square(name: str, letter: str, meaning: str, dimension: Dimension = NO_DIMENSION, *, constant: bool = False,
            size: Extent = 3) -> Symbol:  # fmt: skip
     """A square matrix, 3 x 3 or of another `size`; its letter is printed bold."""
-    return Symbol(name, boldface(letter), _measure((size, size), dimension), meaning, constant, home=declaring_module())
+    return declared(name, boldface(letter), (size, size), dimension, meaning, constant)
 
 
 @declaring
@@ -61,9 +61,16 @@ def abbreviation(name: str, letter: str, stands_for: Node, meaning: str) -> Symb
     return Symbol(name, boldface(letter), stands_for.measure, meaning, constant, stands_for, declaring_module())
 
 
-def _measure(shape: tuple[Extent, Extent], dimension: Dimension) -> Measure:
-    """The measure of a symbol that is declared, in a chapter without units without dimension."""
-    return uniform(shape, dimension if has_units(declaring_module()) else NO_DIMENSION)
+def declared(
+    name: str, letter: str, shape: tuple[Extent, Extent], dimension: Dimension, meaning: str, constant: bool
+) -> Symbol:
+    """A symbol of the module that declares it, in a chapter without units without dimension."""
+    for extent in shape:
+        if isinstance(extent, int) and extent < 1:
+            raise WrongArgument(f"{extent} is no size: it is 1 or more")
+    home = declaring_module()
+    measure = uniform(shape, dimension if has_units(home) else NO_DIMENSION)
+    return Symbol(name, letter, measure, meaning, constant, home=home)
 
 
 def boldface(letter: str) -> str:
