@@ -118,6 +118,22 @@ def test_words_are_printed_in_the_forms_of_their_chapter(own: ModuleType) -> Non
         assert "<math" in convert(latex_for_mathml(node))
 
 
+def test_brackets_within_brackets_may_be_round(own: ModuleType) -> None:
+    inner = own.a + own.b
+    for round_brackets, opening in ((False, "["), (True, "(")):
+        sys.modules["of_its_own"].NOTATION = Notation({}, round_brackets=round_brackets)  # type: ignore[attr-defined]
+        assert latex(2 * (own.a + 2 * inner)).startswith(rf"2 \left{opening}")
+        assert latex(bracket_of(inner)).startswith(r"\left[")
+
+
+def test_what_stands_beside_each_other_is_a_product(own: ModuleType) -> None:
+    sys.modules["of_its_own"].NOTATION = Notation({cross: "#1 #2"})  # type: ignore[attr-defined]
+    a, b = own.a, own.b
+    assert latex(2 * cross(a, b)) == rf"2 {latex(a)} {latex(b)}"
+    assert latex(cross(cross(a, b), a)) == f"{latex(a)} {latex(b)} {latex(a)}"
+    assert "left" in latex(cross(a, cross(a, b)))
+
+
 def test_chapters_do_not_mix(own: ModuleType, plain: ModuleType) -> None:
     assert latex(CPM(own.a)) == r"[\mathbf{a}]_\times"
     assert latex(CPM(plain.a)) == r"\text{CPM}\left( \mathbf{a} \right)"

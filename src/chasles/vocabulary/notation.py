@@ -15,6 +15,7 @@ from chasles.vocabulary.nodes import Node, node_fields
 from chasles.vocabulary.pieces import Piece, Precedence, Style
 from chasles.vocabulary.tree import walk
 
+JUXTAPOSED = re.compile(r"#1\s*#2")
 PLACE = re.compile(r"#(\d)")
 POSTFIX = re.compile(r"#1\s*\^\s*(?:\{(.*)\}|(\\?\w+(?:\{\w+\})?))$")
 ENCLOSED = re.compile(r"(?:[{\[(|,]|\\left\S|\\langle)\s*#(\d)\s*(?=[}\]),|]|\\\||\\right|\\rangle)")
@@ -26,10 +27,12 @@ class Notation:
     """What words are printed as: `forms` maps a word to a form in which #1, #2 stand for its parts.
 
     A word is named by its class, by the function that writes it (`CPM`, `tr`), or, a function of a scalar, by its
-    name ("sin"). Raises `WrongArgument` for a form that leaves out a part or has none that the word has.
+    name ("sin"). With `round_brackets` brackets within brackets are round, but where the author chose others. Raises
+    `WrongArgument` for a form that leaves out a part or has none that the word has.
     """
 
-    def __init__(self, forms: Mapping[Any, str]) -> None:
+    def __init__(self, forms: Mapping[Any, str], *, round_brackets: bool = False) -> None:
+        self.round_brackets = round_brackets
         if not isinstance(forms, Mapping):
             raise WrongArgument(f"Notation takes a table of words and forms: {FORMS}")
         self.all_forms = {_key(word): form for word, form in forms.items()}
@@ -56,19 +59,21 @@ class Notation:
         infix = len(parts) > 1 and len(ENCLOSED.findall(form)) < len(parts)
         enclosed = {int(number) - 1 for number in ENCLOSED.findall(form)}
         least = Precedence.PRODUCT if infix else Precedence.ATOM
+        beside = JUXTAPOSED.fullmatch(form) is not None
         texts, depth = [], 0
         for place, part in enumerate(parts):
             piece = spell(part)
             chained = infix and place == 0 and type(part) is type(node)
-            if place not in enclosed and piece.level < least and not chained:
-                piece = piece.enclosed(style)
+            if place not in enclosed and not chained:
+                piece = piece.at_least(Precedence.POWER if beside and place else least, style)
             texts.append(piece.text)
             depth = max(depth, piece.depth)
         if power := POSTFIX.match(form):
             return Piece(style.power(texts[0], power[1] or power[2]), Precedence.POWER, depth)
         text = PLACE.sub(lambda found: texts[int(found[1]) - 1], form)
         bracketed = any(bracket in form for bracket in "([")
-        return Piece(text, Precedence.DOT if infix else Precedence.ATOM, depth + bracketed)
+        level = Precedence.PRODUCT if beside else Precedence.DOT if infix else Precedence.ATOM
+        return Piece(text, level, depth + bracketed)
 
 
 BOOK = Notation({})

@@ -48,7 +48,7 @@ class Submatrix(Shorthand):
         if isinstance(undotted(self.of)[0], Symbol) and piece.level is Precedence.ATOM:
             letter = BOLD.sub(r"\1", piece.text) if self.is_scalar else piece.text
             return Piece(style.component(letter, self.mark), Precedence.ATOM)
-        text = piece.text if isinstance(self.of, Block) else style.brackets(piece.text, 1)
+        text = piece.text if isinstance(self.of, Block) else style.chosen_brackets(piece.text, 1)
         return Piece(style.subscripted(text, self.mark), Precedence.ATOM, max(piece.depth, 1) + 1)
 
 

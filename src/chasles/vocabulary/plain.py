@@ -32,7 +32,10 @@ class _Plain:
         return Piece(str(value), level)
 
     def brackets(self, text: str, depth: int) -> str:
-        opening, closing = BRACKETS[min(depth, 2)]
+        return self.chosen_brackets(text, min(depth, 2))
+
+    def chosen_brackets(self, text: str, kind: int) -> str:
+        opening, closing = BRACKETS[kind]
         return f"{opening}{text}{closing}"
 
     def product(self, factors: list[str]) -> str:

@@ -144,10 +144,9 @@ class _Speller:
 
     def _group(self, piece: Piece, depth: int, frame: str) -> Piece:
         if frame:
-            return Piece(
-                self.style.subscripted(self.style.brackets(piece.text, 1), frame), Precedence.ATOM, piece.depth
-            )
-        return Piece(self.style.brackets(piece.text, depth), Precedence.ATOM, max(piece.depth, depth) + 1)
+            text = self.style.subscripted(self.style.chosen_brackets(piece.text, 1), frame)
+            return Piece(text, Precedence.ATOM, piece.depth)
+        return Piece(self.style.chosen_brackets(piece.text, depth), Precedence.ATOM, max(piece.depth, depth) + 1)
 
 
 def _joined(pieces: list[Piece], text: str, level: Precedence) -> Piece:

@@ -48,7 +48,10 @@ class Latex:
         return Piece(text, Precedence.NEGATIVE if sign else Precedence.PRODUCT)
 
     def brackets(self, text: str, depth: int) -> str:
-        opening, closing = BRACKETS[min(depth, 2)]
+        return self.chosen_brackets(text, 0 if self.notation.round_brackets else min(depth, 2))
+
+    def chosen_brackets(self, text: str, kind: int) -> str:
+        opening, closing = BRACKETS[kind]
         return rf"\left{opening} {text} \right{closing}"
 
     def product(self, factors: list[str]) -> str:
