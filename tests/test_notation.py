@@ -123,7 +123,7 @@ def test_brackets_within_brackets_may_be_round(own: ModuleType) -> None:
     for round_brackets, opening in ((False, "["), (True, "(")):
         sys.modules["of_its_own"].NOTATION = Notation({}, round_brackets=round_brackets)  # type: ignore[attr-defined]
         assert latex(2 * (own.a + 2 * inner)).startswith(rf"2 \left{opening}")
-        assert latex(bracket_of(inner)).startswith(r"\left[")
+        assert latex(bracket(inner)).startswith(r"\left[")
 
 
 def test_what_stands_beside_each_other_is_a_product(own: ModuleType) -> None:
