@@ -18,6 +18,7 @@ from chasles.vocabulary import (
     Node,
     Rate,
     Transpose,
+    bracket,
     cross,
     det,
     dot,
