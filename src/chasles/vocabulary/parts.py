@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from fractions import Fraction
+from itertools import takewhile
 from typing import ClassVar
 
 from chasles.vocabulary.fitting import word
@@ -63,23 +64,26 @@ def _selection(places: Range, size: int) -> Node:
 
 def with_entries(node: Node) -> Node:
     """The expression with an entry, as its author wrote it, for each product with rows of an identity."""
-    if isinstance(node, Contract):
-        before = _place(node.factors[0])
-        behind = _place(node.factors[-1].of) if isinstance(node.factors[-1], Transpose) else None
-        inner = node.factors[before is not None : len(node.factors) - (behind is not None)]
-        if (before or behind) and len(inner) == 1 and (before or inner[0].shape[0] == 1):
-            return inner[0][before] if behind is None else inner[0][before or 1, behind]
+    if isinstance(node, Contract) and len(node.factors) in (2, 3):
+        first, last = node.factors[0], node.factors[-1]
+        row, column = _place(first), _place(last.of) if isinstance(last, Transpose) else 0
+        match node.factors:
+            case (_, of, _) if row and column:
+                return of[row, column]
+            case (_, of) if row and of.shape[1] == 1:
+                return of[row]
+            case (of, _) if column and of.shape[0] == 1:
+                return of[column]
     parts = children(node)
     return rebuilt(node, tuple(map(with_entries, parts))) if parts else node
 
 
-def _place(row: Node) -> int | None:
-    """Which row of the identity it is, if it is one."""
+def _place(row: Node) -> int:
+    """Which row of an identity it is; 0 if it is none."""
     blocks = row.rows[0] if isinstance(row, Block) and row.shape[0] == 1 else ()
-    ones = [k for k, block in enumerate(blocks) if not isinstance(block, Zero)]
-    if len(ones) != 1 or blocks[ones[0]] != Number(Fraction(1)):
-        return None
-    return 1 + sum(block.shape[1] for block in blocks[: ones[0]])
+    before = tuple(takewhile(lambda block: isinstance(block, Zero), blocks))
+    rest = [block for block in blocks[len(before) :] if not isinstance(block, Zero)]
+    return 1 + sum(block.shape[1] for block in before) if rest == [Number(Fraction(1))] else 0
 
 
 def part(of: Node, places: int | slice | tuple[int | slice, int | slice]) -> Node:
