@@ -9,10 +9,12 @@ from typing import Any
 import sympy
 from sympy.core.function import AppliedUndef
 
+from chasles.checker.sparse import Rejected
 from chasles.from_sympy.asking import ask
 from chasles.from_sympy.general import General
 from chasles.from_sympy.question import Question
 from chasles.from_sympy.relations import relations
+from chasles.problems.variables import Untreatable
 from chasles.verdict import Holds, HoldsUnder, Verdict
 
 Decide = Callable[[Question], Verdict]
@@ -33,6 +35,15 @@ def generalised(
 
     What a symbol stands for is a further entry of both sides, so that it is seen where it is defined.
     """
+    try:
+        return _proved(left, right, given, nonzero, decide)
+    except Rejected as error:
+        raise Untreatable(str(error)) from None
+
+
+def _proved(
+    left: Sequence[Any], right: Sequence[Any], given: Sequence[tuple[Any, Any]], nonzero: Sequence[Any], decide: Decide
+) -> Proved | None:
     general = General((*left, *right, *(side for pair in given for side in pair), *nonzero))
     sides = [list(map(general, side)) for side in (left, right)]
     equations = [sympy.Eq(general(one), general(other), evaluate=False) for one, other in given]

@@ -11,6 +11,7 @@ from sympy.core.function import AppliedUndef
 from sympy.logic.boolalg import Boolean
 from sympy.matrices import MatrixBase, MatrixExpr
 
+from chasles.checker.expressions.defined_functions import by_definition
 from chasles.from_sympy.unevaluated import explicit, written_out
 from chasles.problems.variables import Untreatable
 
@@ -110,6 +111,7 @@ def _spelled_out(write: Callable[[Any], Any], value: Any) -> Any:
 
 def _evaluated(entry: Any) -> Any:
     """The entry with derivatives of expressions taken, and zero for the symbols that SymPy is told to be."""
+    entry = by_definition(entry)
     parts = list(parts_of(entry))
     zeros = {part: sympy.S.Zero for part in parts if isinstance(part, sympy.Symbol | AppliedUndef) and part.is_zero}
     if zeros:
@@ -126,7 +128,7 @@ def _evaluated(entry: Any) -> Any:
     for derivative in (part for part in parts if isinstance(part, sympy.Derivative)):
         if not isinstance(derivative.expr, AppliedUndef):
             entry = entry.xreplace({derivative: derivative.doit()})
-    return _spelled_out(written_out, entry)
+    return by_definition(_spelled_out(written_out, entry))
 
 
 def sides(relation: Any, what: str) -> Iterator[tuple[Any, Any]]:

@@ -12,6 +12,7 @@ import sympy
 
 from chasles.algebra.squarefree import primes_of, squarefree
 from chasles.algebra.work_limit import check
+from chasles.checker.expressions.defined_functions import BY_OTHERS, VALUED
 from chasles.checker.expressions.elementary import FUNCTIONS
 from chasles.from_sympy.angles import Angles
 from chasles.from_sympy.atoms import QuantityNames
@@ -66,7 +67,8 @@ class Reader:
         raise self._untreatable(e)
 
     def _untreatable(self, e: Any) -> Untreatable:
-        own = {kind.__name__ for kind in self.readings if issubclass(kind, sympy.Function)}
+        kinds = (*self.readings, *VALUED, *BY_OTHERS)
+        own = {kind.__name__ for kind in kinds if issubclass(kind, sympy.Function)}
         functions = sorted({*own, *FUNCTIONS, "Max", "Min", "Piecewise"}, key=str.lower)
         return Untreatable(
             f"{excerpt(e)} is not treated. Treated are rational functions of real symbols, of functions such as f(t) "

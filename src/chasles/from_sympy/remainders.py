@@ -1,4 +1,4 @@
-"""Integers in half turns and in powers of negative numbers, by their remainders: (-1)^n, cos(n*pi/2 + a).
+"""Integers in half turns, powers of negative numbers and greatest integers, by their remainders: (-1)^n, cos(n*pi/2).
 
 Where n is 4*m + 1, the angle n*pi/2 is pi/2, but for whole turns.
 """
@@ -36,11 +36,13 @@ def modulus_of(spoken: Sequence[Any]) -> tuple[Any, int] | None:
 
 
 def _half_turns(part: Any) -> list[Any]:
-    """The terms with integers that say how many half turns an angle, or how many signs a power has."""
+    """The terms with integers that say how many half turns an angle, how many signs a power, or halves a number has."""
     if type(part) in CIRCULAR:
         number = sympy.expand(part.args[0]) / sympy.pi
     elif isinstance(part, sympy.Pow) and part.base.is_negative:
         number = part.exp
+    elif isinstance(part, sympy.floor):
+        number = 2 * part.args[0]
     else:
         return []
     terms = sympy.Add.make_args(sympy.expand(number))

@@ -11,15 +11,16 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from chasles.checker.expressions.cases import CheckedCase
+from chasles.checker.expressions.defined_functions import VALUED
+from chasles.checker.expressions.generalised import is_numeric, is_root_of_number
 from chasles.checker.expressions.needs import RELATIONS
 from chasles.checker.expressions.remainders import at_integer
 from chasles.checker.expressions.switches import deciding
 from chasles.from_sympy.atoms import QuantityNames
 from chasles.from_sympy.complexes import OF_COMPLEX
 from chasles.from_sympy.defined import Pairs, WithoutDefined, put, without_defined
-from chasles.from_sympy.general import is_numeric, is_root_of_number
 from chasles.from_sympy.generalising import Decide, generalised
-from chasles.from_sympy.opening import Entries, atoms_of, opened, sides
+from chasles.from_sympy.opening import Entries, atoms_of, is_atom, opened, sides
 from chasles.from_sympy.remainders import modulus_of
 from chasles.from_sympy.sampling import Sampling, exactly
 from chasles.from_sympy.side_conditions import listed, nonvanishing
@@ -27,7 +28,7 @@ from chasles.problems.variables import Untreatable
 from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, Undecided, Verdict
 
 MOST = 100
-UNREADABLE = (sympy.Max, sympy.Min, sympy.Piecewise, sympy.Heaviside, sympy.sign)
+UNREADABLE = (sympy.Max, sympy.Min, sympy.Piecewise, sympy.Heaviside, sympy.sign, *VALUED)
 
 
 @dataclass(slots=True)
@@ -218,7 +219,7 @@ class Splitting:
             said = sympy.sympify(text.removesuffix(relation), locals=names)
         except (sympy.SympifyError, TypeError):
             return False
-        if not said.free_symbols and case.sign(said) in ((1, -1) if relation == " != 0" else (1,)):
+        if not is_atom(said) and case.sign(said) in ((1, -1) if relation == " != 0" else (1,)):
             return True
         if not said.free_symbols & {symbol for symbol, _ in case.meant}:
             self.needs[text] = None

@@ -17,7 +17,6 @@ from chasles.problems.variables import Untreatable
 
 MOST_TERMS = 1000
 MOST_MULTIPLIED = 32
-LARGEST_FACTORIAL = 200
 
 
 def explicit(e: Any) -> Any:
@@ -123,14 +122,6 @@ def _before(e: Any, term: Any, index: Any) -> Any:
     raise Untreatable(f"{e} is not treated: of so many terms, only sums of polynomials in the index are")
 
 
-def _of_numbers(e: Any) -> Any:
-    """A factorial or binomial coefficient of small integers."""
-    arguments = [written_out(part) for part in e.args]
-    if not all(part.is_Integer and abs(part) <= LARGEST_FACTORIAL for part in arguments):
-        raise Untreatable(f"{e} is not treated: only those of integers up to {LARGEST_FACTORIAL} are")
-    return e.func(*arguments)
-
-
 MATRICES: Mapping[type, Callable[[Any], Any]] = {
     sympy.MatrixSymbol: lambda e: e.as_explicit(),
     sympy.Inverse: lambda e: _inverse(explicit(e.arg)),
@@ -147,7 +138,5 @@ SCALARS: Mapping[type, Callable[[Any], Any]] = {
     sympy.Trace: lambda e: explicit(e.arg).trace(),
     sympy.Sum: _repeated(add, sympy.S.Zero),
     sympy.Product: _repeated(mul, sympy.S.One),
-    sympy.factorial: _of_numbers,
-    sympy.binomial: _of_numbers,
     ExprWithLimits: lambda e: e,
 }

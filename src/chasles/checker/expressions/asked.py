@@ -13,6 +13,7 @@ from sympy.matrices import MatrixBase, MatrixExpr
 from sympy.matrices.expressions.matexpr import MatrixElement
 
 from chasles.checker.expressions.complexes import OF_COMPLEX
+from chasles.checker.expressions.defined_functions import by_definition
 from chasles.checker.expressions.quantities import atoms_of, require_real
 from chasles.checker.sparse import Rejected
 
@@ -86,6 +87,7 @@ def entries_of(value: Any) -> Entries:
 
 def _valued(e: Any) -> Any:
     """The expression with zero for what SymPy is told to be zero."""
+    e = by_definition(e)
     zeros = {part: sympy.S.Zero for part in e.atoms(sympy.Symbol, AppliedUndef) if part.is_zero}
     value = e.xreplace(zeros) if zeros else e
     met = {part.xreplace(zeros) for part in e.atoms(sympy.Pow, sympy.Function)} if zeros else set()

@@ -215,7 +215,7 @@ def _with_value(e: Any, put: Mapping[Any, Any]) -> Any:
     """The expression at the value; undefined where something in it is that SymPy does not compare."""
     try:
         return e.xreplace(put)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, ZeroDivisionError):
         return sympy.zoo
 
 

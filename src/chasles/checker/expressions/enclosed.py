@@ -16,6 +16,7 @@ from typing import Any
 import sympy
 from sympy.core.relational import Relational
 
+from chasles.checker.expressions.defined_functions import LARGEST, by_definition, gamma_at, remainder
 from chasles.checker.expressions.intervals import Enclosing, Enclosure, Unbounded
 from chasles.checker.sparse import Rejected
 
@@ -52,11 +53,17 @@ class EnclosedValues:
 
     def sign(self, e: Any) -> int:
         """The sign; raises `Rejected` where it is not clear."""
-        exact = sympy.expand(e.xreplace(dict(self.point)))
-        sign = 0 if exact == 0 else self(e).sign
+        sign = 0 if self.exactly(e) == 0 else self(e).sign
         if sign is None:
             raise Rejected(f"the sign of {e} is not clear at the point")
         return sign
+
+    def exactly(self, e: Any) -> Any:
+        """The expression at the point, as SymPy writes it out."""
+        try:
+            return sympy.expand(e.xreplace(dict(self.point)))
+        except ZeroDivisionError:
+            raise Rejected(f"{e} has no value at the point") from None
 
     def holds(self, condition: Any) -> bool:
         """Whether a condition holds; raises `Rejected` where that is not clear."""
@@ -98,6 +105,25 @@ def _heaviside(of: EnclosedValues, e: Any) -> Enclosure:
     return of.at.number(int(sign > 0)) if sign else of(e.args[1])
 
 
+def _floor(of: EnclosedValues, e: Any) -> Enclosure:
+    """The greatest integer, of a number that is exact or not near to one."""
+    exact = of.exactly(e.args[0])
+    if exact.is_Rational:
+        return of.at.number(int(exact // 1))
+    found = of(e.args[0])
+    low, high = (end >> of.at.bits for end in (found.low, found.high))
+    if low != high:
+        raise Rejected(f"{e} is not clear at the point")
+    return of.at.number(low)
+
+
+def _binomial(of: EnclosedValues, e: Any) -> Enclosure:
+    n, k = map(of.exactly, e.args)
+    if not (n.is_Rational and k.is_Integer and 0 <= k <= LARGEST):
+        raise Rejected(f"{e} has no value that is known to the checker")
+    return of(by_definition(sympy.binomial(n, k, evaluate=False)))
+
+
 def _direction(of: EnclosedValues, e: Any) -> Enclosure:
     """By the arctangent, in a half plane in which the point surely lies."""
     y, x = e.args
@@ -118,6 +144,10 @@ ENCLOSED: dict[type, Callable[[EnclosedValues, Any], Enclosure]] = {
     sympy.Abs: lambda of, e: _larger(of(e.args[0]), -of(e.args[0])),
     sympy.sign: lambda of, e: of.at.number(of.sign(e.args[0])),
     sympy.Heaviside: _heaviside,
+    sympy.floor: _floor,
+    sympy.Mod: lambda of, e: of(remainder(e)),
+    sympy.gamma: lambda of, e: of(gamma_at(of.exactly(e.args[0]))),
+    sympy.binomial: _binomial,
     sympy.Max: lambda of, e: reduce(_larger, map(of, e.args)),
     sympy.Min: lambda of, e: -reduce(_larger, (-of(part) for part in e.args)),
     sympy.Piecewise: lambda of, e: of(next((value for value, condition in e.args if of.holds(condition)), sympy.nan)),

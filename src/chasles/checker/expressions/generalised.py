@@ -1,15 +1,18 @@
-"""A more general question, for the checker: symbols in the place of what is no plain angle, and of numbers.
+"""A more general question: symbols in the place of what is no plain angle, of numbers, and of values of functions.
 
-What stands in the arguments of cosines and sines is a symbol, and so are cos(pi/n) and roots of numbers.
+cos(x**2), cos(1) and cos(sqrt(k/m)*t) are cosines of some angle, cos(k*pi/n) is the Chebyshev polynomial T_k of
+cos(pi/n), and floor(x) is some integer. Whatever holds for all values of the symbols holds for these.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
 import sympy
 
+from chasles.checker.expressions.defined_functions import VALUED, Recurrences, assumed_of, defined_by
 from chasles.checker.expressions.enclosed import sign_of_number
 from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.expressions.readings import CIRCULAR
@@ -17,25 +20,40 @@ from chasles.checker.sparse import Rejected
 
 
 class Generalised:
-    """Puts symbols in the place of what is no plain angle, and of the cosine of a part of half a turn."""
+    """Rewrites expressions; `symbols` says what has one, `roots` are equations between powers of symbols and numbers.
 
-    def __init__(self, parts: int, taken: set[str]) -> None:
+    Half a turn has so many `parts`, where the cosine of one has a symbol. No name that is `taken` is given.
+    """
+
+    def __init__(self, expressions: Sequence[Any], parts: int, taken: set[str]) -> None:
         self.parts, self.taken = parts, taken
         self.symbols: dict[Any, Any] = {}
         self.roots: list[tuple[Any, Any]] = []
+        self.multiple = Recurrences(expressions)
+        self.rooted = all(is_numeric(power) for e in expressions for power in e.atoms(sympy.Pow))
         if parts:
             self.cosine = self._symbol(sympy.cos(sympy.pi / parts))
 
     @property
     def met(self) -> list[Any]:
-        """What the symbols stand for, as far as it has to be defined."""
-        return [e for e in self.symbols if e.free_symbols]
+        """What has to be defined for the symbols to stand for something."""
+        return [e for known in self.symbols for e in defined_by(known) or (known,) if e.free_symbols]
 
     def __call__(self, e: Any) -> Any:
-        if is_atom(e) or not e.args:
+        """The expression in the symbols; raises `Rejected` where something that is divided by would be lost."""
+        if is_atom(e) or not e.args or not e.has(*CIRCULAR, *VALUED, sympy.Pow):
             return e
-        if _is_root_of_number(e):
+        if self.rooted and is_root_of_number(e):
             return self._root(e.base, int(e.exp.q)) ** int(e.exp.p)
+        if isinstance(e, sympy.Mod):
+            a, b = e.args
+            return self(a) - self(b) * self(sympy.floor(a / b))
+        if isinstance(e, VALUED):
+            factor, quantity, power = self.multiple(e)
+            if not defined_by(quantity):
+                # SymPy takes integers out of an argument that is written out.
+                return self(quantity)
+            return self(factor) * self._symbol(quantity, **assumed_of(quantity)) ** power
         if type(e) not in CIRCULAR:
             return e.func(*map(self, e.args))
         rest, turn = sympy.S.Zero, Fraction(0)
@@ -79,8 +97,6 @@ class Generalised:
         """The positive root of a positive number, whose power is known."""
         root = base ** sympy.Rational(1, degree)
         if root not in self.symbols:
-            if sign_of_number(base) != 1:
-                raise Rejected(f"{base} is not seen to be positive")
             self.roots.append((self._symbol(root, positive=True) ** degree, self(base)))
         return self.symbols[root]
 
@@ -90,9 +106,14 @@ def _is_angle(e: Any) -> bool:
     return e != 1 and all(is_atom(base) and n.is_Integer and n > 0 for base, n in e.as_powers_dict().items())
 
 
-def _is_root_of_number(e: Any) -> bool:
-    """Whether an expression is a power of a number that is more than square roots of numbers."""
+def is_numeric(power: Any) -> bool:
+    """Whether a power is a square root, one with a whole exponent, or one of a number."""
+    return bool(power.exp.is_Rational) and (power.exp.q <= 2 or not power.base.free_symbols)
+
+
+def is_root_of_number(e: Any) -> bool:
+    """Whether an expression is a power of a positive number that is more than square roots of numbers."""
     return bool(
-        e.is_Pow and e.exp.is_Rational and e.exp.q > 1 and not e.free_symbols and not e.has(sympy.cos, sympy.pi)
-        and any(part.exp.q > 2 for part in e.atoms(sympy.Pow) if part.exp.is_Rational)
+        e.is_Pow and e.exp.is_Rational and e.exp.q > 1 and not e.has(sympy.Symbol, sympy.Function, sympy.NumberSymbol)
+        and any(part.exp.q > 2 for part in e.atoms(sympy.Pow) if part.exp.is_Rational) and sign_of_number(e.base) == 1
     )  # fmt: skip

@@ -48,7 +48,7 @@ def require_needs(
     factors = {terms for _, odd, _ in reading.functions.positives for terms in odd}
     for one in said:
         if not (
-            any(map(one.bears_on, reading.inverses))
+            any(map(one.bears_on, list(reading.inverses)))
             or any(map(one.allows, reading.domains))
             or any(odd <= factors for odd, _ in one.signs)
             or (one.relation == " != 0" and constant(one.polynomial))

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from functools import reduce
 from itertools import chain, pairwise
-from math import comb, factorial
 from operator import add, mul
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +12,7 @@ import sympy
 from sympy.matrices import MatrixBase, MatrixExpr
 
 from chasles.checker.determinants import Matrix, cofactor, determinant
-from chasles.checker.expressions.algebra import constant
+from chasles.checker.expressions.defined_functions import by_definition
 from chasles.checker.sparse import Polynomial, Rejected, number
 
 if TYPE_CHECKING:
@@ -117,15 +116,6 @@ def _before(term: Any, index: Any) -> Any:
     return total
 
 
-def _counted(reading: Expressions, e: Any, function: Callable[..., int]) -> Polynomial:
-    """A factorial or binomial coefficient of small natural numbers."""
-    numbers = [constant(reading(part)) for part in e.args]
-    whole = [int(n) for n in numbers if n is not None and n.denominator == 1 and 0 <= n <= LARGEST_NUMBER]
-    if len(whole) < len(numbers):
-        raise Rejected(f"{e} is not of small natural numbers")
-    return number(function(*whole))
-
-
 def _element(reading: Expressions, e: Any) -> Polynomial:
     matrix, i, j = e.args
     if not (i.is_Integer and j.is_Integer):
@@ -149,7 +139,5 @@ UNEVALUATED: Mapping[type, Callable[[Expressions, Any], Polynomial]] = {
     sympy.matrices.expressions.matexpr.MatrixElement: _element,
     sympy.Determinant: lambda reading, e: reading.normal(determinant(matrix_of(reading, e.arg))),
     sympy.Trace: lambda reading, e: _trace(reading, e.arg),
-    **dict.fromkeys((sympy.Sum, sympy.Product), lambda reading, e: reading(summed(e))),
-    sympy.factorial: lambda reading, e: _counted(reading, e, factorial),
-    sympy.binomial: lambda reading, e: _counted(reading, e, comb),
+    **dict.fromkeys((sympy.Sum, sympy.Product), lambda reading, e: reading(by_definition(summed(e)))),
 }

@@ -89,11 +89,11 @@ class _Widened:
             raise Rejected("one of the cases is not proved")
         if missing := [ways for ways in case.required_inside() if not {*ways} & set(self.needs)]:
             raise Rejected(f"one of the cases needs {missing[0][0]}, and the verdict does not say so")
-        more = Generalised(int(node.get("parts", 0)), case.names)
         case = replace(case, pairs=(*case.pairs, *((e, sympy.S.Zero) for e in case.equations)), equations=())
         for place, side in node.get("defined", ()):
             case = _without_defined(case, case.pairs[place], side)
         case = replace(case, pairs=tuple(pair for pair in case.pairs if pair))
+        more = Generalised(case.spoken, int(node.get("parts", 0)), case.names)
         sides = [list(map(more, side)) for side in case.sides]
         given = [sympy.Eq(more(one), more(other), evaluate=False) for one, other in case.pairs]
         nonzero = list(map(more, case.nonzero))

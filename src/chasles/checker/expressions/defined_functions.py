@@ -1,0 +1,115 @@
+"""Functions that others define, and of which no more is known than their recurrence, their sign, and values at points.
+
+The remainder and the fractional part are said by the greatest integer, as in Graham, Knuth and Patashnik, Concrete
+Mathematics, 3.1 and 3.4, factorials by the gamma function, as in Abramowitz and Stegun, Handbook of Mathematical
+Functions, 6.1.5 and 6.1.15.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from math import factorial, prod
+from typing import Any
+
+import sympy
+
+from chasles.checker.sparse import Rejected
+
+LARGEST = 200
+"""So many factors has a product that a recurrence gives at most."""
+VALUED = (sympy.floor, sympy.Mod, sympy.gamma, sympy.binomial)
+"""What is a quantity by itself once all others are said by these."""
+
+
+def _falling(e: Any) -> Any:
+    n, k = e.args
+    natural = k.is_Integer and 0 <= k <= LARGEST
+    return sympy.Mul(*(n - j for j in range(int(k)))) / factorial(int(k)) if natural else e
+
+
+def remainder(e: Any) -> Any:
+    """By the greatest integer."""
+    return e.args[0] - e.args[1] * sympy.floor(e.args[0] / e.args[1])
+
+
+BY_OTHERS = {
+    sympy.ceiling: lambda e: -sympy.floor(-e.args[0]),
+    sympy.frac: lambda e: e.args[0] - sympy.floor(e.args[0]),
+    # Else what divides by zero might cancel.
+    sympy.Mod: lambda e: remainder(e) if e.args[1].is_nonzero else e,
+    sympy.factorial: lambda e: sympy.gamma(e.args[0] + 1),
+    sympy.binomial: _falling,
+}
+
+
+def by_definition(e: Any) -> Any:
+    """The expression with what others define said by these."""
+    if not e.args or not e.has(*BY_OTHERS):
+        return e
+    parts = tuple(map(by_definition, e.args))
+    whole = e if parts == e.args else e.func(*parts)
+    rule = BY_OTHERS.get(type(whole))
+    return rule(whole) if rule else whole
+
+
+class Recurrences:
+    """What the gamma functions of some expressions are multiples of: the lowest of those that differ by integers."""
+
+    def __init__(self, expressions: Iterable[Any]) -> None:
+        self._lowest: dict[Any, Any] = {}
+        for call in {call for e in expressions for call in e.atoms(sympy.gamma)}:
+            rest, shift = _shifted(call)
+            self._lowest[rest] = min(shift, self._lowest.get(rest, shift))
+
+    def __call__(self, call: Any) -> tuple[Any, Any, int]:
+        """A factor, and a quantity that has a value everywhere, with the exponent with which it is multiplied by that.
+
+        A gamma function is one over its reciprocal, which has none of the poles.
+        """
+        if not isinstance(call, sympy.gamma):
+            return sympy.S.One, call.func(*map(sympy.expand, call.args)), 1
+        rest, shift = _shifted(call)
+        lowest = self._lowest[rest]
+        if shift - lowest > LARGEST:
+            raise Rejected(f"{call} is too many factors away from another one")
+        argument = sympy.expand(rest) + lowest
+        factor = prod((argument + j for j in range(shift - lowest)), start=sympy.S.One)
+        return factor, 1 / sympy.gamma(argument), -1
+
+
+def _shifted(call: Any) -> tuple[Any, int]:
+    """The argument of a gamma function without an integer, and this."""
+    constant, rest = sympy.expand(call.args[0]).as_coeff_Add()
+    shift = int(sympy.floor(constant)) if constant.is_Rational else 0
+    return rest + constant - shift, shift
+
+
+def defined_by(e: Any) -> tuple[Any, ...]:
+    """What has to be defined for a quantity that is the value of a function to be; nothing for any other.
+
+    The first is its first argument.
+    """
+    call = 1 / e if e.is_Pow else e
+    return (*call.args, *([call] if e.is_Pow else ())) if isinstance(call, VALUED) else ()
+
+
+def assumed_of(e: Any) -> dict[str, bool]:
+    """What is known of such a quantity."""
+    argument, *_ = defined_by(e)
+    if isinstance(e, sympy.floor):
+        return {"integer": True, **({"nonnegative": True} if argument.is_nonnegative else {})}
+    return {"positive": True} if e.is_Pow and argument.is_positive else {}
+
+
+def gamma_at(x: Any) -> Any:
+    """The value at an integer, or between two; raises `Rejected` where there is none, or none is known."""
+    if not x.is_Rational or x.q > 2 or abs(x) > LARGEST or (x.q == 1 and x <= 0):
+        raise Rejected(f"gamma({x}) has no value that is known to the checker")
+    factor = sympy.S.One
+    while x > 1:
+        x -= 1
+        factor *= x
+    while x < 0:
+        factor /= x
+        x += 1
+    return factor if x == 1 else factor * sympy.sqrt(sympy.pi)
