@@ -246,9 +246,9 @@ class Deduction:
         if not is_true and instead is not None and not found:
             meant = with_fields(claim, left=instead.left, right=instead.right)
             found = follows_of(meant, kinds, self.consequences) is False
-        names = ", ".join(str(symbol) for symbol in kinds)
-        kind = "scalars" if next(iter(kinds)).is_scalar else "vectors"
-        return f"{names} are {kind}" if (found is False if is_true else found) else ""
+        kind = "scalar" if next(iter(kinds)).is_scalar else "vector"
+        are = f"are {kind}s" if len(kinds) > 1 else f"is a {kind}"
+        return f"{', '.join(map(str, kinds))} {are}" if (found is False if is_true else found) else ""
 
     def _under(self, claim: Claim, given: Iterable[tuple[str, Claim]]) -> PageFinding:
         """The finding on a claim under the premises that a person gives, and no others of the page.

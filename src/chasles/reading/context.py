@@ -23,7 +23,7 @@ KINDS = {"()": "()", "[]": "[]", r"\{\}": "{}"}
 class FittingContext:
     """Reads in one notation; at `level` 1 also matrices without marks between blocks, at 2 also what is ill-formed.
 
-    `where` is the place of the equation.
+    `where` is the place of the equation; over indices that are `summed` a term runs that has them twice.
     """
 
     def __init__(self, notation: PageNotation, level: int = 0, where: str = "") -> None:
@@ -32,6 +32,7 @@ class FittingContext:
         self.tolerant = level == 2
         self.problems: list[Unread] = []
         self.work = 0
+        self.summed: frozenset[str] = frozenset()
         self.terms: Callable[[Terms], list[Fit]] = lambda terms: []
         self.product: Callable[[Atoms], list[Fit]] = lambda items: []
         self._style = Latex(notation.forms)

@@ -161,8 +161,7 @@ def _chain(said: PrintedChain, ctx: FittingContext) -> list[tuple[int, tuple[Par
     unknown = next((r for r in chain.relations if r.text in NO_CLAIM), None)
     if unknown:
         raise Unread(f"{unknown.text} claims nothing that can be decided", unknown)
-    if index := summed_over(chain, ctx.notation.numbering - ctx.notation.indices.keys()):
-        raise Unread(f"{index} stands twice in a product and not in all terms: it may be summed over")
+    ctx.summed = summed_over(chain, ctx.notation.numbering - ctx.notation.indices.keys())
     sides = [ctx.terms(side) for side in chain.sides if side is not None]
     if not all(sides):
         return []

@@ -31,6 +31,7 @@ from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.partial import PartialDerivative
 from chasles.vocabulary.pieces import Precedence
 
+RATES = frozenset({r"\dot", r"\ddot", r"\dddot"})
 COUNTERS = ("n", "k", "i", "j", "m", "t")
 """Letters that number the members of a sequence."""
 
@@ -127,8 +128,9 @@ def _value_fits(atom: Atom, bracket: Atom, ctx: FittingContext) -> list[Fit]:
     is_function = ctx.notation.functions.get(replace(letter, arguments="", sups=()))
     if is_function and is_operator(letter) and next(ctx.notation.letters.meanings(letter), None) is None:
         return ctx.of_its_own(spelled(letter))
-    if letter.accents and all(piece.kind == "NUMBER" or piece.sub for piece in pieces_of(bracket)):
-        bare = letter_fits(replace(letter, arguments=""), ctx)  # the rate is taken before the place
+    (place, *more) = pieces_of(bracket)
+    if RATES.issuperset(letter.accents) and letter.accents and not more and (place.kind == "NUMBER" or place.sub):
+        bare = letter_fits(replace(letter, arguments=""), ctx)  # the rate is taken before the place is
         return ctx.of_its_own(spelled(letter), [fit.node for fit in bare if fit.node is not None])
     fits = letter_fits(letter, ctx, is_function=is_function is not None)
     return [replace(fit, cost=fit.cost + (2 * UNUSUAL if is_function is False else 0)) for fit in fits]

@@ -128,9 +128,10 @@ def letter_uses(
             _note(side, "", _Noting(uses, usual, place, marks, bare, alone))
     if any(map(DIFFERENTIAL.search, texts)):
         uses.pop(Glyph("d"), None)
-    products = [[each for chain in chains for each in _products(chain, marks)] for chains in found]
+    products = [[each for chain in chains for each in _products(chain)] for chains in found]
     pairs = [each for page in products for each in page if len(each) == 2]
-    for own in set().union(*map(_in_both_orders, (*products, pairs))):
+    for letter in set().union(*map(_in_both_orders, (*products, pairs))):
+        own, _ = parted(letter, marks)
         if (use := uses.get(stem_of(own))) and own in use.letters:
             use.has_order = True
     uses = dict(sorted(uses.items(), key=lambda each: spelled(each[0])))
@@ -154,21 +155,21 @@ def _in_both_orders(products: Iterable[Sequence[Glyph]]) -> set[Glyph]:
     return {letter for one, other in pairs if (other, one) in pairs for letter in (one, other)}
 
 
-def _products(chain: Chain, marks: NameMarks) -> list[list[Glyph]]:
+def _products(chain: Chain) -> list[list[Glyph]]:
     """The letters of each term of the sides."""
-    return [_factors(row, marks) for side in chain.sides if side is not None for row in side.rows]
+    return [_factors(row) for side in chain.sides if side is not None for row in side.rows]
 
 
-def _factors(row: Atoms, marks: NameMarks) -> list[Glyph]:
+def _factors(row: Atoms) -> list[Glyph]:
     """The letters of a product in the order of print, those in brackets among them; behind another sign none."""
     found: list[Glyph] = []
     for piece in row:
         if piece.kind == "INFIX" and piece.text != r"\cdot":
             break
         if piece.text == "()":
-            found += [each for terms in piece.inside for inner in terms.rows for each in _factors(inner, marks)]
+            found += [each for terms in piece.inside for inner in terms.rows for each in _factors(inner)]
         elif piece.kind == "LETTER" or piece.text in TYPEFACES or piece.text in MARKS:
-            found.append(parted(letter_of(piece), marks)[0])
+            found.append(replace(letter_of(piece), place=None))
     return found
 
 

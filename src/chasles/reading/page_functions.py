@@ -32,8 +32,14 @@ def functions_in(chains: Iterable[Chain]) -> dict[Glyph, bool]:
             arguments.setdefault(letter, set()).add(text_of_atom(bracket.bare))
         listed |= {letter} if bracket is not None and lists_letters(bracket) else set()
     called = found[True] - found[False]
-    listed |= {letter for letter in called if is_operator(letter) or len(arguments[letter]) > 1}
+    listed |= {letter for letter in called if is_operator(letter) or _may_be_function(letter, arguments[letter])}
     return dict.fromkeys(called, False) | dict.fromkeys(listed, True)
+
+
+def _may_be_function(letter: Glyph, arguments: set[str]) -> bool:
+    """Whether it is a letter in italics before different arguments, each as short as 2 x or x + h."""
+    is_plain = len(letter.base.split()) == 1 and not letter.accents
+    return is_plain and len(arguments) > 1 and all(len(said.split()) < 9 for said in arguments)
 
 
 def neighbours(chains: Iterable[Chain]) -> Iterator[tuple[Atom, Atom | None]]:

@@ -57,10 +57,13 @@ def proposed(equations: Sequence[PrintedEquation]) -> str:
     lines = ["[operators]", *operators, "", "[symbols]"]
     marked = {word for stem, use in uses.items() if "marked" in use.signs for word in stem.base.split()}
     letters = KNOWN | marked - {word for stem, use in uses.items() if "{}" in use.signs for word in stem.base.split()}
-    with_order = any(use.has_order or r"^\dagger" in use.signs for use in uses.values())
+    of_operators = any(
+        (use.has_order and use.kind == "scalar" and looks(stem)[1]) or r"^\dagger" in use.signs
+        for stem, use in uses.items()
+    )
     for stem, use in uses.items():
         question = f"  # ? or {use.other}" if use.other not in ("", use.kind) else ""
-        doubt = _otherwise(stem, use, with_order)
+        doubt = _otherwise(stem, use, of_operators)
         for glyph, said in _declared(stem, use, uses):
             of = f", of = {_quoted(said['of'])}" if "of" in said else ""
             of += f", shape = {said['shape']}" if "shape" in said else ""
@@ -74,14 +77,15 @@ def proposed(equations: Sequence[PrintedEquation]) -> str:
     return "\n".join([*lines, "", "[page]", PROPOSED]) + "\n"
 
 
-def _otherwise(stem: Glyph, use: LetterUse, with_order: bool) -> str:
+def _otherwise(stem: Glyph, use: LetterUse, of_operators: bool) -> str:
     """What else than proposed a letter may be, where that is as likely: then what holds of one alone is in doubt.
 
-    Where a page has products in both orders, it speaks of matrices or operators; a cross may stand between numbers.
+    Letters that the page multiplies in both orders may be matrices or operators, and where one of them is a capital,
+    so may all capitals be; a cross may stand between numbers.
     """
     bold, large = looks(stem)
     are_entries = all(ENTRY.fullmatch(glyph.sub) for glyph in use.letters)
-    if use.kind == "scalar" and not (use.is_number or are_entries) and (use.has_order or (large and with_order)):
+    if use.kind == "scalar" and not (use.is_number or are_entries) and (use.has_order or (large and of_operators)):
         return "matrix"
     is_vector = bold or use.signs & {r"\cdot", r"\|\|", *SKEW, *(f"^{each}" for each in TRANSPOSES)}
     return "scalar" if use.kind == "vector" and r"\times" in use.signs and not is_vector else ""

@@ -10,7 +10,7 @@ from chasles.reading.glyphs import letter_of
 from chasles.reading.grammar import Chain, Terms, terms_in
 from chasles.reading.page_functions import neighbours
 
-INDICES = frozenset("ijklmnpqrs") | {r"\mu", r"\nu", r"\alpha", r"\beta", r"\rho", r"\sigma", r"\lambda", r"\kappa"}
+INDICES = frozenset("ijkl") | {r"\mu", r"\nu", r"\alpha", r"\beta", r"\rho", r"\sigma", r"\lambda", r"\kappa"}
 SAID = (r"\sum", r"\prod", r"\int", r"\max", r"\min")
 """Signs that say themselves what runs."""
 
@@ -28,16 +28,16 @@ def index_letters(chains: Iterable[Chain]) -> frozenset[str]:
     return frozenset(found)
 
 
-def summed_over(chain: Chain, indices: frozenset[str]) -> str:
-    """An index that one term of an equation has twice and another does not have; empty if there is none."""
+def summed_over(chain: Chain, indices: frozenset[str]) -> frozenset[str]:
+    """The indices that one term of an equation has twice and another does not have."""
     rows = [row for side in chain.sides if side is not None for row in side.rows]
-    terms = [_counted(row) for row in rows if [piece.text for piece in row] != ["0"]]
-    if any(piece.text in SAID for row in rows for piece in row):
-        return ""
-    return next((each for each in sorted(indices) if {0, 2} <= {term[each] for term in terms}), "")
+    terms = [counted(row) for row in rows if [piece.text for piece in row] != ["0"]]
+    if any(piece.text in SAID for piece, _ in neighbours([chain])):
+        return frozenset()
+    return frozenset(each for each in indices if {0, 2} <= {term[each] for term in terms})
 
 
-def _counted(row: Atoms) -> Counter[str]:
+def counted(row: Atoms) -> Counter[str]:
     """How often each index stands in a product; in a sum in brackets, as often as in its terms."""
     total: Counter[str] = Counter()
     for piece in row:
@@ -50,7 +50,7 @@ def _counted(row: Atoms) -> Counter[str]:
 def _most(terms: Terms) -> Counter[str]:
     most: Counter[str] = Counter()
     for row in terms.rows:
-        most |= _counted(row)
+        most |= counted(row)
     return most
 
 

@@ -10,6 +10,7 @@ from chasles.reading.glyphs import in_latex, text_of, text_of_row
 from chasles.reading.grammar import Terms
 from chasles.reading.rows import row_fits
 from chasles.reading.spellings import called
+from chasles.reading.summed_indices import counted
 from chasles.vocabulary import Negative, Node, Sum
 from chasles.vocabulary.dimension import has_units
 from chasles.vocabulary.pieces import Precedence
@@ -52,10 +53,12 @@ def sum_fits(terms: Terms, ctx: FittingContext) -> list[Fit]:
 
 
 def _row(row: Atoms, ctx: FittingContext) -> list[Fit]:
-    """The readings of a row; one with factors that are left out is a quantity of its own."""
-    if has_units(ctx.notation.home) or not any(piece.text in DOTS for piece in row):
+    """The readings of a row; one with factors that are left out, or summed over, is a quantity of its own."""
+    is_summed = bool(ctx.summed) and max(map(counted(row).__getitem__, ctx.summed)) > 1
+    is_open = any(piece.text in DOTS for piece in row)
+    if has_units(ctx.notation.home) or not (is_summed or is_open):
         return row_fits(row, ctx)
-    return ctx.of_its_own(in_latex(text_of_row(row)), here=True)
+    return ctx.of_its_own(in_latex(text_of_row(row)), here=is_open)
 
 
 def _is_open(row: Atoms) -> bool:
