@@ -244,13 +244,15 @@ def _residual(equations: Sequence[Pair], values: ValuesInMotion) -> tuple[Array,
 
 
 def _equal(left: Matrix, right: Matrix) -> bool | None:
-    """Whether the values are equal now; None where that is not the same at all motions."""
+    """Whether the values are equal now; None where they have none, or that is not the same at all motions."""
     pairs = [pair for rows in zip(left, right, strict=True) for pair in zip(*rows, strict=True)]
-    size = 1 + np.max([np.max(np.abs(side.now)) for pair in pairs for side in pair])
+    values = [np.max(np.abs(side.now), axis=-1) for pair in pairs for side in pair]
     between = [np.max(np.abs(one.now - other.now), axis=-1) for one, other in pairs]
-    apart = np.max(np.stack(np.broadcast_arrays(*between)), axis=0)
-    if not np.all(np.isfinite(apart)) or not np.isfinite(size):
+    sizes, apart = (np.max(np.stack(np.broadcast_arrays(*each)), axis=0) for each in (values, between))
+    is_real = np.isfinite(apart) & np.isfinite(sizes)
+    if not np.any(is_real):
         return None
+    apart, size = apart[is_real], 1 + np.max(sizes[is_real])
     if np.all(apart > TOLERANCE * size):
         return False
     return True if np.all(apart <= TOLERANCE * size) else None

@@ -42,6 +42,8 @@ from chasles.verdict import Assumed, Contradictory, Defined, Fails, Holds, Holds
 from chasles.vocabulary import PI, Node, plain, walk
 from chasles.vocabulary.families import indices_of
 
+MOST_UNLIKELY = 6
+"""So many sets of premises are tried of which a random motion does not tell whether a claim follows from them."""
 WORK = 1e6
 """The work that one attempt at a proof may take, in products of terms."""
 
@@ -50,13 +52,15 @@ WORK = 1e6
 class Deduction:
     """Decides the equations of a page in the order in which it states them.
 
-    Where what the letters are `is_proposed` only, what does not fit together is open.
+    Where what the letters are `is_proposed` only, what does not fit together is open. So many sets of premises from
+    which it is not likely to follow are tried for each claim: of another reading none.
     """
 
     premises: Premises
     session: Session = field(default_factory=lambda: Session(WORK))
     is_proposed: bool = False
     may_follow: dict[str, bool | None] = field(default_factory=dict)
+    most_unlikely: int = MOST_UNLIKELY
     _foretold: dict[tuple[str, int], PageFinding] = field(default_factory=dict)
     _derivatives: UnsaidDerivatives = field(default_factory=UnsaidDerivatives)
     _said_here: tuple[int, dict[Quantity, Node]] = (0, {})
@@ -68,7 +72,9 @@ class Deduction:
 
     def fork(self) -> Deduction:
         """A deduction that goes on from here by itself."""
-        other = Deduction(self.premises.copy(), self.session, self.is_proposed, self.may_follow, dict(self._foretold))
+        other = Deduction(
+            self.premises.copy(), self.session, self.is_proposed, self.may_follow, 0, dict(self._foretold)
+        )
         other._derivatives, other._said_here = self._derivatives.copy(), (self._said_here[0], dict(self._said_here[1]))
         other.consequences = self.consequences
         return other
@@ -226,7 +232,11 @@ class Deduction:
 
     def _proof(self, claim: Claim) -> PageFinding | None:
         """The finding on a claim that follows from what the page has said; None for any other."""
+        unlikely = 0
         for attempt in attempts(claim, self.premises, self.consequences):
+            unlikely += not attempt.likely
+            if not attempt.likely and unlikely > self.most_unlikely:
+                continue
             verdict = proof_of(attempt.claim, self.session, attempt.likely)
             if verdict is not None:
                 verdict = _resting_on(attempt.assumed, verdict)
