@@ -104,8 +104,8 @@ static void find_strides(const chasles_loop *loop, const ptrdiff_t *core, Stride
     }
 }
 
-/* Whether blocks take the items of operand k as they lie: without gaps in or, unless their level is for these alone,
- * between them; or a whole register's items side by side in each of their numbers. */
+/* Whether blocks take the items of operand k as they lie: without gaps in them or, unless their level is for these
+ * alone, wherever their numbers are, if there are as many items as a register holds. */
 static int is_taken(const chasles_loop *loop, int k, ptrdiff_t step, Stride stride, int level, ptrdiff_t count)
 {
     if (level == 2 && !loop->gaps) {
@@ -113,16 +113,15 @@ static int is_taken(const chasles_loop *loop, int k, ptrdiff_t step, Stride stri
     }
     /* Blocks that round from double may be behind a loop of floats, and know items alone. */
     const int knows_rows = CHASLES_VECTORS && (loop->gaps < 2 || loop->number == (ptrdiff_t)sizeof(double));
-    const int side_by_side = step == loop->number && stride.across != step && count >> shift_of(loop, level) > 0;
-    return stride.dense || (knows_rows && side_by_side);
+    return stride.dense || (knows_rows && count >> shift_of(loop, level) > 0);
 }
 
 /* Whether the items of each operand lie one after the other. */
-static int is_packed(const chasles_loop *loop, const ptrdiff_t *steps)
+static int is_packed(const chasles_loop *loop, const ptrdiff_t *steps, const Stride *strides)
 {
     int packed = 1;
     for (int k = 0; k < loop->operands; k++) {
-        packed &= steps[k] == size_of(loop, k);
+        packed &= strides[k].dense && steps[k] == size_of(loop, k);
     }
     return packed;
 }
@@ -306,7 +305,8 @@ static ptrdiff_t room_of(const chasles_loop *loop, ptrdiff_t lanes)
 /* The output whose items lie one after the other and are so many that the cache could not keep them: then a line of
  * memory is better not read before it is written. Where more is read than written that saves little, and on machines
  * of some makers it costs more than it saves. -1 where there is none. */
-static int streamed_output(const chasles_loop *loop, ptrdiff_t count, const ptrdiff_t *steps)
+static int streamed_output(
+    const chasles_loop *loop, ptrdiff_t count, const ptrdiff_t *steps, const Stride *strides)
 {
     int widest = loop->inputs;
     for (int k = widest; k < loop->operands; k++) {
@@ -319,7 +319,7 @@ static int streamed_output(const chasles_loop *loop, ptrdiff_t count, const ptrd
     }
     const int many = size >= CHASLES_WIDE * loop->number && count * size >= CHASLES_STREAMED;
     const int fits = size * CHASLES_LANES <= CHASLES_STORE / 2 - 2 * CHASLES_LINE && loop->gaps < 2;
-    return many && fits && size > read && steps[widest] == size ? widest : -1;
+    return many && fits && size > read && strides[widest].dense && steps[widest] == size ? widest : -1;
 }
 
 /* Waits until what went around the cache is where others see it. */
@@ -328,9 +328,10 @@ static void settle(void)
     _mm_sfence();
 }
 #else
-static int streamed_output(const chasles_loop *loop, ptrdiff_t count, const ptrdiff_t *steps)
+static int streamed_output(
+    const chasles_loop *loop, ptrdiff_t count, const ptrdiff_t *steps, const Stride *strides)
 {
-    (void)loop, (void)count, (void)steps;
+    (void)loop, (void)count, (void)steps, (void)strides;
     return -1;
 }
 
@@ -455,7 +456,7 @@ void chasles_run(
     }
     if (level == 2 && !loop->gaps) {
         /* Such blocks take items without gaps; by narrower registers few items are computed, and what has gaps. */
-        const int packed = is_packed(loop, steps);
+        const int packed = is_packed(loop, steps, strides);
         level = count >> shift_of(loop, level) == 0 || (lies_well && !packed) ? 1 : 2;
         lies_well = lies_well && (level == 1 || packed);
     }
@@ -476,7 +477,7 @@ void chasles_run(
         count = run.lanes;
     }
     const int in_place = lies_well && count >= run.lanes;
-    const int streamed = in_place ? streamed_output(loop, count, run.rest.steps) : -1;
+    const int streamed = in_place ? streamed_output(loop, count, run.rest.steps, strides) : -1;
     ptrdiff_t left = count;
     const State state = quiet();
     if (streamed >= 0) {

@@ -54,6 +54,7 @@
 /* Whether blocks of x86-64-v4 take items with gaps between them, as there are no others; else they know the steps. */
 #define CHASLES_GAPS (CHASLES_LEAST == 2)
 #define CHASLES_STEP(k, size) (CHASLES_LEVEL < 2 || CHASLES_GAPS ? steps[k] : (ptrdiff_t)(size))
+#define CHASLES_DENSE(found) (CHASLES_LEVEL < 2 || CHASLES_GAPS ? (found) : 1)
 
 #if CHASLES_LEVELS == 1
 #define CHASLES_DECLARED(name) name##_baseline

@@ -23,14 +23,14 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
+    ptrdiff_t entries2[9];
+    const int dense2 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -48,7 +48,19 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &e[0]);
+        } else if (step0 == sizeof(double)) {
+            e[0] = PACKED_IN(item0 + entries0[0], 0);
+            e[1] = PACKED_IN(item0 + entries0[1], 0);
+            e[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         const doubles sin_half_phi = sines[0][g];
         const doubles t1 = choose(equal(sin_half_phi, spread(0.0)), spread(0.0), spread(0.5));
         const doubles t2 = t1 / sin_half_phi;
@@ -64,9 +76,33 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_block)(
         const doubles result8 = t3 + e[2] * (e[2] * t4);
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 9);
-        give_4(item2, 0, 3, down2, across2, step2, result0, result1, result2, result1);
-        give_4(item2, 4, 3, down2, across2, step2, result4, result5, result2, result5);
-        give_1(item2, 8, 3, down2, across2, step2, result8);
+        if (dense2) {
+            store_4(item2 + 0 * sizeof(double), step2, result0, result1, result2, result1);
+            store_4(item2 + 4 * sizeof(double), step2, result4, result5, result2, result5);
+            store_1(item2 + 8 * sizeof(double), step2, result8);
+        } else if (step2 == sizeof(double)) {
+            PACKED(item2 + entries2[0], 0) = result0;
+            PACKED(item2 + entries2[1], 0) = result1;
+            PACKED(item2 + entries2[2], 0) = result2;
+            PACKED(item2 + entries2[3], 0) = result1;
+            PACKED(item2 + entries2[4], 0) = result4;
+            PACKED(item2 + entries2[5], 0) = result5;
+            PACKED(item2 + entries2[6], 0) = result2;
+            PACKED(item2 + entries2[7], 0) = result5;
+            PACKED(item2 + entries2[8], 0) = result8;
+        } else {
+            const doubles all[] = {
+            result0,
+            result1,
+            result2,
+            result1,
+            result4,
+            result5,
+            result2,
+            result5,
+            result8};
+            give_each(item2, entries2, step2, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -79,14 +115,14 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
+    ptrdiff_t entries2[9];
+    const int dense2 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -104,7 +140,19 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
+        } else if (step0 == sizeof(float)) {
+            e[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            e[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            e[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         const floats sin_half_phi = sines[0][g];
         const truthsf t1 = equalf(sin_half_phi, spreadf(0.0f));
         const floats t2 = choosef(t1, spreadf(0.0f), spreadf(0.5f)) / sin_half_phi;
@@ -120,9 +168,33 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_blockf)(
         const floats result8 = t3 + e[2] * (e[2] * t4);
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 9);
-        give_4f(item2, 0, 3, down2, across2, step2, result0, result1, result2, result1);
-        give_4f(item2, 4, 3, down2, across2, step2, result4, result5, result2, result5);
-        give_1f(item2, 8, 3, down2, across2, step2, result8);
+        if (dense2) {
+            store_4f(item2 + 0 * sizeof(float), step2, result0, result1, result2, result1);
+            store_4f(item2 + 4 * sizeof(float), step2, result4, result5, result2, result5);
+            store_1f(item2 + 8 * sizeof(float), step2, result8);
+        } else if (step2 == sizeof(float)) {
+            PACKEDF(item2 + entries2[0], 0) = result0;
+            PACKEDF(item2 + entries2[1], 0) = result1;
+            PACKEDF(item2 + entries2[2], 0) = result2;
+            PACKEDF(item2 + entries2[3], 0) = result1;
+            PACKEDF(item2 + entries2[4], 0) = result4;
+            PACKEDF(item2 + entries2[5], 0) = result5;
+            PACKEDF(item2 + entries2[6], 0) = result2;
+            PACKEDF(item2 + entries2[7], 0) = result5;
+            PACKEDF(item2 + entries2[8], 0) = result8;
+        } else {
+            const floats all[] = {
+            result0,
+            result1,
+            result2,
+            result1,
+            result4,
+            result5,
+            result2,
+            result5,
+            result8};
+            give_eachf(item2, entries2, step2, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -135,22 +207,22 @@ void CHASLES_LEVELED(chasles_screw_axis_point_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 3 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
+    ptrdiff_t entries3[3];
+    const int dense3 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 3 * sizeof(double));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
+    ptrdiff_t entries4[3];
+    const int dense4 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -168,15 +240,51 @@ void CHASLES_LEVELED(chasles_screw_axis_point_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &e[0]);
+        } else if (step0 == sizeof(double)) {
+            e[0] = PACKED_IN(item0 + entries0[0], 0);
+            e[1] = PACKED_IN(item0 + entries0[1], 0);
+            e[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         doubles a[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        take_3(item2, 0, 3, down2, across2, step2, a);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &a[0]);
+        } else if (step2 == sizeof(double)) {
+            a[0] = PACKED_IN(item2 + entries2[0], 0);
+            a[1] = PACKED_IN(item2 + entries2[1], 0);
+            a[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item2, entries2, step2, 3, all);
+            a[0] = all[0];
+            a[1] = all[1];
+            a[2] = all[2];
+        }
         doubles a_prime[3];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 3);
-        take_3(item3, 0, 3, down3, across3, step3, a_prime);
+        if (dense3) {
+            load_3(item3 + 0 * sizeof(double), step3, &a_prime[0]);
+        } else if (step3 == sizeof(double)) {
+            a_prime[0] = PACKED_IN(item3 + entries3[0], 0);
+            a_prime[1] = PACKED_IN(item3 + entries3[1], 0);
+            a_prime[2] = PACKED_IN(item3 + entries3[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item3, entries3, step3, 3, all);
+            a_prime[0] = all[0];
+            a_prime[1] = all[1];
+            a_prime[2] = all[2];
+        }
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t1 = a[0] + a_prime[0];
@@ -193,7 +301,16 @@ void CHASLES_LEVELED(chasles_screw_axis_point_block)(
         const doubles p_0_2 = 0.5 * ((e[0] * t6 - e[1] * t5) * t9 - (e[2] * t4 - t3));
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 3);
-        give_3(item4, 0, 3, down4, across4, step4, p_0_0, p_0_1, p_0_2);
+        if (dense4) {
+            store_3(item4 + 0 * sizeof(double), step4, p_0_0, p_0_1, p_0_2);
+        } else if (step4 == sizeof(double)) {
+            PACKED(item4 + entries4[0], 0) = p_0_0;
+            PACKED(item4 + entries4[1], 0) = p_0_1;
+            PACKED(item4 + entries4[2], 0) = p_0_2;
+        } else {
+            const doubles all[] = {p_0_0, p_0_1, p_0_2};
+            give_each(item4, entries4, step4, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -206,22 +323,22 @@ void CHASLES_LEVELED(chasles_screw_axis_point_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 3 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
+    ptrdiff_t entries3[3];
+    const int dense3 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 3 * sizeof(float));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
+    ptrdiff_t entries4[3];
+    const int dense4 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -239,15 +356,51 @@ void CHASLES_LEVELED(chasles_screw_axis_point_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
+        } else if (step0 == sizeof(float)) {
+            e[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            e[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            e[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         floats a[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        take_3f(item2, 0, 3, down2, across2, step2, a);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &a[0]);
+        } else if (step2 == sizeof(float)) {
+            a[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            a[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            a[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item2, entries2, step2, 3, all);
+            a[0] = all[0];
+            a[1] = all[1];
+            a[2] = all[2];
+        }
         floats a_prime[3];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 3);
-        take_3f(item3, 0, 3, down3, across3, step3, a_prime);
+        if (dense3) {
+            load_3f(item3 + 0 * sizeof(float), step3, &a_prime[0]);
+        } else if (step3 == sizeof(float)) {
+            a_prime[0] = PACKEDF_IN(item3 + entries3[0], 0);
+            a_prime[1] = PACKEDF_IN(item3 + entries3[1], 0);
+            a_prime[2] = PACKEDF_IN(item3 + entries3[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item3, entries3, step3, 3, all);
+            a_prime[0] = all[0];
+            a_prime[1] = all[1];
+            a_prime[2] = all[2];
+        }
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats t1 = a[0] + a_prime[0];
@@ -264,7 +417,16 @@ void CHASLES_LEVELED(chasles_screw_axis_point_blockf)(
         const floats p_0_2 = 0.5f * ((e[0] * t6 - e[1] * t5) * t9 - (e[2] * t4 - t3));
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 3);
-        give_3f(item4, 0, 3, down4, across4, step4, p_0_0, p_0_1, p_0_2);
+        if (dense4) {
+            store_3f(item4 + 0 * sizeof(float), step4, p_0_0, p_0_1, p_0_2);
+        } else if (step4 == sizeof(float)) {
+            PACKEDF(item4 + entries4[0], 0) = p_0_0;
+            PACKEDF(item4 + entries4[1], 0) = p_0_1;
+            PACKEDF(item4 + entries4[2], 0) = p_0_2;
+        } else {
+            const floats all[] = {p_0_0, p_0_1, p_0_2};
+            give_eachf(item4, entries4, step4, 3, all);
+        }
         stream_lines(&copied);
     }
 }

@@ -23,26 +23,50 @@ void CHASLES_LEVELED(chasles_plucker_line_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 6 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles p_1[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, p_1);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &p_1[0]);
+        } else if (step0 == sizeof(double)) {
+            p_1[0] = PACKED_IN(item0 + entries0[0], 0);
+            p_1[1] = PACKED_IN(item0 + entries0[1], 0);
+            p_1[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            p_1[0] = all[0];
+            p_1[1] = all[1];
+            p_1[2] = all[2];
+        }
         doubles p_2[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        take_3(item1, 0, 3, down1, across1, step1, p_2);
+        if (dense1) {
+            load_3(item1 + 0 * sizeof(double), step1, &p_2[0]);
+        } else if (step1 == sizeof(double)) {
+            p_2[0] = PACKED_IN(item1 + entries1[0], 0);
+            p_2[1] = PACKED_IN(item1 + entries1[1], 0);
+            p_2[2] = PACKED_IN(item1 + entries1[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item1, entries1, step1, 3, all);
+            p_2[0] = all[0];
+            p_2[1] = all[1];
+            p_2[2] = all[2];
+        }
         const doubles t1 = p_2[0] - p_1[0];
         const doubles t2 = p_2[1] - p_1[1];
         const doubles t3 = p_2[2] - p_1[2];
@@ -66,8 +90,20 @@ void CHASLES_LEVELED(chasles_plucker_line_block)(
         const doubles kappa5 = p_1[0] * kappa1 - p_1[1] * kappa0;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 6);
-        give_4(item2, 0, 6, down2, across2, step2, kappa0, kappa1, kappa2, kappa3);
-        give_2(item2, 4, 6, down2, across2, step2, kappa4, kappa5);
+        if (dense2) {
+            store_4(item2 + 0 * sizeof(double), step2, kappa0, kappa1, kappa2, kappa3);
+            store_2(item2 + 4 * sizeof(double), step2, kappa4, kappa5);
+        } else if (step2 == sizeof(double)) {
+            PACKED(item2 + entries2[0], 0) = kappa0;
+            PACKED(item2 + entries2[1], 0) = kappa1;
+            PACKED(item2 + entries2[2], 0) = kappa2;
+            PACKED(item2 + entries2[3], 0) = kappa3;
+            PACKED(item2 + entries2[4], 0) = kappa4;
+            PACKED(item2 + entries2[5], 0) = kappa5;
+        } else {
+            const doubles all[] = {kappa0, kappa1, kappa2, kappa3, kappa4, kappa5};
+            give_each(item2, entries2, step2, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -80,26 +116,50 @@ void CHASLES_LEVELED(chasles_plucker_line_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 6 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats p_1[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, p_1);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &p_1[0]);
+        } else if (step0 == sizeof(float)) {
+            p_1[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            p_1[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            p_1[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            p_1[0] = all[0];
+            p_1[1] = all[1];
+            p_1[2] = all[2];
+        }
         floats p_2[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        take_3f(item1, 0, 3, down1, across1, step1, p_2);
+        if (dense1) {
+            load_3f(item1 + 0 * sizeof(float), step1, &p_2[0]);
+        } else if (step1 == sizeof(float)) {
+            p_2[0] = PACKEDF_IN(item1 + entries1[0], 0);
+            p_2[1] = PACKEDF_IN(item1 + entries1[1], 0);
+            p_2[2] = PACKEDF_IN(item1 + entries1[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item1, entries1, step1, 3, all);
+            p_2[0] = all[0];
+            p_2[1] = all[1];
+            p_2[2] = all[2];
+        }
         const floats t1 = p_2[0] - p_1[0];
         const floats t2 = p_2[1] - p_1[1];
         const floats t3 = p_2[2] - p_1[2];
@@ -123,8 +183,20 @@ void CHASLES_LEVELED(chasles_plucker_line_blockf)(
         const floats kappa5 = p_1[0] * kappa1 - p_1[1] * kappa0;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 6);
-        give_4f(item2, 0, 6, down2, across2, step2, kappa0, kappa1, kappa2, kappa3);
-        give_2f(item2, 4, 6, down2, across2, step2, kappa4, kappa5);
+        if (dense2) {
+            store_4f(item2 + 0 * sizeof(float), step2, kappa0, kappa1, kappa2, kappa3);
+            store_2f(item2 + 4 * sizeof(float), step2, kappa4, kappa5);
+        } else if (step2 == sizeof(float)) {
+            PACKEDF(item2 + entries2[0], 0) = kappa0;
+            PACKEDF(item2 + entries2[1], 0) = kappa1;
+            PACKEDF(item2 + entries2[2], 0) = kappa2;
+            PACKEDF(item2 + entries2[3], 0) = kappa3;
+            PACKEDF(item2 + entries2[4], 0) = kappa4;
+            PACKEDF(item2 + entries2[5], 0) = kappa5;
+        } else {
+            const floats all[] = {kappa0, kappa1, kappa2, kappa3, kappa4, kappa5};
+            give_eachf(item2, entries2, step2, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -137,35 +209,77 @@ void CHASLES_LEVELED(chasles_plucker_transfer_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 6 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries0[6];
+    const int dense0 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(6, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(7, 1 * sizeof(double));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step1, steps + 6, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles kappa_A[6];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 6);
-        take_4(item0, 0, 6, down0, across0, step0, kappa_A);
-        take_2(item0, 4, 6, down0, across0, step0, &kappa_A[4]);
+        if (dense0) {
+            load_4(item0 + 0 * sizeof(double), step0, &kappa_A[0]);
+            load_2(item0 + 4 * sizeof(double), step0, &kappa_A[4]);
+        } else if (step0 == sizeof(double)) {
+            kappa_A[0] = PACKED_IN(item0 + entries0[0], 0);
+            kappa_A[1] = PACKED_IN(item0 + entries0[1], 0);
+            kappa_A[2] = PACKED_IN(item0 + entries0[2], 0);
+            kappa_A[3] = PACKED_IN(item0 + entries0[3], 0);
+            kappa_A[4] = PACKED_IN(item0 + entries0[4], 0);
+            kappa_A[5] = PACKED_IN(item0 + entries0[5], 0);
+        } else {
+            doubles all[6];
+            take_each(item0, entries0, step0, 6, all);
+            kappa_A[0] = all[0];
+            kappa_A[1] = all[1];
+            kappa_A[2] = all[2];
+            kappa_A[3] = all[3];
+            kappa_A[4] = all[4];
+            kappa_A[5] = all[5];
+        }
         doubles a[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        take_3(item1, 0, 3, down1, across1, step1, a);
+        if (dense1) {
+            load_3(item1 + 0 * sizeof(double), step1, &a[0]);
+        } else if (step1 == sizeof(double)) {
+            a[0] = PACKED_IN(item1 + entries1[0], 0);
+            a[1] = PACKED_IN(item1 + entries1[1], 0);
+            a[2] = PACKED_IN(item1 + entries1[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item1, entries1, step1, 3, all);
+            a[0] = all[0];
+            a[1] = all[1];
+            a[2] = all[2];
+        }
         doubles b[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        take_3(item2, 0, 3, down2, across2, step2, b);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &b[0]);
+        } else if (step2 == sizeof(double)) {
+            b[0] = PACKED_IN(item2 + entries2[0], 0);
+            b[1] = PACKED_IN(item2 + entries2[1], 0);
+            b[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item2, entries2, step2, 3, all);
+            b[0] = all[0];
+            b[1] = all[1];
+            b[2] = all[2];
+        }
         const doubles kappa_B0 = kappa_A[0];
         const doubles kappa_B1 = kappa_A[1];
         const doubles kappa_B2 = kappa_A[2];
@@ -177,8 +291,20 @@ void CHASLES_LEVELED(chasles_plucker_transfer_block)(
         const doubles kappa_B5 = kappa_A[5] + (kappa_B1 * t1 - kappa_B0 * t2);
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 6);
-        give_4(item3, 0, 6, down3, across3, step3, kappa_B0, kappa_B1, kappa_B2, kappa_B3);
-        give_2(item3, 4, 6, down3, across3, step3, kappa_B4, kappa_B5);
+        if (dense3) {
+            store_4(item3 + 0 * sizeof(double), step3, kappa_B0, kappa_B1, kappa_B2, kappa_B3);
+            store_2(item3 + 4 * sizeof(double), step3, kappa_B4, kappa_B5);
+        } else if (step3 == sizeof(double)) {
+            PACKED(item3 + entries3[0], 0) = kappa_B0;
+            PACKED(item3 + entries3[1], 0) = kappa_B1;
+            PACKED(item3 + entries3[2], 0) = kappa_B2;
+            PACKED(item3 + entries3[3], 0) = kappa_B3;
+            PACKED(item3 + entries3[4], 0) = kappa_B4;
+            PACKED(item3 + entries3[5], 0) = kappa_B5;
+        } else {
+            const doubles all[] = {kappa_B0, kappa_B1, kappa_B2, kappa_B3, kappa_B4, kappa_B5};
+            give_each(item3, entries3, step3, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -191,35 +317,77 @@ void CHASLES_LEVELED(chasles_plucker_transfer_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 6 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries0[6];
+    const int dense0 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(6, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(7, 1 * sizeof(float));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step1, steps + 6, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats kappa_A[6];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 6);
-        take_4f(item0, 0, 6, down0, across0, step0, kappa_A);
-        take_2f(item0, 4, 6, down0, across0, step0, &kappa_A[4]);
+        if (dense0) {
+            load_4f(item0 + 0 * sizeof(float), step0, &kappa_A[0]);
+            load_2f(item0 + 4 * sizeof(float), step0, &kappa_A[4]);
+        } else if (step0 == sizeof(float)) {
+            kappa_A[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            kappa_A[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            kappa_A[2] = PACKEDF_IN(item0 + entries0[2], 0);
+            kappa_A[3] = PACKEDF_IN(item0 + entries0[3], 0);
+            kappa_A[4] = PACKEDF_IN(item0 + entries0[4], 0);
+            kappa_A[5] = PACKEDF_IN(item0 + entries0[5], 0);
+        } else {
+            floats all[6];
+            take_eachf(item0, entries0, step0, 6, all);
+            kappa_A[0] = all[0];
+            kappa_A[1] = all[1];
+            kappa_A[2] = all[2];
+            kappa_A[3] = all[3];
+            kappa_A[4] = all[4];
+            kappa_A[5] = all[5];
+        }
         floats a[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        take_3f(item1, 0, 3, down1, across1, step1, a);
+        if (dense1) {
+            load_3f(item1 + 0 * sizeof(float), step1, &a[0]);
+        } else if (step1 == sizeof(float)) {
+            a[0] = PACKEDF_IN(item1 + entries1[0], 0);
+            a[1] = PACKEDF_IN(item1 + entries1[1], 0);
+            a[2] = PACKEDF_IN(item1 + entries1[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item1, entries1, step1, 3, all);
+            a[0] = all[0];
+            a[1] = all[1];
+            a[2] = all[2];
+        }
         floats b[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        take_3f(item2, 0, 3, down2, across2, step2, b);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &b[0]);
+        } else if (step2 == sizeof(float)) {
+            b[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            b[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            b[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item2, entries2, step2, 3, all);
+            b[0] = all[0];
+            b[1] = all[1];
+            b[2] = all[2];
+        }
         const floats kappa_B0 = kappa_A[0];
         const floats kappa_B1 = kappa_A[1];
         const floats kappa_B2 = kappa_A[2];
@@ -231,8 +399,20 @@ void CHASLES_LEVELED(chasles_plucker_transfer_blockf)(
         const floats kappa_B5 = kappa_A[5] + (kappa_B1 * t1 - kappa_B0 * t2);
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 6);
-        give_4f(item3, 0, 6, down3, across3, step3, kappa_B0, kappa_B1, kappa_B2, kappa_B3);
-        give_2f(item3, 4, 6, down3, across3, step3, kappa_B4, kappa_B5);
+        if (dense3) {
+            store_4f(item3 + 0 * sizeof(float), step3, kappa_B0, kappa_B1, kappa_B2, kappa_B3);
+            store_2f(item3 + 4 * sizeof(float), step3, kappa_B4, kappa_B5);
+        } else if (step3 == sizeof(float)) {
+            PACKEDF(item3 + entries3[0], 0) = kappa_B0;
+            PACKEDF(item3 + entries3[1], 0) = kappa_B1;
+            PACKEDF(item3 + entries3[2], 0) = kappa_B2;
+            PACKEDF(item3 + entries3[3], 0) = kappa_B3;
+            PACKEDF(item3 + entries3[4], 0) = kappa_B4;
+            PACKEDF(item3 + entries3[5], 0) = kappa_B5;
+        } else {
+            const floats all[] = {kappa_B0, kappa_B1, kappa_B2, kappa_B3, kappa_B4, kappa_B5};
+            give_eachf(item3, entries3, step3, 6, all);
+        }
         stream_lines(&copied);
     }
 }

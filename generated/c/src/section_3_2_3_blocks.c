@@ -23,30 +23,78 @@ void CHASLES_LEVELED(chasles_rotation_in_triad_axes_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[9];
+    const int dense0 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
+    ptrdiff_t entries2[9];
+    const int dense2 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles triad[9];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 9);
-        take_4(item0, 0, 3, down0, across0, step0, triad);
-        take_4(item0, 4, 3, down0, across0, step0, &triad[4]);
-        take_1(item0, 8, 3, down0, across0, step0, &triad[8]);
+        if (dense0) {
+            load_4(item0 + 0 * sizeof(double), step0, &triad[0]);
+            load_4(item0 + 4 * sizeof(double), step0, &triad[4]);
+            load_1(item0 + 8 * sizeof(double), step0, &triad[8]);
+        } else if (step0 == sizeof(double)) {
+            triad[0] = PACKED_IN(item0 + entries0[0], 0);
+            triad[1] = PACKED_IN(item0 + entries0[1], 0);
+            triad[2] = PACKED_IN(item0 + entries0[2], 0);
+            triad[3] = PACKED_IN(item0 + entries0[3], 0);
+            triad[4] = PACKED_IN(item0 + entries0[4], 0);
+            triad[5] = PACKED_IN(item0 + entries0[5], 0);
+            triad[6] = PACKED_IN(item0 + entries0[6], 0);
+            triad[7] = PACKED_IN(item0 + entries0[7], 0);
+            triad[8] = PACKED_IN(item0 + entries0[8], 0);
+        } else {
+            doubles all[9];
+            take_each(item0, entries0, step0, 9, all);
+            triad[0] = all[0];
+            triad[1] = all[1];
+            triad[2] = all[2];
+            triad[3] = all[3];
+            triad[4] = all[4];
+            triad[5] = all[5];
+            triad[6] = all[6];
+            triad[7] = all[7];
+            triad[8] = all[8];
+        }
         doubles triad_prime[9];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 9);
-        take_4(item1, 0, 3, down1, across1, step1, triad_prime);
-        take_4(item1, 4, 3, down1, across1, step1, &triad_prime[4]);
-        take_1(item1, 8, 3, down1, across1, step1, &triad_prime[8]);
+        if (dense1) {
+            load_4(item1 + 0 * sizeof(double), step1, &triad_prime[0]);
+            load_4(item1 + 4 * sizeof(double), step1, &triad_prime[4]);
+            load_1(item1 + 8 * sizeof(double), step1, &triad_prime[8]);
+        } else if (step1 == sizeof(double)) {
+            triad_prime[0] = PACKED_IN(item1 + entries1[0], 0);
+            triad_prime[1] = PACKED_IN(item1 + entries1[1], 0);
+            triad_prime[2] = PACKED_IN(item1 + entries1[2], 0);
+            triad_prime[3] = PACKED_IN(item1 + entries1[3], 0);
+            triad_prime[4] = PACKED_IN(item1 + entries1[4], 0);
+            triad_prime[5] = PACKED_IN(item1 + entries1[5], 0);
+            triad_prime[6] = PACKED_IN(item1 + entries1[6], 0);
+            triad_prime[7] = PACKED_IN(item1 + entries1[7], 0);
+            triad_prime[8] = PACKED_IN(item1 + entries1[8], 0);
+        } else {
+            doubles all[9];
+            take_each(item1, entries1, step1, 9, all);
+            triad_prime[0] = all[0];
+            triad_prime[1] = all[1];
+            triad_prime[2] = all[2];
+            triad_prime[3] = all[3];
+            triad_prime[4] = all[4];
+            triad_prime[5] = all[5];
+            triad_prime[6] = all[6];
+            triad_prime[7] = all[7];
+            triad_prime[8] = all[8];
+        }
         const doubles t1 = triad[0] * triad_prime[0] + triad[3] * triad_prime[3];
         const doubles Q0 = t1 + triad[6] * triad_prime[6];
         const doubles t2 = triad[0] * triad_prime[1] + triad[3] * triad_prime[4];
@@ -67,9 +115,24 @@ void CHASLES_LEVELED(chasles_rotation_in_triad_axes_block)(
         const doubles Q8 = t9 + triad[8] * triad_prime[8];
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 9);
-        give_4(item2, 0, 3, down2, across2, step2, Q0, Q1, Q2, Q3);
-        give_4(item2, 4, 3, down2, across2, step2, Q4, Q5, Q6, Q7);
-        give_1(item2, 8, 3, down2, across2, step2, Q8);
+        if (dense2) {
+            store_4(item2 + 0 * sizeof(double), step2, Q0, Q1, Q2, Q3);
+            store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
+            store_1(item2 + 8 * sizeof(double), step2, Q8);
+        } else if (step2 == sizeof(double)) {
+            PACKED(item2 + entries2[0], 0) = Q0;
+            PACKED(item2 + entries2[1], 0) = Q1;
+            PACKED(item2 + entries2[2], 0) = Q2;
+            PACKED(item2 + entries2[3], 0) = Q3;
+            PACKED(item2 + entries2[4], 0) = Q4;
+            PACKED(item2 + entries2[5], 0) = Q5;
+            PACKED(item2 + entries2[6], 0) = Q6;
+            PACKED(item2 + entries2[7], 0) = Q7;
+            PACKED(item2 + entries2[8], 0) = Q8;
+        } else {
+            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_each(item2, entries2, step2, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -82,30 +145,78 @@ void CHASLES_LEVELED(chasles_rotation_in_triad_axes_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[9];
+    const int dense0 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
+    ptrdiff_t entries2[9];
+    const int dense2 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats triad[9];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 9);
-        take_4f(item0, 0, 3, down0, across0, step0, triad);
-        take_4f(item0, 4, 3, down0, across0, step0, &triad[4]);
-        take_1f(item0, 8, 3, down0, across0, step0, &triad[8]);
+        if (dense0) {
+            load_4f(item0 + 0 * sizeof(float), step0, &triad[0]);
+            load_4f(item0 + 4 * sizeof(float), step0, &triad[4]);
+            load_1f(item0 + 8 * sizeof(float), step0, &triad[8]);
+        } else if (step0 == sizeof(float)) {
+            triad[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            triad[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            triad[2] = PACKEDF_IN(item0 + entries0[2], 0);
+            triad[3] = PACKEDF_IN(item0 + entries0[3], 0);
+            triad[4] = PACKEDF_IN(item0 + entries0[4], 0);
+            triad[5] = PACKEDF_IN(item0 + entries0[5], 0);
+            triad[6] = PACKEDF_IN(item0 + entries0[6], 0);
+            triad[7] = PACKEDF_IN(item0 + entries0[7], 0);
+            triad[8] = PACKEDF_IN(item0 + entries0[8], 0);
+        } else {
+            floats all[9];
+            take_eachf(item0, entries0, step0, 9, all);
+            triad[0] = all[0];
+            triad[1] = all[1];
+            triad[2] = all[2];
+            triad[3] = all[3];
+            triad[4] = all[4];
+            triad[5] = all[5];
+            triad[6] = all[6];
+            triad[7] = all[7];
+            triad[8] = all[8];
+        }
         floats triad_prime[9];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 9);
-        take_4f(item1, 0, 3, down1, across1, step1, triad_prime);
-        take_4f(item1, 4, 3, down1, across1, step1, &triad_prime[4]);
-        take_1f(item1, 8, 3, down1, across1, step1, &triad_prime[8]);
+        if (dense1) {
+            load_4f(item1 + 0 * sizeof(float), step1, &triad_prime[0]);
+            load_4f(item1 + 4 * sizeof(float), step1, &triad_prime[4]);
+            load_1f(item1 + 8 * sizeof(float), step1, &triad_prime[8]);
+        } else if (step1 == sizeof(float)) {
+            triad_prime[0] = PACKEDF_IN(item1 + entries1[0], 0);
+            triad_prime[1] = PACKEDF_IN(item1 + entries1[1], 0);
+            triad_prime[2] = PACKEDF_IN(item1 + entries1[2], 0);
+            triad_prime[3] = PACKEDF_IN(item1 + entries1[3], 0);
+            triad_prime[4] = PACKEDF_IN(item1 + entries1[4], 0);
+            triad_prime[5] = PACKEDF_IN(item1 + entries1[5], 0);
+            triad_prime[6] = PACKEDF_IN(item1 + entries1[6], 0);
+            triad_prime[7] = PACKEDF_IN(item1 + entries1[7], 0);
+            triad_prime[8] = PACKEDF_IN(item1 + entries1[8], 0);
+        } else {
+            floats all[9];
+            take_eachf(item1, entries1, step1, 9, all);
+            triad_prime[0] = all[0];
+            triad_prime[1] = all[1];
+            triad_prime[2] = all[2];
+            triad_prime[3] = all[3];
+            triad_prime[4] = all[4];
+            triad_prime[5] = all[5];
+            triad_prime[6] = all[6];
+            triad_prime[7] = all[7];
+            triad_prime[8] = all[8];
+        }
         const floats t1 = triad[0] * triad_prime[0] + triad[3] * triad_prime[3];
         const floats Q0 = t1 + triad[6] * triad_prime[6];
         const floats t2 = triad[0] * triad_prime[1] + triad[3] * triad_prime[4];
@@ -126,9 +237,24 @@ void CHASLES_LEVELED(chasles_rotation_in_triad_axes_blockf)(
         const floats Q8 = t9 + triad[8] * triad_prime[8];
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 9);
-        give_4f(item2, 0, 3, down2, across2, step2, Q0, Q1, Q2, Q3);
-        give_4f(item2, 4, 3, down2, across2, step2, Q4, Q5, Q6, Q7);
-        give_1f(item2, 8, 3, down2, across2, step2, Q8);
+        if (dense2) {
+            store_4f(item2 + 0 * sizeof(float), step2, Q0, Q1, Q2, Q3);
+            store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
+            store_1f(item2 + 8 * sizeof(float), step2, Q8);
+        } else if (step2 == sizeof(float)) {
+            PACKEDF(item2 + entries2[0], 0) = Q0;
+            PACKEDF(item2 + entries2[1], 0) = Q1;
+            PACKEDF(item2 + entries2[2], 0) = Q2;
+            PACKEDF(item2 + entries2[3], 0) = Q3;
+            PACKEDF(item2 + entries2[4], 0) = Q4;
+            PACKEDF(item2 + entries2[5], 0) = Q5;
+            PACKEDF(item2 + entries2[6], 0) = Q6;
+            PACKEDF(item2 + entries2[7], 0) = Q7;
+            PACKEDF(item2 + entries2[8], 0) = Q8;
+        } else {
+            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_eachf(item2, entries2, step2, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -141,30 +267,78 @@ void CHASLES_LEVELED(chasles_rotation_from_triads_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[9];
+    const int dense0 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
+    ptrdiff_t entries2[9];
+    const int dense2 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles triad[9];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 9);
-        take_4(item0, 0, 3, down0, across0, step0, triad);
-        take_4(item0, 4, 3, down0, across0, step0, &triad[4]);
-        take_1(item0, 8, 3, down0, across0, step0, &triad[8]);
+        if (dense0) {
+            load_4(item0 + 0 * sizeof(double), step0, &triad[0]);
+            load_4(item0 + 4 * sizeof(double), step0, &triad[4]);
+            load_1(item0 + 8 * sizeof(double), step0, &triad[8]);
+        } else if (step0 == sizeof(double)) {
+            triad[0] = PACKED_IN(item0 + entries0[0], 0);
+            triad[1] = PACKED_IN(item0 + entries0[1], 0);
+            triad[2] = PACKED_IN(item0 + entries0[2], 0);
+            triad[3] = PACKED_IN(item0 + entries0[3], 0);
+            triad[4] = PACKED_IN(item0 + entries0[4], 0);
+            triad[5] = PACKED_IN(item0 + entries0[5], 0);
+            triad[6] = PACKED_IN(item0 + entries0[6], 0);
+            triad[7] = PACKED_IN(item0 + entries0[7], 0);
+            triad[8] = PACKED_IN(item0 + entries0[8], 0);
+        } else {
+            doubles all[9];
+            take_each(item0, entries0, step0, 9, all);
+            triad[0] = all[0];
+            triad[1] = all[1];
+            triad[2] = all[2];
+            triad[3] = all[3];
+            triad[4] = all[4];
+            triad[5] = all[5];
+            triad[6] = all[6];
+            triad[7] = all[7];
+            triad[8] = all[8];
+        }
         doubles triad_prime[9];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 9);
-        take_4(item1, 0, 3, down1, across1, step1, triad_prime);
-        take_4(item1, 4, 3, down1, across1, step1, &triad_prime[4]);
-        take_1(item1, 8, 3, down1, across1, step1, &triad_prime[8]);
+        if (dense1) {
+            load_4(item1 + 0 * sizeof(double), step1, &triad_prime[0]);
+            load_4(item1 + 4 * sizeof(double), step1, &triad_prime[4]);
+            load_1(item1 + 8 * sizeof(double), step1, &triad_prime[8]);
+        } else if (step1 == sizeof(double)) {
+            triad_prime[0] = PACKED_IN(item1 + entries1[0], 0);
+            triad_prime[1] = PACKED_IN(item1 + entries1[1], 0);
+            triad_prime[2] = PACKED_IN(item1 + entries1[2], 0);
+            triad_prime[3] = PACKED_IN(item1 + entries1[3], 0);
+            triad_prime[4] = PACKED_IN(item1 + entries1[4], 0);
+            triad_prime[5] = PACKED_IN(item1 + entries1[5], 0);
+            triad_prime[6] = PACKED_IN(item1 + entries1[6], 0);
+            triad_prime[7] = PACKED_IN(item1 + entries1[7], 0);
+            triad_prime[8] = PACKED_IN(item1 + entries1[8], 0);
+        } else {
+            doubles all[9];
+            take_each(item1, entries1, step1, 9, all);
+            triad_prime[0] = all[0];
+            triad_prime[1] = all[1];
+            triad_prime[2] = all[2];
+            triad_prime[3] = all[3];
+            triad_prime[4] = all[4];
+            triad_prime[5] = all[5];
+            triad_prime[6] = all[6];
+            triad_prime[7] = all[7];
+            triad_prime[8] = all[8];
+        }
         const doubles t1 = triad[0] * triad_prime[0] + triad[1] * triad_prime[1];
         const doubles Q0 = t1 + triad[2] * triad_prime[2];
         const doubles t2 = triad[3] * triad_prime[0] + triad[4] * triad_prime[1];
@@ -185,9 +359,24 @@ void CHASLES_LEVELED(chasles_rotation_from_triads_block)(
         const doubles Q8 = t9 + triad[8] * triad_prime[8];
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 9);
-        give_4(item2, 0, 3, down2, across2, step2, Q0, Q1, Q2, Q3);
-        give_4(item2, 4, 3, down2, across2, step2, Q4, Q5, Q6, Q7);
-        give_1(item2, 8, 3, down2, across2, step2, Q8);
+        if (dense2) {
+            store_4(item2 + 0 * sizeof(double), step2, Q0, Q1, Q2, Q3);
+            store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
+            store_1(item2 + 8 * sizeof(double), step2, Q8);
+        } else if (step2 == sizeof(double)) {
+            PACKED(item2 + entries2[0], 0) = Q0;
+            PACKED(item2 + entries2[1], 0) = Q1;
+            PACKED(item2 + entries2[2], 0) = Q2;
+            PACKED(item2 + entries2[3], 0) = Q3;
+            PACKED(item2 + entries2[4], 0) = Q4;
+            PACKED(item2 + entries2[5], 0) = Q5;
+            PACKED(item2 + entries2[6], 0) = Q6;
+            PACKED(item2 + entries2[7], 0) = Q7;
+            PACKED(item2 + entries2[8], 0) = Q8;
+        } else {
+            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_each(item2, entries2, step2, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -200,30 +389,78 @@ void CHASLES_LEVELED(chasles_rotation_from_triads_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[9];
+    const int dense0 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
+    ptrdiff_t entries2[9];
+    const int dense2 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats triad[9];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 9);
-        take_4f(item0, 0, 3, down0, across0, step0, triad);
-        take_4f(item0, 4, 3, down0, across0, step0, &triad[4]);
-        take_1f(item0, 8, 3, down0, across0, step0, &triad[8]);
+        if (dense0) {
+            load_4f(item0 + 0 * sizeof(float), step0, &triad[0]);
+            load_4f(item0 + 4 * sizeof(float), step0, &triad[4]);
+            load_1f(item0 + 8 * sizeof(float), step0, &triad[8]);
+        } else if (step0 == sizeof(float)) {
+            triad[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            triad[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            triad[2] = PACKEDF_IN(item0 + entries0[2], 0);
+            triad[3] = PACKEDF_IN(item0 + entries0[3], 0);
+            triad[4] = PACKEDF_IN(item0 + entries0[4], 0);
+            triad[5] = PACKEDF_IN(item0 + entries0[5], 0);
+            triad[6] = PACKEDF_IN(item0 + entries0[6], 0);
+            triad[7] = PACKEDF_IN(item0 + entries0[7], 0);
+            triad[8] = PACKEDF_IN(item0 + entries0[8], 0);
+        } else {
+            floats all[9];
+            take_eachf(item0, entries0, step0, 9, all);
+            triad[0] = all[0];
+            triad[1] = all[1];
+            triad[2] = all[2];
+            triad[3] = all[3];
+            triad[4] = all[4];
+            triad[5] = all[5];
+            triad[6] = all[6];
+            triad[7] = all[7];
+            triad[8] = all[8];
+        }
         floats triad_prime[9];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 9);
-        take_4f(item1, 0, 3, down1, across1, step1, triad_prime);
-        take_4f(item1, 4, 3, down1, across1, step1, &triad_prime[4]);
-        take_1f(item1, 8, 3, down1, across1, step1, &triad_prime[8]);
+        if (dense1) {
+            load_4f(item1 + 0 * sizeof(float), step1, &triad_prime[0]);
+            load_4f(item1 + 4 * sizeof(float), step1, &triad_prime[4]);
+            load_1f(item1 + 8 * sizeof(float), step1, &triad_prime[8]);
+        } else if (step1 == sizeof(float)) {
+            triad_prime[0] = PACKEDF_IN(item1 + entries1[0], 0);
+            triad_prime[1] = PACKEDF_IN(item1 + entries1[1], 0);
+            triad_prime[2] = PACKEDF_IN(item1 + entries1[2], 0);
+            triad_prime[3] = PACKEDF_IN(item1 + entries1[3], 0);
+            triad_prime[4] = PACKEDF_IN(item1 + entries1[4], 0);
+            triad_prime[5] = PACKEDF_IN(item1 + entries1[5], 0);
+            triad_prime[6] = PACKEDF_IN(item1 + entries1[6], 0);
+            triad_prime[7] = PACKEDF_IN(item1 + entries1[7], 0);
+            triad_prime[8] = PACKEDF_IN(item1 + entries1[8], 0);
+        } else {
+            floats all[9];
+            take_eachf(item1, entries1, step1, 9, all);
+            triad_prime[0] = all[0];
+            triad_prime[1] = all[1];
+            triad_prime[2] = all[2];
+            triad_prime[3] = all[3];
+            triad_prime[4] = all[4];
+            triad_prime[5] = all[5];
+            triad_prime[6] = all[6];
+            triad_prime[7] = all[7];
+            triad_prime[8] = all[8];
+        }
         const floats t1 = triad[0] * triad_prime[0] + triad[1] * triad_prime[1];
         const floats Q0 = t1 + triad[2] * triad_prime[2];
         const floats t2 = triad[3] * triad_prime[0] + triad[4] * triad_prime[1];
@@ -244,9 +481,24 @@ void CHASLES_LEVELED(chasles_rotation_from_triads_blockf)(
         const floats Q8 = t9 + triad[8] * triad_prime[8];
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 9);
-        give_4f(item2, 0, 3, down2, across2, step2, Q0, Q1, Q2, Q3);
-        give_4f(item2, 4, 3, down2, across2, step2, Q4, Q5, Q6, Q7);
-        give_1f(item2, 8, 3, down2, across2, step2, Q8);
+        if (dense2) {
+            store_4f(item2 + 0 * sizeof(float), step2, Q0, Q1, Q2, Q3);
+            store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
+            store_1f(item2 + 8 * sizeof(float), step2, Q8);
+        } else if (step2 == sizeof(float)) {
+            PACKEDF(item2 + entries2[0], 0) = Q0;
+            PACKEDF(item2 + entries2[1], 0) = Q1;
+            PACKEDF(item2 + entries2[2], 0) = Q2;
+            PACKEDF(item2 + entries2[3], 0) = Q3;
+            PACKEDF(item2 + entries2[4], 0) = Q4;
+            PACKEDF(item2 + entries2[5], 0) = Q5;
+            PACKEDF(item2 + entries2[6], 0) = Q6;
+            PACKEDF(item2 + entries2[7], 0) = Q7;
+            PACKEDF(item2 + entries2[8], 0) = Q8;
+        } else {
+            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_eachf(item2, entries2, step2, 9, all);
+        }
         stream_lines(&copied);
     }
 }

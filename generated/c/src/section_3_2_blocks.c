@@ -23,18 +23,30 @@ void CHASLES_LEVELED(chasles_cross_product_matrix_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles v[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, v);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &v[0]);
+        } else if (step0 == sizeof(double)) {
+            v[0] = PACKED_IN(item0 + entries0[0], 0);
+            v[1] = PACKED_IN(item0 + entries0[1], 0);
+            v[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            v[0] = all[0];
+            v[1] = all[1];
+            v[2] = all[2];
+        }
         const doubles V7 = v[0];
         const doubles V2 = v[1];
         const doubles V3 = v[2];
@@ -43,9 +55,24 @@ void CHASLES_LEVELED(chasles_cross_product_matrix_block)(
         const doubles V6 = -V2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, spread(0.0), V1, V2, V3);
-        give_4(item1, 4, 3, down1, across1, step1, spread(0.0), V5, V6, V7);
-        give_1(item1, 8, 3, down1, across1, step1, spread(0.0));
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, spread(0.0), V1, V2, V3);
+            store_4(item1 + 4 * sizeof(double), step1, spread(0.0), V5, V6, V7);
+            store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = spread(0.0);
+            PACKED(item1 + entries1[1], 0) = V1;
+            PACKED(item1 + entries1[2], 0) = V2;
+            PACKED(item1 + entries1[3], 0) = V3;
+            PACKED(item1 + entries1[4], 0) = spread(0.0);
+            PACKED(item1 + entries1[5], 0) = V5;
+            PACKED(item1 + entries1[6], 0) = V6;
+            PACKED(item1 + entries1[7], 0) = V7;
+            PACKED(item1 + entries1[8], 0) = spread(0.0);
+        } else {
+            const doubles all[] = {spread(0.0), V1, V2, V3, spread(0.0), V5, V6, V7, spread(0.0)};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -58,18 +85,30 @@ void CHASLES_LEVELED(chasles_cross_product_matrix_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats v[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, v);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &v[0]);
+        } else if (step0 == sizeof(float)) {
+            v[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            v[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            v[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            v[0] = all[0];
+            v[1] = all[1];
+            v[2] = all[2];
+        }
         const floats V7 = v[0];
         const floats V2 = v[1];
         const floats V3 = v[2];
@@ -78,9 +117,24 @@ void CHASLES_LEVELED(chasles_cross_product_matrix_blockf)(
         const floats V6 = -V2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, spreadf(0.0f), V1, V2, V3);
-        give_4f(item1, 4, 3, down1, across1, step1, spreadf(0.0f), V5, V6, V7);
-        give_1f(item1, 8, 3, down1, across1, step1, spreadf(0.0f));
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, spreadf(0.0f), V1, V2, V3);
+            store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), V5, V6, V7);
+            store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[1], 0) = V1;
+            PACKEDF(item1 + entries1[2], 0) = V2;
+            PACKEDF(item1 + entries1[3], 0) = V3;
+            PACKEDF(item1 + entries1[4], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[5], 0) = V5;
+            PACKEDF(item1 + entries1[6], 0) = V6;
+            PACKEDF(item1 + entries1[7], 0) = V7;
+            PACKEDF(item1 + entries1[8], 0) = spreadf(0.0f);
+        } else {
+            const floats all[] = {spreadf(0.0f), V1, V2, V3, spreadf(0.0f), V5, V6, V7, spreadf(0.0f)};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -93,14 +147,14 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
+    ptrdiff_t entries2[9];
+    const int dense2 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -118,7 +172,19 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &e[0]);
+        } else if (step0 == sizeof(double)) {
+            e[0] = PACKED_IN(item0 + entries0[0], 0);
+            e[1] = PACKED_IN(item0 + entries0[1], 0);
+            e[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         const doubles sin_phi = sines[0][g];
         const doubles cos_phi = cosines[0][g];
         const doubles t1 = 1.0 - cos_phi;
@@ -141,9 +207,24 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_block)(
         const doubles Q7 = t6 + t7;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 9);
-        give_4(item2, 0, 3, down2, across2, step2, Q0, Q1, Q2, Q3);
-        give_4(item2, 4, 3, down2, across2, step2, Q4, Q5, Q6, Q7);
-        give_1(item2, 8, 3, down2, across2, step2, Q8);
+        if (dense2) {
+            store_4(item2 + 0 * sizeof(double), step2, Q0, Q1, Q2, Q3);
+            store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
+            store_1(item2 + 8 * sizeof(double), step2, Q8);
+        } else if (step2 == sizeof(double)) {
+            PACKED(item2 + entries2[0], 0) = Q0;
+            PACKED(item2 + entries2[1], 0) = Q1;
+            PACKED(item2 + entries2[2], 0) = Q2;
+            PACKED(item2 + entries2[3], 0) = Q3;
+            PACKED(item2 + entries2[4], 0) = Q4;
+            PACKED(item2 + entries2[5], 0) = Q5;
+            PACKED(item2 + entries2[6], 0) = Q6;
+            PACKED(item2 + entries2[7], 0) = Q7;
+            PACKED(item2 + entries2[8], 0) = Q8;
+        } else {
+            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_each(item2, entries2, step2, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -156,14 +237,14 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
+    ptrdiff_t entries2[9];
+    const int dense2 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -181,7 +262,19 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
+        } else if (step0 == sizeof(float)) {
+            e[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            e[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            e[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         const floats sin_phi = sines[0][g];
         const floats cos_phi = cosines[0][g];
         const floats t1 = 1.0f - cos_phi;
@@ -204,9 +297,24 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_blockf)(
         const floats Q7 = t6 + t7;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 9);
-        give_4f(item2, 0, 3, down2, across2, step2, Q0, Q1, Q2, Q3);
-        give_4f(item2, 4, 3, down2, across2, step2, Q4, Q5, Q6, Q7);
-        give_1f(item2, 8, 3, down2, across2, step2, Q8);
+        if (dense2) {
+            store_4f(item2 + 0 * sizeof(float), step2, Q0, Q1, Q2, Q3);
+            store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
+            store_1f(item2 + 8 * sizeof(float), step2, Q8);
+        } else if (step2 == sizeof(float)) {
+            PACKEDF(item2 + entries2[0], 0) = Q0;
+            PACKEDF(item2 + entries2[1], 0) = Q1;
+            PACKEDF(item2 + entries2[2], 0) = Q2;
+            PACKEDF(item2 + entries2[3], 0) = Q3;
+            PACKEDF(item2 + entries2[4], 0) = Q4;
+            PACKEDF(item2 + entries2[5], 0) = Q5;
+            PACKEDF(item2 + entries2[6], 0) = Q6;
+            PACKEDF(item2 + entries2[7], 0) = Q7;
+            PACKEDF(item2 + entries2[8], 0) = Q8;
+        } else {
+            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_eachf(item2, entries2, step2, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -219,44 +327,104 @@ void CHASLES_LEVELED(chasles_point_after_displacement_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries0[9];
+    const int dense0 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(7, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(8, 1 * sizeof(double));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step1, steps + 7, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 3 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
+    ptrdiff_t entries3[3];
+    const int dense3 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 3 * sizeof(double));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
+    ptrdiff_t entries4[3];
+    const int dense4 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles Q[9];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 9);
-        take_4(item0, 0, 3, down0, across0, step0, Q);
-        take_4(item0, 4, 3, down0, across0, step0, &Q[4]);
-        take_1(item0, 8, 3, down0, across0, step0, &Q[8]);
+        if (dense0) {
+            load_4(item0 + 0 * sizeof(double), step0, &Q[0]);
+            load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
+            load_1(item0 + 8 * sizeof(double), step0, &Q[8]);
+        } else if (step0 == sizeof(double)) {
+            Q[0] = PACKED_IN(item0 + entries0[0], 0);
+            Q[1] = PACKED_IN(item0 + entries0[1], 0);
+            Q[2] = PACKED_IN(item0 + entries0[2], 0);
+            Q[3] = PACKED_IN(item0 + entries0[3], 0);
+            Q[4] = PACKED_IN(item0 + entries0[4], 0);
+            Q[5] = PACKED_IN(item0 + entries0[5], 0);
+            Q[6] = PACKED_IN(item0 + entries0[6], 0);
+            Q[7] = PACKED_IN(item0 + entries0[7], 0);
+            Q[8] = PACKED_IN(item0 + entries0[8], 0);
+        } else {
+            doubles all[9];
+            take_each(item0, entries0, step0, 9, all);
+            Q[0] = all[0];
+            Q[1] = all[1];
+            Q[2] = all[2];
+            Q[3] = all[3];
+            Q[4] = all[4];
+            Q[5] = all[5];
+            Q[6] = all[6];
+            Q[7] = all[7];
+            Q[8] = all[8];
+        }
         doubles a[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        take_3(item1, 0, 3, down1, across1, step1, a);
+        if (dense1) {
+            load_3(item1 + 0 * sizeof(double), step1, &a[0]);
+        } else if (step1 == sizeof(double)) {
+            a[0] = PACKED_IN(item1 + entries1[0], 0);
+            a[1] = PACKED_IN(item1 + entries1[1], 0);
+            a[2] = PACKED_IN(item1 + entries1[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item1, entries1, step1, 3, all);
+            a[0] = all[0];
+            a[1] = all[1];
+            a[2] = all[2];
+        }
         doubles a_prime[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        take_3(item2, 0, 3, down2, across2, step2, a_prime);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &a_prime[0]);
+        } else if (step2 == sizeof(double)) {
+            a_prime[0] = PACKED_IN(item2 + entries2[0], 0);
+            a_prime[1] = PACKED_IN(item2 + entries2[1], 0);
+            a_prime[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item2, entries2, step2, 3, all);
+            a_prime[0] = all[0];
+            a_prime[1] = all[1];
+            a_prime[2] = all[2];
+        }
         doubles p[3];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 3);
-        take_3(item3, 0, 3, down3, across3, step3, p);
+        if (dense3) {
+            load_3(item3 + 0 * sizeof(double), step3, &p[0]);
+        } else if (step3 == sizeof(double)) {
+            p[0] = PACKED_IN(item3 + entries3[0], 0);
+            p[1] = PACKED_IN(item3 + entries3[1], 0);
+            p[2] = PACKED_IN(item3 + entries3[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item3, entries3, step3, 3, all);
+            p[0] = all[0];
+            p[1] = all[1];
+            p[2] = all[2];
+        }
         const doubles t1 = p[0] - a[0];
         const doubles t2 = p[1] - a[1];
         const doubles t3 = p[2] - a[2];
@@ -265,7 +433,16 @@ void CHASLES_LEVELED(chasles_point_after_displacement_block)(
         const doubles p_prime2 = a_prime[2] + (Q[6] * t1 + Q[7] * t2 + Q[8] * t3);
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 3);
-        give_3(item4, 0, 3, down4, across4, step4, p_prime0, p_prime1, p_prime2);
+        if (dense4) {
+            store_3(item4 + 0 * sizeof(double), step4, p_prime0, p_prime1, p_prime2);
+        } else if (step4 == sizeof(double)) {
+            PACKED(item4 + entries4[0], 0) = p_prime0;
+            PACKED(item4 + entries4[1], 0) = p_prime1;
+            PACKED(item4 + entries4[2], 0) = p_prime2;
+        } else {
+            const doubles all[] = {p_prime0, p_prime1, p_prime2};
+            give_each(item4, entries4, step4, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -278,44 +455,104 @@ void CHASLES_LEVELED(chasles_point_after_displacement_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries0[9];
+    const int dense0 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(7, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(8, 1 * sizeof(float));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step1, steps + 7, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 3 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
+    ptrdiff_t entries3[3];
+    const int dense3 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 3 * sizeof(float));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
+    ptrdiff_t entries4[3];
+    const int dense4 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats Q[9];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 9);
-        take_4f(item0, 0, 3, down0, across0, step0, Q);
-        take_4f(item0, 4, 3, down0, across0, step0, &Q[4]);
-        take_1f(item0, 8, 3, down0, across0, step0, &Q[8]);
+        if (dense0) {
+            load_4f(item0 + 0 * sizeof(float), step0, &Q[0]);
+            load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
+            load_1f(item0 + 8 * sizeof(float), step0, &Q[8]);
+        } else if (step0 == sizeof(float)) {
+            Q[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            Q[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            Q[2] = PACKEDF_IN(item0 + entries0[2], 0);
+            Q[3] = PACKEDF_IN(item0 + entries0[3], 0);
+            Q[4] = PACKEDF_IN(item0 + entries0[4], 0);
+            Q[5] = PACKEDF_IN(item0 + entries0[5], 0);
+            Q[6] = PACKEDF_IN(item0 + entries0[6], 0);
+            Q[7] = PACKEDF_IN(item0 + entries0[7], 0);
+            Q[8] = PACKEDF_IN(item0 + entries0[8], 0);
+        } else {
+            floats all[9];
+            take_eachf(item0, entries0, step0, 9, all);
+            Q[0] = all[0];
+            Q[1] = all[1];
+            Q[2] = all[2];
+            Q[3] = all[3];
+            Q[4] = all[4];
+            Q[5] = all[5];
+            Q[6] = all[6];
+            Q[7] = all[7];
+            Q[8] = all[8];
+        }
         floats a[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        take_3f(item1, 0, 3, down1, across1, step1, a);
+        if (dense1) {
+            load_3f(item1 + 0 * sizeof(float), step1, &a[0]);
+        } else if (step1 == sizeof(float)) {
+            a[0] = PACKEDF_IN(item1 + entries1[0], 0);
+            a[1] = PACKEDF_IN(item1 + entries1[1], 0);
+            a[2] = PACKEDF_IN(item1 + entries1[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item1, entries1, step1, 3, all);
+            a[0] = all[0];
+            a[1] = all[1];
+            a[2] = all[2];
+        }
         floats a_prime[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        take_3f(item2, 0, 3, down2, across2, step2, a_prime);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &a_prime[0]);
+        } else if (step2 == sizeof(float)) {
+            a_prime[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            a_prime[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            a_prime[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item2, entries2, step2, 3, all);
+            a_prime[0] = all[0];
+            a_prime[1] = all[1];
+            a_prime[2] = all[2];
+        }
         floats p[3];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 3);
-        take_3f(item3, 0, 3, down3, across3, step3, p);
+        if (dense3) {
+            load_3f(item3 + 0 * sizeof(float), step3, &p[0]);
+        } else if (step3 == sizeof(float)) {
+            p[0] = PACKEDF_IN(item3 + entries3[0], 0);
+            p[1] = PACKEDF_IN(item3 + entries3[1], 0);
+            p[2] = PACKEDF_IN(item3 + entries3[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item3, entries3, step3, 3, all);
+            p[0] = all[0];
+            p[1] = all[1];
+            p[2] = all[2];
+        }
         const floats t1 = p[0] - a[0];
         const floats t2 = p[1] - a[1];
         const floats t3 = p[2] - a[2];
@@ -324,7 +561,16 @@ void CHASLES_LEVELED(chasles_point_after_displacement_blockf)(
         const floats p_prime2 = a_prime[2] + (Q[6] * t1 + Q[7] * t2 + Q[8] * t3);
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 3);
-        give_3f(item4, 0, 3, down4, across4, step4, p_prime0, p_prime1, p_prime2);
+        if (dense4) {
+            store_3f(item4 + 0 * sizeof(float), step4, p_prime0, p_prime1, p_prime2);
+        } else if (step4 == sizeof(float)) {
+            PACKEDF(item4 + entries4[0], 0) = p_prime0;
+            PACKEDF(item4 + entries4[1], 0) = p_prime1;
+            PACKEDF(item4 + entries4[2], 0) = p_prime2;
+        } else {
+            const floats all[] = {p_prime0, p_prime1, p_prime2};
+            give_eachf(item4, entries4, step4, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -337,14 +583,14 @@ void CHASLES_LEVELED(chasles_pitch_of_motion_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 1 * sizeof(double));
     chasles_stream copied = *stream;
@@ -352,7 +598,19 @@ void CHASLES_LEVELED(chasles_pitch_of_motion_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &e[0]);
+        } else if (step0 == sizeof(double)) {
+            e[0] = PACKED_IN(item0 + entries0[0], 0);
+            e[1] = PACKED_IN(item0 + entries0[1], 0);
+            e[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         doubles phi;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -360,7 +618,19 @@ void CHASLES_LEVELED(chasles_pitch_of_motion_block)(
         doubles d_P[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        take_3(item2, 0, 3, down2, across2, step2, d_P);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &d_P[0]);
+        } else if (step2 == sizeof(double)) {
+            d_P[0] = PACKED_IN(item2 + entries2[0], 0);
+            d_P[1] = PACKED_IN(item2 + entries2[1], 0);
+            d_P[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item2, entries2, step2, 3, all);
+            d_P[0] = all[0];
+            d_P[1] = all[1];
+            d_P[2] = all[2];
+        }
         const doubles t1 = e[0] * d_P[0] + e[1] * d_P[1] + e[2] * d_P[2];
         const doubles result_value = choose(equal(phi, spread(0.0)), spread(0.0), t1) / phi;
         char *const item3 = at3 + g * LANES * step3;
@@ -378,14 +648,14 @@ void CHASLES_LEVELED(chasles_pitch_of_motion_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 1 * sizeof(float));
     chasles_stream copied = *stream;
@@ -393,7 +663,19 @@ void CHASLES_LEVELED(chasles_pitch_of_motion_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
+        } else if (step0 == sizeof(float)) {
+            e[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            e[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            e[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         floats phi;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -401,7 +683,19 @@ void CHASLES_LEVELED(chasles_pitch_of_motion_blockf)(
         floats d_P[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        take_3f(item2, 0, 3, down2, across2, step2, d_P);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &d_P[0]);
+        } else if (step2 == sizeof(float)) {
+            d_P[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            d_P[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            d_P[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item2, entries2, step2, 3, all);
+            d_P[0] = all[0];
+            d_P[1] = all[1];
+            d_P[2] = all[2];
+        }
         const floats t1 = e[0] * d_P[0] + e[1] * d_P[1] + e[2] * d_P[2];
         const floats result_value = choosef(equalf(phi, spreadf(0.0f)), spreadf(0.0f), t1) / phi;
         char *const item3 = at3 + g * LANESF * step3;

@@ -23,25 +23,52 @@ void CHASLES_LEVELED(chasles_axial_vector_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[9];
+    const int dense0 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles Omega[9];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 9);
-        take_3(item0, 1, 3, down0, across0, step0, &Omega[1]);
-        take_3(item0, 5, 3, down0, across0, step0, &Omega[5]);
+        if (dense0) {
+            load_3(item0 + 1 * sizeof(double), step0, &Omega[1]);
+            load_3(item0 + 5 * sizeof(double), step0, &Omega[5]);
+        } else if (step0 == sizeof(double)) {
+            Omega[1] = PACKED_IN(item0 + entries0[1], 0);
+            Omega[2] = PACKED_IN(item0 + entries0[2], 0);
+            Omega[3] = PACKED_IN(item0 + entries0[3], 0);
+            Omega[5] = PACKED_IN(item0 + entries0[5], 0);
+            Omega[6] = PACKED_IN(item0 + entries0[6], 0);
+            Omega[7] = PACKED_IN(item0 + entries0[7], 0);
+        } else {
+            doubles all[9];
+            take_each(item0, entries0, step0, 9, all);
+            Omega[1] = all[1];
+            Omega[2] = all[2];
+            Omega[3] = all[3];
+            Omega[5] = all[5];
+            Omega[6] = all[6];
+            Omega[7] = all[7];
+        }
         const doubles omega0 = 0.5 * (Omega[7] - Omega[5]);
         const doubles omega1 = 0.5 * (Omega[2] - Omega[6]);
         const doubles omega2 = 0.5 * (Omega[3] - Omega[1]);
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 3);
-        give_3(item1, 0, 3, down1, across1, step1, omega0, omega1, omega2);
+        if (dense1) {
+            store_3(item1 + 0 * sizeof(double), step1, omega0, omega1, omega2);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = omega0;
+            PACKED(item1 + entries1[1], 0) = omega1;
+            PACKED(item1 + entries1[2], 0) = omega2;
+        } else {
+            const doubles all[] = {omega0, omega1, omega2};
+            give_each(item1, entries1, step1, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -54,25 +81,52 @@ void CHASLES_LEVELED(chasles_axial_vector_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[9];
+    const int dense0 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats Omega[9];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 9);
-        take_3f(item0, 1, 3, down0, across0, step0, &Omega[1]);
-        take_3f(item0, 5, 3, down0, across0, step0, &Omega[5]);
+        if (dense0) {
+            load_3f(item0 + 1 * sizeof(float), step0, &Omega[1]);
+            load_3f(item0 + 5 * sizeof(float), step0, &Omega[5]);
+        } else if (step0 == sizeof(float)) {
+            Omega[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            Omega[2] = PACKEDF_IN(item0 + entries0[2], 0);
+            Omega[3] = PACKEDF_IN(item0 + entries0[3], 0);
+            Omega[5] = PACKEDF_IN(item0 + entries0[5], 0);
+            Omega[6] = PACKEDF_IN(item0 + entries0[6], 0);
+            Omega[7] = PACKEDF_IN(item0 + entries0[7], 0);
+        } else {
+            floats all[9];
+            take_eachf(item0, entries0, step0, 9, all);
+            Omega[1] = all[1];
+            Omega[2] = all[2];
+            Omega[3] = all[3];
+            Omega[5] = all[5];
+            Omega[6] = all[6];
+            Omega[7] = all[7];
+        }
         const floats omega0 = 0.5f * (Omega[7] - Omega[5]);
         const floats omega1 = 0.5f * (Omega[2] - Omega[6]);
         const floats omega2 = 0.5f * (Omega[3] - Omega[1]);
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 3);
-        give_3f(item1, 0, 3, down1, across1, step1, omega0, omega1, omega2);
+        if (dense1) {
+            store_3f(item1 + 0 * sizeof(float), step1, omega0, omega1, omega2);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = omega0;
+            PACKEDF(item1 + entries1[1], 0) = omega1;
+            PACKEDF(item1 + entries1[2], 0) = omega2;
+        } else {
+            const floats all[] = {omega0, omega1, omega2};
+            give_eachf(item1, entries1, step1, 3, all);
+        }
         stream_lines(&copied);
     }
 }

@@ -23,34 +23,70 @@ void CHASLES_LEVELED(chasles_instant_screw_point_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(6, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(7, 1 * sizeof(double));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step1, steps + 6, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 3 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
+    ptrdiff_t entries3[3];
+    const int dense3 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, omega);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &omega[0]);
+        } else if (step0 == sizeof(double)) {
+            omega[0] = PACKED_IN(item0 + entries0[0], 0);
+            omega[1] = PACKED_IN(item0 + entries0[1], 0);
+            omega[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         doubles a_dot[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        take_3(item1, 0, 3, down1, across1, step1, a_dot);
+        if (dense1) {
+            load_3(item1 + 0 * sizeof(double), step1, &a_dot[0]);
+        } else if (step1 == sizeof(double)) {
+            a_dot[0] = PACKED_IN(item1 + entries1[0], 0);
+            a_dot[1] = PACKED_IN(item1 + entries1[1], 0);
+            a_dot[2] = PACKED_IN(item1 + entries1[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item1, entries1, step1, 3, all);
+            a_dot[0] = all[0];
+            a_dot[1] = all[1];
+            a_dot[2] = all[2];
+        }
         doubles a[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        take_3(item2, 0, 3, down2, across2, step2, a);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &a[0]);
+        } else if (step2 == sizeof(double)) {
+            a[0] = PACKED_IN(item2 + entries2[0], 0);
+            a[1] = PACKED_IN(item2 + entries2[1], 0);
+            a[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item2, entries2, step2, 3, all);
+            a[0] = all[0];
+            a[1] = all[1];
+            a[2] = all[2];
+        }
         const doubles t1 = choose(less(omega[0], spread(0.0)), -omega[0], omega[0]);
         const doubles t2 = choose(less(omega[1], spread(0.0)), -omega[1], omega[1]);
         const doubles t3 = choose(less(t1, t2), t2, t1);
@@ -70,7 +106,16 @@ void CHASLES_LEVELED(chasles_instant_screw_point_block)(
         const doubles p_0_prime2 = choose(t14, spread(0.0), t7 * t12 - t8 * t11) / t10 / t6;
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 3);
-        give_3(item3, 0, 3, down3, across3, step3, p_0_prime0, p_0_prime1, p_0_prime2);
+        if (dense3) {
+            store_3(item3 + 0 * sizeof(double), step3, p_0_prime0, p_0_prime1, p_0_prime2);
+        } else if (step3 == sizeof(double)) {
+            PACKED(item3 + entries3[0], 0) = p_0_prime0;
+            PACKED(item3 + entries3[1], 0) = p_0_prime1;
+            PACKED(item3 + entries3[2], 0) = p_0_prime2;
+        } else {
+            const doubles all[] = {p_0_prime0, p_0_prime1, p_0_prime2};
+            give_each(item3, entries3, step3, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -83,34 +128,70 @@ void CHASLES_LEVELED(chasles_instant_screw_point_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(6, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(7, 1 * sizeof(float));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step1, steps + 6, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 3 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
+    ptrdiff_t entries3[3];
+    const int dense3 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, omega);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &omega[0]);
+        } else if (step0 == sizeof(float)) {
+            omega[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            omega[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            omega[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         floats a_dot[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        take_3f(item1, 0, 3, down1, across1, step1, a_dot);
+        if (dense1) {
+            load_3f(item1 + 0 * sizeof(float), step1, &a_dot[0]);
+        } else if (step1 == sizeof(float)) {
+            a_dot[0] = PACKEDF_IN(item1 + entries1[0], 0);
+            a_dot[1] = PACKEDF_IN(item1 + entries1[1], 0);
+            a_dot[2] = PACKEDF_IN(item1 + entries1[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item1, entries1, step1, 3, all);
+            a_dot[0] = all[0];
+            a_dot[1] = all[1];
+            a_dot[2] = all[2];
+        }
         floats a[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        take_3f(item2, 0, 3, down2, across2, step2, a);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &a[0]);
+        } else if (step2 == sizeof(float)) {
+            a[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            a[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            a[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item2, entries2, step2, 3, all);
+            a[0] = all[0];
+            a[1] = all[1];
+            a[2] = all[2];
+        }
         const floats t1 = choosef(lessf(omega[0], spreadf(0.0f)), -omega[0], omega[0]);
         const floats t2 = choosef(lessf(omega[1], spreadf(0.0f)), -omega[1], omega[1]);
         const floats t3 = choosef(lessf(t1, t2), t2, t1);
@@ -130,7 +211,16 @@ void CHASLES_LEVELED(chasles_instant_screw_point_blockf)(
         const floats p_0_prime2 = choosef(t14, spreadf(0.0f), t7 * t12 - t8 * t11) / t10 / t6;
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 3);
-        give_3f(item3, 0, 3, down3, across3, step3, p_0_prime0, p_0_prime1, p_0_prime2);
+        if (dense3) {
+            store_3f(item3 + 0 * sizeof(float), step3, p_0_prime0, p_0_prime1, p_0_prime2);
+        } else if (step3 == sizeof(float)) {
+            PACKEDF(item3 + entries3[0], 0) = p_0_prime0;
+            PACKEDF(item3 + entries3[1], 0) = p_0_prime1;
+            PACKEDF(item3 + entries3[2], 0) = p_0_prime2;
+        } else {
+            const floats all[] = {p_0_prime0, p_0_prime1, p_0_prime2};
+            give_eachf(item3, entries3, step3, 3, all);
+        }
         stream_lines(&copied);
     }
 }

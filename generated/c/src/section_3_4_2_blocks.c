@@ -23,14 +23,14 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
+    ptrdiff_t entries2[12];
+    const int dense2 = CHASLES_DENSE(find_entries(12, 3, sizeof(double), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -48,7 +48,19 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &e[0]);
+        } else if (step0 == sizeof(double)) {
+            e[0] = PACKED_IN(item0 + entries0[0], 0);
+            e[1] = PACKED_IN(item0 + entries0[1], 0);
+            e[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles N9 = e[0];
@@ -78,9 +90,27 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_block)(
         const doubles N7 = -(half_N9 + t9);
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 12);
-        give_4(item2, 0, 3, down2, across2, step2, N0, N1, N2, N3);
-        give_4(item2, 4, 3, down2, across2, step2, N4, N5, N6, N7);
-        give_4(item2, 8, 3, down2, across2, step2, N8, N9, N10, N11);
+        if (dense2) {
+            store_4(item2 + 0 * sizeof(double), step2, N0, N1, N2, N3);
+            store_4(item2 + 4 * sizeof(double), step2, N4, N5, N6, N7);
+            store_4(item2 + 8 * sizeof(double), step2, N8, N9, N10, N11);
+        } else if (step2 == sizeof(double)) {
+            PACKED(item2 + entries2[0], 0) = N0;
+            PACKED(item2 + entries2[1], 0) = N1;
+            PACKED(item2 + entries2[2], 0) = N2;
+            PACKED(item2 + entries2[3], 0) = N3;
+            PACKED(item2 + entries2[4], 0) = N4;
+            PACKED(item2 + entries2[5], 0) = N5;
+            PACKED(item2 + entries2[6], 0) = N6;
+            PACKED(item2 + entries2[7], 0) = N7;
+            PACKED(item2 + entries2[8], 0) = N8;
+            PACKED(item2 + entries2[9], 0) = N9;
+            PACKED(item2 + entries2[10], 0) = N10;
+            PACKED(item2 + entries2[11], 0) = N11;
+        } else {
+            const doubles all[] = {N0, N1, N2, N3, N4, N5, N6, N7, N8, N9, N10, N11};
+            give_each(item2, entries2, step2, 12, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -93,14 +123,14 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
+    ptrdiff_t entries2[12];
+    const int dense2 = CHASLES_DENSE(find_entries(12, 3, sizeof(float), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -118,7 +148,19 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
+        } else if (step0 == sizeof(float)) {
+            e[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            e[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            e[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats N9 = e[0];
@@ -148,9 +190,27 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_blockf)(
         const floats N7 = -(half_N9 + t9);
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 12);
-        give_4f(item2, 0, 3, down2, across2, step2, N0, N1, N2, N3);
-        give_4f(item2, 4, 3, down2, across2, step2, N4, N5, N6, N7);
-        give_4f(item2, 8, 3, down2, across2, step2, N8, N9, N10, N11);
+        if (dense2) {
+            store_4f(item2 + 0 * sizeof(float), step2, N0, N1, N2, N3);
+            store_4f(item2 + 4 * sizeof(float), step2, N4, N5, N6, N7);
+            store_4f(item2 + 8 * sizeof(float), step2, N8, N9, N10, N11);
+        } else if (step2 == sizeof(float)) {
+            PACKEDF(item2 + entries2[0], 0) = N0;
+            PACKEDF(item2 + entries2[1], 0) = N1;
+            PACKEDF(item2 + entries2[2], 0) = N2;
+            PACKEDF(item2 + entries2[3], 0) = N3;
+            PACKEDF(item2 + entries2[4], 0) = N4;
+            PACKEDF(item2 + entries2[5], 0) = N5;
+            PACKEDF(item2 + entries2[6], 0) = N6;
+            PACKEDF(item2 + entries2[7], 0) = N7;
+            PACKEDF(item2 + entries2[8], 0) = N8;
+            PACKEDF(item2 + entries2[9], 0) = N9;
+            PACKEDF(item2 + entries2[10], 0) = N10;
+            PACKEDF(item2 + entries2[11], 0) = N11;
+        } else {
+            const floats all[] = {N0, N1, N2, N3, N4, N5, N6, N7, N8, N9, N10, N11};
+            give_eachf(item2, entries2, step2, 12, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -163,14 +223,14 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
+    ptrdiff_t entries2[12];
+    const int dense2 = CHASLES_DENSE(find_entries(12, 3, sizeof(double), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -188,7 +248,19 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &e[0]);
+        } else if (step0 == sizeof(double)) {
+            e[0] = PACKED_IN(item0 + entries0[0], 0);
+            e[1] = PACKED_IN(item0 + entries0[1], 0);
+            e[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         const doubles sin_phi = sines[0][g];
         const doubles cos_phi = cosines[0][g];
         const doubles half_cos_phi = 0.5 * cos_phi;
@@ -217,9 +289,27 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_block)(
         const doubles L11 = -(e[2] * sin_phi);
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 12);
-        give_4(item2, 0, 3, down2, across2, step2, L0, L1, L2, L3);
-        give_4(item2, 4, 3, down2, across2, step2, L4, L5, L6, L7);
-        give_4(item2, 8, 3, down2, across2, step2, L8, L9, L10, L11);
+        if (dense2) {
+            store_4(item2 + 0 * sizeof(double), step2, L0, L1, L2, L3);
+            store_4(item2 + 4 * sizeof(double), step2, L4, L5, L6, L7);
+            store_4(item2 + 8 * sizeof(double), step2, L8, L9, L10, L11);
+        } else if (step2 == sizeof(double)) {
+            PACKED(item2 + entries2[0], 0) = L0;
+            PACKED(item2 + entries2[1], 0) = L1;
+            PACKED(item2 + entries2[2], 0) = L2;
+            PACKED(item2 + entries2[3], 0) = L3;
+            PACKED(item2 + entries2[4], 0) = L4;
+            PACKED(item2 + entries2[5], 0) = L5;
+            PACKED(item2 + entries2[6], 0) = L6;
+            PACKED(item2 + entries2[7], 0) = L7;
+            PACKED(item2 + entries2[8], 0) = L8;
+            PACKED(item2 + entries2[9], 0) = L9;
+            PACKED(item2 + entries2[10], 0) = L10;
+            PACKED(item2 + entries2[11], 0) = L11;
+        } else {
+            const doubles all[] = {L0, L1, L2, L3, L4, L5, L6, L7, L8, L9, L10, L11};
+            give_each(item2, entries2, step2, 12, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -232,14 +322,14 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
+    ptrdiff_t entries2[12];
+    const int dense2 = CHASLES_DENSE(find_entries(12, 3, sizeof(float), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -257,7 +347,19 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
+        } else if (step0 == sizeof(float)) {
+            e[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            e[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            e[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         const floats sin_phi = sines[0][g];
         const floats cos_phi = cosines[0][g];
         const floats half_cos_phi = 0.5f * cos_phi;
@@ -286,9 +388,27 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_blockf)(
         const floats L11 = -(e[2] * sin_phi);
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 12);
-        give_4f(item2, 0, 3, down2, across2, step2, L0, L1, L2, L3);
-        give_4f(item2, 4, 3, down2, across2, step2, L4, L5, L6, L7);
-        give_4f(item2, 8, 3, down2, across2, step2, L8, L9, L10, L11);
+        if (dense2) {
+            store_4f(item2 + 0 * sizeof(float), step2, L0, L1, L2, L3);
+            store_4f(item2 + 4 * sizeof(float), step2, L4, L5, L6, L7);
+            store_4f(item2 + 8 * sizeof(float), step2, L8, L9, L10, L11);
+        } else if (step2 == sizeof(float)) {
+            PACKEDF(item2 + entries2[0], 0) = L0;
+            PACKEDF(item2 + entries2[1], 0) = L1;
+            PACKEDF(item2 + entries2[2], 0) = L2;
+            PACKEDF(item2 + entries2[3], 0) = L3;
+            PACKEDF(item2 + entries2[4], 0) = L4;
+            PACKEDF(item2 + entries2[5], 0) = L5;
+            PACKEDF(item2 + entries2[6], 0) = L6;
+            PACKEDF(item2 + entries2[7], 0) = L7;
+            PACKEDF(item2 + entries2[8], 0) = L8;
+            PACKEDF(item2 + entries2[9], 0) = L9;
+            PACKEDF(item2 + entries2[10], 0) = L10;
+            PACKEDF(item2 + entries2[11], 0) = L11;
+        } else {
+            const floats all[] = {L0, L1, L2, L3, L4, L5, L6, L7, L8, L9, L10, L11};
+            give_eachf(item2, entries2, step2, 12, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -301,14 +421,14 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
+    ptrdiff_t entries2[12];
+    const int dense2 = CHASLES_DENSE(find_entries(12, 3, sizeof(double), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -326,7 +446,19 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &e[0]);
+        } else if (step0 == sizeof(double)) {
+            e[0] = PACKED_IN(item0 + entries0[0], 0);
+            e[1] = PACKED_IN(item0 + entries0[1], 0);
+            e[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles H0 = 0.5 * cos_half_phi;
@@ -339,9 +471,27 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_block)(
         const doubles H3 = -H1;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 12);
-        give_4(item2, 0, 3, down2, across2, step2, H0, H1, H2, H3);
-        give_4(item2, 4, 3, down2, across2, step2, H0, H5, H6, H7);
-        give_4(item2, 8, 3, down2, across2, step2, H0, H7, H2, H3);
+        if (dense2) {
+            store_4(item2 + 0 * sizeof(double), step2, H0, H1, H2, H3);
+            store_4(item2 + 4 * sizeof(double), step2, H0, H5, H6, H7);
+            store_4(item2 + 8 * sizeof(double), step2, H0, H7, H2, H3);
+        } else if (step2 == sizeof(double)) {
+            PACKED(item2 + entries2[0], 0) = H0;
+            PACKED(item2 + entries2[1], 0) = H1;
+            PACKED(item2 + entries2[2], 0) = H2;
+            PACKED(item2 + entries2[3], 0) = H3;
+            PACKED(item2 + entries2[4], 0) = H0;
+            PACKED(item2 + entries2[5], 0) = H5;
+            PACKED(item2 + entries2[6], 0) = H6;
+            PACKED(item2 + entries2[7], 0) = H7;
+            PACKED(item2 + entries2[8], 0) = H0;
+            PACKED(item2 + entries2[9], 0) = H7;
+            PACKED(item2 + entries2[10], 0) = H2;
+            PACKED(item2 + entries2[11], 0) = H3;
+        } else {
+            const doubles all[] = {H0, H1, H2, H3, H0, H5, H6, H7, H0, H7, H2, H3};
+            give_each(item2, entries2, step2, 12, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -354,14 +504,14 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
+    ptrdiff_t entries2[12];
+    const int dense2 = CHASLES_DENSE(find_entries(12, 3, sizeof(float), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -379,7 +529,19 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
+        } else if (step0 == sizeof(float)) {
+            e[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            e[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            e[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats H0 = 0.5f * cos_half_phi;
@@ -392,9 +554,27 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_blockf)(
         const floats H3 = -H1;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 12);
-        give_4f(item2, 0, 3, down2, across2, step2, H0, H1, H2, H3);
-        give_4f(item2, 4, 3, down2, across2, step2, H0, H5, H6, H7);
-        give_4f(item2, 8, 3, down2, across2, step2, H0, H7, H2, H3);
+        if (dense2) {
+            store_4f(item2 + 0 * sizeof(float), step2, H0, H1, H2, H3);
+            store_4f(item2 + 4 * sizeof(float), step2, H0, H5, H6, H7);
+            store_4f(item2 + 8 * sizeof(float), step2, H0, H7, H2, H3);
+        } else if (step2 == sizeof(float)) {
+            PACKEDF(item2 + entries2[0], 0) = H0;
+            PACKEDF(item2 + entries2[1], 0) = H1;
+            PACKEDF(item2 + entries2[2], 0) = H2;
+            PACKEDF(item2 + entries2[3], 0) = H3;
+            PACKEDF(item2 + entries2[4], 0) = H0;
+            PACKEDF(item2 + entries2[5], 0) = H5;
+            PACKEDF(item2 + entries2[6], 0) = H6;
+            PACKEDF(item2 + entries2[7], 0) = H7;
+            PACKEDF(item2 + entries2[8], 0) = H0;
+            PACKEDF(item2 + entries2[9], 0) = H7;
+            PACKEDF(item2 + entries2[10], 0) = H2;
+            PACKEDF(item2 + entries2[11], 0) = H3;
+        } else {
+            const floats all[] = {H0, H1, H2, H3, H0, H5, H6, H7, H0, H7, H2, H3};
+            give_eachf(item2, entries2, step2, 12, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -407,20 +587,32 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
+    ptrdiff_t entries2[9];
+    const int dense2 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles q[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, q);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &q[0]);
+        } else if (step0 == sizeof(double)) {
+            q[0] = PACKED_IN(item0 + entries0[0], 0);
+            q[1] = PACKED_IN(item0 + entries0[1], 0);
+            q[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            q[0] = all[0];
+            q[1] = all[1];
+            q[2] = all[2];
+        }
         doubles q_0;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -443,9 +635,24 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_block)(
         const doubles Q7 = q[0] + t7;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 9);
-        give_4(item2, 0, 3, down2, across2, step2, Q0, Q1, Q2, Q3);
-        give_4(item2, 4, 3, down2, across2, step2, Q4, Q5, Q6, Q7);
-        give_1(item2, 8, 3, down2, across2, step2, Q8);
+        if (dense2) {
+            store_4(item2 + 0 * sizeof(double), step2, Q0, Q1, Q2, Q3);
+            store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
+            store_1(item2 + 8 * sizeof(double), step2, Q8);
+        } else if (step2 == sizeof(double)) {
+            PACKED(item2 + entries2[0], 0) = Q0;
+            PACKED(item2 + entries2[1], 0) = Q1;
+            PACKED(item2 + entries2[2], 0) = Q2;
+            PACKED(item2 + entries2[3], 0) = Q3;
+            PACKED(item2 + entries2[4], 0) = Q4;
+            PACKED(item2 + entries2[5], 0) = Q5;
+            PACKED(item2 + entries2[6], 0) = Q6;
+            PACKED(item2 + entries2[7], 0) = Q7;
+            PACKED(item2 + entries2[8], 0) = Q8;
+        } else {
+            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_each(item2, entries2, step2, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -458,20 +665,32 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
+    ptrdiff_t entries2[9];
+    const int dense2 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats q[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, q);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &q[0]);
+        } else if (step0 == sizeof(float)) {
+            q[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            q[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            q[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            q[0] = all[0];
+            q[1] = all[1];
+            q[2] = all[2];
+        }
         floats q_0;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -494,9 +713,24 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_blockf)(
         const floats Q7 = q[0] + t7;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 9);
-        give_4f(item2, 0, 3, down2, across2, step2, Q0, Q1, Q2, Q3);
-        give_4f(item2, 4, 3, down2, across2, step2, Q4, Q5, Q6, Q7);
-        give_1f(item2, 8, 3, down2, across2, step2, Q8);
+        if (dense2) {
+            store_4f(item2 + 0 * sizeof(float), step2, Q0, Q1, Q2, Q3);
+            store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
+            store_1f(item2 + 8 * sizeof(float), step2, Q8);
+        } else if (step2 == sizeof(float)) {
+            PACKEDF(item2 + entries2[0], 0) = Q0;
+            PACKEDF(item2 + entries2[1], 0) = Q1;
+            PACKEDF(item2 + entries2[2], 0) = Q2;
+            PACKEDF(item2 + entries2[3], 0) = Q3;
+            PACKEDF(item2 + entries2[4], 0) = Q4;
+            PACKEDF(item2 + entries2[5], 0) = Q5;
+            PACKEDF(item2 + entries2[6], 0) = Q6;
+            PACKEDF(item2 + entries2[7], 0) = Q7;
+            PACKEDF(item2 + entries2[8], 0) = Q8;
+        } else {
+            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_eachf(item2, entries2, step2, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -509,20 +743,32 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
+    ptrdiff_t entries2[9];
+    const int dense2 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles q[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, q);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &q[0]);
+        } else if (step0 == sizeof(double)) {
+            q[0] = PACKED_IN(item0 + entries0[0], 0);
+            q[1] = PACKED_IN(item0 + entries0[1], 0);
+            q[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            q[0] = all[0];
+            q[1] = all[1];
+            q[2] = all[2];
+        }
         doubles q_0;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -548,9 +794,24 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_block)(
         const doubles Q7 = t7 + t8;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 9);
-        give_4(item2, 0, 3, down2, across2, step2, Q0, Q1, Q2, Q3);
-        give_4(item2, 4, 3, down2, across2, step2, Q4, Q5, Q6, Q7);
-        give_1(item2, 8, 3, down2, across2, step2, Q8);
+        if (dense2) {
+            store_4(item2 + 0 * sizeof(double), step2, Q0, Q1, Q2, Q3);
+            store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
+            store_1(item2 + 8 * sizeof(double), step2, Q8);
+        } else if (step2 == sizeof(double)) {
+            PACKED(item2 + entries2[0], 0) = Q0;
+            PACKED(item2 + entries2[1], 0) = Q1;
+            PACKED(item2 + entries2[2], 0) = Q2;
+            PACKED(item2 + entries2[3], 0) = Q3;
+            PACKED(item2 + entries2[4], 0) = Q4;
+            PACKED(item2 + entries2[5], 0) = Q5;
+            PACKED(item2 + entries2[6], 0) = Q6;
+            PACKED(item2 + entries2[7], 0) = Q7;
+            PACKED(item2 + entries2[8], 0) = Q8;
+        } else {
+            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_each(item2, entries2, step2, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -563,20 +824,32 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
+    ptrdiff_t entries2[9];
+    const int dense2 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats q[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, q);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &q[0]);
+        } else if (step0 == sizeof(float)) {
+            q[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            q[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            q[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            q[0] = all[0];
+            q[1] = all[1];
+            q[2] = all[2];
+        }
         floats q_0;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -602,9 +875,24 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_blockf)(
         const floats Q7 = t7 + t8;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 9);
-        give_4f(item2, 0, 3, down2, across2, step2, Q0, Q1, Q2, Q3);
-        give_4f(item2, 4, 3, down2, across2, step2, Q4, Q5, Q6, Q7);
-        give_1f(item2, 8, 3, down2, across2, step2, Q8);
+        if (dense2) {
+            store_4f(item2 + 0 * sizeof(float), step2, Q0, Q1, Q2, Q3);
+            store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
+            store_1f(item2 + 8 * sizeof(float), step2, Q8);
+        } else if (step2 == sizeof(float)) {
+            PACKEDF(item2 + entries2[0], 0) = Q0;
+            PACKEDF(item2 + entries2[1], 0) = Q1;
+            PACKEDF(item2 + entries2[2], 0) = Q2;
+            PACKEDF(item2 + entries2[3], 0) = Q3;
+            PACKEDF(item2 + entries2[4], 0) = Q4;
+            PACKEDF(item2 + entries2[5], 0) = Q5;
+            PACKEDF(item2 + entries2[6], 0) = Q6;
+            PACKEDF(item2 + entries2[7], 0) = Q7;
+            PACKEDF(item2 + entries2[8], 0) = Q8;
+        } else {
+            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_eachf(item2, entries2, step2, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -617,12 +905,12 @@ void CHASLES_LEVELED(chasles_linear_invariants_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[9];
+    const int dense0 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(double));
     chasles_stream copied = *stream;
@@ -630,16 +918,49 @@ void CHASLES_LEVELED(chasles_linear_invariants_block)(
         doubles Q[9];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 9);
-        take_4(item0, 0, 3, down0, across0, step0, Q);
-        take_4(item0, 4, 3, down0, across0, step0, &Q[4]);
-        take_1(item0, 8, 3, down0, across0, step0, &Q[8]);
+        if (dense0) {
+            load_4(item0 + 0 * sizeof(double), step0, &Q[0]);
+            load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
+            load_1(item0 + 8 * sizeof(double), step0, &Q[8]);
+        } else if (step0 == sizeof(double)) {
+            Q[0] = PACKED_IN(item0 + entries0[0], 0);
+            Q[1] = PACKED_IN(item0 + entries0[1], 0);
+            Q[2] = PACKED_IN(item0 + entries0[2], 0);
+            Q[3] = PACKED_IN(item0 + entries0[3], 0);
+            Q[4] = PACKED_IN(item0 + entries0[4], 0);
+            Q[5] = PACKED_IN(item0 + entries0[5], 0);
+            Q[6] = PACKED_IN(item0 + entries0[6], 0);
+            Q[7] = PACKED_IN(item0 + entries0[7], 0);
+            Q[8] = PACKED_IN(item0 + entries0[8], 0);
+        } else {
+            doubles all[9];
+            take_each(item0, entries0, step0, 9, all);
+            Q[0] = all[0];
+            Q[1] = all[1];
+            Q[2] = all[2];
+            Q[3] = all[3];
+            Q[4] = all[4];
+            Q[5] = all[5];
+            Q[6] = all[6];
+            Q[7] = all[7];
+            Q[8] = all[8];
+        }
         const doubles q0 = 0.5 * (Q[7] - Q[5]);
         const doubles q1 = 0.5 * (Q[2] - Q[6]);
         const doubles q2 = 0.5 * (Q[3] - Q[1]);
         const doubles q_0_value = 0.5 * (Q[8] + (Q[0] + Q[4]) - 1.0);
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 3);
-        give_3(item1, 0, 3, down1, across1, step1, q0, q1, q2);
+        if (dense1) {
+            store_3(item1 + 0 * sizeof(double), step1, q0, q1, q2);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = q0;
+            PACKED(item1 + entries1[1], 0) = q1;
+            PACKED(item1 + entries1[2], 0) = q2;
+        } else {
+            const doubles all[] = {q0, q1, q2};
+            give_each(item1, entries1, step1, 3, all);
+        }
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 1);
         store_1(item2, step2, q_0_value);
@@ -655,12 +976,12 @@ void CHASLES_LEVELED(chasles_linear_invariants_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[9];
+    const int dense0 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(float));
     chasles_stream copied = *stream;
@@ -668,16 +989,49 @@ void CHASLES_LEVELED(chasles_linear_invariants_blockf)(
         floats Q[9];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 9);
-        take_4f(item0, 0, 3, down0, across0, step0, Q);
-        take_4f(item0, 4, 3, down0, across0, step0, &Q[4]);
-        take_1f(item0, 8, 3, down0, across0, step0, &Q[8]);
+        if (dense0) {
+            load_4f(item0 + 0 * sizeof(float), step0, &Q[0]);
+            load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
+            load_1f(item0 + 8 * sizeof(float), step0, &Q[8]);
+        } else if (step0 == sizeof(float)) {
+            Q[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            Q[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            Q[2] = PACKEDF_IN(item0 + entries0[2], 0);
+            Q[3] = PACKEDF_IN(item0 + entries0[3], 0);
+            Q[4] = PACKEDF_IN(item0 + entries0[4], 0);
+            Q[5] = PACKEDF_IN(item0 + entries0[5], 0);
+            Q[6] = PACKEDF_IN(item0 + entries0[6], 0);
+            Q[7] = PACKEDF_IN(item0 + entries0[7], 0);
+            Q[8] = PACKEDF_IN(item0 + entries0[8], 0);
+        } else {
+            floats all[9];
+            take_eachf(item0, entries0, step0, 9, all);
+            Q[0] = all[0];
+            Q[1] = all[1];
+            Q[2] = all[2];
+            Q[3] = all[3];
+            Q[4] = all[4];
+            Q[5] = all[5];
+            Q[6] = all[6];
+            Q[7] = all[7];
+            Q[8] = all[8];
+        }
         const floats q0 = 0.5f * (Q[7] - Q[5]);
         const floats q1 = 0.5f * (Q[2] - Q[6]);
         const floats q2 = 0.5f * (Q[3] - Q[1]);
         const floats q_0_value = 0.5f * (Q[8] + (Q[0] + Q[4]) - 1.0f);
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 3);
-        give_3f(item1, 0, 3, down1, across1, step1, q0, q1, q2);
+        if (dense1) {
+            store_3f(item1 + 0 * sizeof(float), step1, q0, q1, q2);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = q0;
+            PACKEDF(item1 + entries1[1], 0) = q1;
+            PACKEDF(item1 + entries1[2], 0) = q2;
+        } else {
+            const floats all[] = {q0, q1, q2};
+            give_eachf(item1, entries1, step1, 3, all);
+        }
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 1);
         store_1f(item2, step2, q_0_value);
@@ -693,12 +1047,12 @@ void CHASLES_LEVELED(chasles_natural_invariants_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[9];
+    const int dense0 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(double));
     chasles_stream copied = *stream;
@@ -706,9 +1060,33 @@ void CHASLES_LEVELED(chasles_natural_invariants_block)(
         doubles Q[9];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 9);
-        take_4(item0, 0, 3, down0, across0, step0, Q);
-        take_4(item0, 4, 3, down0, across0, step0, &Q[4]);
-        take_1(item0, 8, 3, down0, across0, step0, &Q[8]);
+        if (dense0) {
+            load_4(item0 + 0 * sizeof(double), step0, &Q[0]);
+            load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
+            load_1(item0 + 8 * sizeof(double), step0, &Q[8]);
+        } else if (step0 == sizeof(double)) {
+            Q[0] = PACKED_IN(item0 + entries0[0], 0);
+            Q[1] = PACKED_IN(item0 + entries0[1], 0);
+            Q[2] = PACKED_IN(item0 + entries0[2], 0);
+            Q[3] = PACKED_IN(item0 + entries0[3], 0);
+            Q[4] = PACKED_IN(item0 + entries0[4], 0);
+            Q[5] = PACKED_IN(item0 + entries0[5], 0);
+            Q[6] = PACKED_IN(item0 + entries0[6], 0);
+            Q[7] = PACKED_IN(item0 + entries0[7], 0);
+            Q[8] = PACKED_IN(item0 + entries0[8], 0);
+        } else {
+            doubles all[9];
+            take_each(item0, entries0, step0, 9, all);
+            Q[0] = all[0];
+            Q[1] = all[1];
+            Q[2] = all[2];
+            Q[3] = all[3];
+            Q[4] = all[4];
+            Q[5] = all[5];
+            Q[6] = all[6];
+            Q[7] = all[7];
+            Q[8] = all[8];
+        }
         const doubles t1 = Q[2] + Q[6];
         const doubles t2 = Q[5] + Q[7];
         const doubles t3 = Q[8] + (Q[0] + Q[4]);
@@ -783,7 +1161,16 @@ void CHASLES_LEVELED(chasles_natural_invariants_block)(
         const doubles phi_value = 2.0 * directions(t42 * (choose(t58, spread(0.0), t47) / t57), t60 * t68);
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 3);
-        give_3(item1, 0, 3, down1, across1, step1, e0, e1, e2);
+        if (dense1) {
+            store_3(item1 + 0 * sizeof(double), step1, e0, e1, e2);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = e0;
+            PACKED(item1 + entries1[1], 0) = e1;
+            PACKED(item1 + entries1[2], 0) = e2;
+        } else {
+            const doubles all[] = {e0, e1, e2};
+            give_each(item1, entries1, step1, 3, all);
+        }
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 1);
         store_1(item2, step2, phi_value);
@@ -799,12 +1186,12 @@ void CHASLES_LEVELED(chasles_natural_invariants_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[9];
+    const int dense0 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(float));
     chasles_stream copied = *stream;
@@ -812,9 +1199,33 @@ void CHASLES_LEVELED(chasles_natural_invariants_blockf)(
         floats Q[9];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 9);
-        take_4f(item0, 0, 3, down0, across0, step0, Q);
-        take_4f(item0, 4, 3, down0, across0, step0, &Q[4]);
-        take_1f(item0, 8, 3, down0, across0, step0, &Q[8]);
+        if (dense0) {
+            load_4f(item0 + 0 * sizeof(float), step0, &Q[0]);
+            load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
+            load_1f(item0 + 8 * sizeof(float), step0, &Q[8]);
+        } else if (step0 == sizeof(float)) {
+            Q[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            Q[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            Q[2] = PACKEDF_IN(item0 + entries0[2], 0);
+            Q[3] = PACKEDF_IN(item0 + entries0[3], 0);
+            Q[4] = PACKEDF_IN(item0 + entries0[4], 0);
+            Q[5] = PACKEDF_IN(item0 + entries0[5], 0);
+            Q[6] = PACKEDF_IN(item0 + entries0[6], 0);
+            Q[7] = PACKEDF_IN(item0 + entries0[7], 0);
+            Q[8] = PACKEDF_IN(item0 + entries0[8], 0);
+        } else {
+            floats all[9];
+            take_eachf(item0, entries0, step0, 9, all);
+            Q[0] = all[0];
+            Q[1] = all[1];
+            Q[2] = all[2];
+            Q[3] = all[3];
+            Q[4] = all[4];
+            Q[5] = all[5];
+            Q[6] = all[6];
+            Q[7] = all[7];
+            Q[8] = all[8];
+        }
         const floats t1 = Q[2] + Q[6];
         const floats t2 = Q[5] + Q[7];
         const floats t3 = Q[8] + (Q[0] + Q[4]);
@@ -890,7 +1301,16 @@ void CHASLES_LEVELED(chasles_natural_invariants_blockf)(
         const floats phi_value = 2.0f * t69;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 3);
-        give_3f(item1, 0, 3, down1, across1, step1, e0, e1, e2);
+        if (dense1) {
+            store_3f(item1 + 0 * sizeof(float), step1, e0, e1, e2);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = e0;
+            PACKEDF(item1 + entries1[1], 0) = e1;
+            PACKEDF(item1 + entries1[2], 0) = e2;
+        } else {
+            const floats all[] = {e0, e1, e2};
+            give_eachf(item1, entries1, step1, 3, all);
+        }
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 1);
         store_1f(item2, step2, phi_value);
@@ -906,12 +1326,12 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[9];
+    const int dense0 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(double));
     chasles_stream copied = *stream;
@@ -919,9 +1339,33 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_block)(
         doubles Q[9];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 9);
-        take_4(item0, 0, 3, down0, across0, step0, Q);
-        take_4(item0, 4, 3, down0, across0, step0, &Q[4]);
-        take_1(item0, 8, 3, down0, across0, step0, &Q[8]);
+        if (dense0) {
+            load_4(item0 + 0 * sizeof(double), step0, &Q[0]);
+            load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
+            load_1(item0 + 8 * sizeof(double), step0, &Q[8]);
+        } else if (step0 == sizeof(double)) {
+            Q[0] = PACKED_IN(item0 + entries0[0], 0);
+            Q[1] = PACKED_IN(item0 + entries0[1], 0);
+            Q[2] = PACKED_IN(item0 + entries0[2], 0);
+            Q[3] = PACKED_IN(item0 + entries0[3], 0);
+            Q[4] = PACKED_IN(item0 + entries0[4], 0);
+            Q[5] = PACKED_IN(item0 + entries0[5], 0);
+            Q[6] = PACKED_IN(item0 + entries0[6], 0);
+            Q[7] = PACKED_IN(item0 + entries0[7], 0);
+            Q[8] = PACKED_IN(item0 + entries0[8], 0);
+        } else {
+            doubles all[9];
+            take_each(item0, entries0, step0, 9, all);
+            Q[0] = all[0];
+            Q[1] = all[1];
+            Q[2] = all[2];
+            Q[3] = all[3];
+            Q[4] = all[4];
+            Q[5] = all[5];
+            Q[6] = all[6];
+            Q[7] = all[7];
+            Q[8] = all[8];
+        }
         const doubles t1 = Q[2] + Q[6];
         const doubles t2 = Q[5] + Q[7];
         const doubles t3 = Q[8] + (Q[0] + Q[4]);
@@ -984,7 +1428,16 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_block)(
         const doubles q_0_value = t48 * t56;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 3);
-        give_3(item1, 0, 3, down1, across1, step1, q0, q1, q2);
+        if (dense1) {
+            store_3(item1 + 0 * sizeof(double), step1, q0, q1, q2);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = q0;
+            PACKED(item1 + entries1[1], 0) = q1;
+            PACKED(item1 + entries1[2], 0) = q2;
+        } else {
+            const doubles all[] = {q0, q1, q2};
+            give_each(item1, entries1, step1, 3, all);
+        }
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 1);
         store_1(item2, step2, q_0_value);
@@ -1000,12 +1453,12 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[9];
+    const int dense0 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(float));
     chasles_stream copied = *stream;
@@ -1013,9 +1466,33 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_blockf)(
         floats Q[9];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 9);
-        take_4f(item0, 0, 3, down0, across0, step0, Q);
-        take_4f(item0, 4, 3, down0, across0, step0, &Q[4]);
-        take_1f(item0, 8, 3, down0, across0, step0, &Q[8]);
+        if (dense0) {
+            load_4f(item0 + 0 * sizeof(float), step0, &Q[0]);
+            load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
+            load_1f(item0 + 8 * sizeof(float), step0, &Q[8]);
+        } else if (step0 == sizeof(float)) {
+            Q[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            Q[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            Q[2] = PACKEDF_IN(item0 + entries0[2], 0);
+            Q[3] = PACKEDF_IN(item0 + entries0[3], 0);
+            Q[4] = PACKEDF_IN(item0 + entries0[4], 0);
+            Q[5] = PACKEDF_IN(item0 + entries0[5], 0);
+            Q[6] = PACKEDF_IN(item0 + entries0[6], 0);
+            Q[7] = PACKEDF_IN(item0 + entries0[7], 0);
+            Q[8] = PACKEDF_IN(item0 + entries0[8], 0);
+        } else {
+            floats all[9];
+            take_eachf(item0, entries0, step0, 9, all);
+            Q[0] = all[0];
+            Q[1] = all[1];
+            Q[2] = all[2];
+            Q[3] = all[3];
+            Q[4] = all[4];
+            Q[5] = all[5];
+            Q[6] = all[6];
+            Q[7] = all[7];
+            Q[8] = all[8];
+        }
         const floats t1 = Q[2] + Q[6];
         const floats t2 = Q[5] + Q[7];
         const floats t3 = Q[8] + (Q[0] + Q[4]);
@@ -1078,7 +1555,16 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_blockf)(
         const floats q_0_value = t48 * t56;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 3);
-        give_3f(item1, 0, 3, down1, across1, step1, q0, q1, q2);
+        if (dense1) {
+            store_3f(item1 + 0 * sizeof(float), step1, q0, q1, q2);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = q0;
+            PACKEDF(item1 + entries1[1], 0) = q1;
+            PACKEDF(item1 + entries1[2], 0) = q2;
+        } else {
+            const floats all[] = {q0, q1, q2};
+            give_eachf(item1, entries1, step1, 3, all);
+        }
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 1);
         store_1f(item2, step2, q_0_value);
@@ -1094,20 +1580,20 @@ void CHASLES_LEVELED(chasles_screw_of_motion_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(6, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(7, 1 * sizeof(double));
+    ptrdiff_t entries0[9];
+    const int dense0 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step0, steps + 6, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(8, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(9, 1 * sizeof(double));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step1, steps + 8, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(10, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(11, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 10, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(12, 6 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(13, 1 * sizeof(double));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step3, steps + 12, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 1 * sizeof(double));
     char *const at5 = at[5];
@@ -1117,17 +1603,65 @@ void CHASLES_LEVELED(chasles_screw_of_motion_block)(
         doubles Q[9];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 9);
-        take_4(item0, 0, 3, down0, across0, step0, Q);
-        take_4(item0, 4, 3, down0, across0, step0, &Q[4]);
-        take_1(item0, 8, 3, down0, across0, step0, &Q[8]);
+        if (dense0) {
+            load_4(item0 + 0 * sizeof(double), step0, &Q[0]);
+            load_4(item0 + 4 * sizeof(double), step0, &Q[4]);
+            load_1(item0 + 8 * sizeof(double), step0, &Q[8]);
+        } else if (step0 == sizeof(double)) {
+            Q[0] = PACKED_IN(item0 + entries0[0], 0);
+            Q[1] = PACKED_IN(item0 + entries0[1], 0);
+            Q[2] = PACKED_IN(item0 + entries0[2], 0);
+            Q[3] = PACKED_IN(item0 + entries0[3], 0);
+            Q[4] = PACKED_IN(item0 + entries0[4], 0);
+            Q[5] = PACKED_IN(item0 + entries0[5], 0);
+            Q[6] = PACKED_IN(item0 + entries0[6], 0);
+            Q[7] = PACKED_IN(item0 + entries0[7], 0);
+            Q[8] = PACKED_IN(item0 + entries0[8], 0);
+        } else {
+            doubles all[9];
+            take_each(item0, entries0, step0, 9, all);
+            Q[0] = all[0];
+            Q[1] = all[1];
+            Q[2] = all[2];
+            Q[3] = all[3];
+            Q[4] = all[4];
+            Q[5] = all[5];
+            Q[6] = all[6];
+            Q[7] = all[7];
+            Q[8] = all[8];
+        }
         doubles a[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        take_3(item1, 0, 3, down1, across1, step1, a);
+        if (dense1) {
+            load_3(item1 + 0 * sizeof(double), step1, &a[0]);
+        } else if (step1 == sizeof(double)) {
+            a[0] = PACKED_IN(item1 + entries1[0], 0);
+            a[1] = PACKED_IN(item1 + entries1[1], 0);
+            a[2] = PACKED_IN(item1 + entries1[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item1, entries1, step1, 3, all);
+            a[0] = all[0];
+            a[1] = all[1];
+            a[2] = all[2];
+        }
         doubles a_prime[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        take_3(item2, 0, 3, down2, across2, step2, a_prime);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &a_prime[0]);
+        } else if (step2 == sizeof(double)) {
+            a_prime[0] = PACKED_IN(item2 + entries2[0], 0);
+            a_prime[1] = PACKED_IN(item2 + entries2[1], 0);
+            a_prime[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item2, entries2, step2, 3, all);
+            a_prime[0] = all[0];
+            a_prime[1] = all[1];
+            a_prime[2] = all[2];
+        }
         const doubles t1 = Q[2] + Q[6];
         const doubles t2 = Q[5] + Q[7];
         const doubles t3 = Q[8] + (Q[0] + Q[4]);
@@ -1221,8 +1755,20 @@ void CHASLES_LEVELED(chasles_screw_of_motion_block)(
         const doubles phi_value = 2.0 * directions(t42 * t61, t79);
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 6);
-        give_4(item3, 0, 6, down3, across3, step3, axis0, axis1, axis2, axis3);
-        give_2(item3, 4, 6, down3, across3, step3, axis4, axis5);
+        if (dense3) {
+            store_4(item3 + 0 * sizeof(double), step3, axis0, axis1, axis2, axis3);
+            store_2(item3 + 4 * sizeof(double), step3, axis4, axis5);
+        } else if (step3 == sizeof(double)) {
+            PACKED(item3 + entries3[0], 0) = axis0;
+            PACKED(item3 + entries3[1], 0) = axis1;
+            PACKED(item3 + entries3[2], 0) = axis2;
+            PACKED(item3 + entries3[3], 0) = axis3;
+            PACKED(item3 + entries3[4], 0) = axis4;
+            PACKED(item3 + entries3[5], 0) = axis5;
+        } else {
+            const doubles all[] = {axis0, axis1, axis2, axis3, axis4, axis5};
+            give_each(item3, entries3, step3, 6, all);
+        }
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 1);
         store_1(item4, step4, d_0_value);
@@ -1241,20 +1787,20 @@ void CHASLES_LEVELED(chasles_screw_of_motion_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(6, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(7, 1 * sizeof(float));
+    ptrdiff_t entries0[9];
+    const int dense0 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step0, steps + 6, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(8, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(9, 1 * sizeof(float));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step1, steps + 8, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(10, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(11, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 10, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(12, 6 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(13, 1 * sizeof(float));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step3, steps + 12, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 1 * sizeof(float));
     char *const at5 = at[5];
@@ -1264,17 +1810,65 @@ void CHASLES_LEVELED(chasles_screw_of_motion_blockf)(
         floats Q[9];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 9);
-        take_4f(item0, 0, 3, down0, across0, step0, Q);
-        take_4f(item0, 4, 3, down0, across0, step0, &Q[4]);
-        take_1f(item0, 8, 3, down0, across0, step0, &Q[8]);
+        if (dense0) {
+            load_4f(item0 + 0 * sizeof(float), step0, &Q[0]);
+            load_4f(item0 + 4 * sizeof(float), step0, &Q[4]);
+            load_1f(item0 + 8 * sizeof(float), step0, &Q[8]);
+        } else if (step0 == sizeof(float)) {
+            Q[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            Q[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            Q[2] = PACKEDF_IN(item0 + entries0[2], 0);
+            Q[3] = PACKEDF_IN(item0 + entries0[3], 0);
+            Q[4] = PACKEDF_IN(item0 + entries0[4], 0);
+            Q[5] = PACKEDF_IN(item0 + entries0[5], 0);
+            Q[6] = PACKEDF_IN(item0 + entries0[6], 0);
+            Q[7] = PACKEDF_IN(item0 + entries0[7], 0);
+            Q[8] = PACKEDF_IN(item0 + entries0[8], 0);
+        } else {
+            floats all[9];
+            take_eachf(item0, entries0, step0, 9, all);
+            Q[0] = all[0];
+            Q[1] = all[1];
+            Q[2] = all[2];
+            Q[3] = all[3];
+            Q[4] = all[4];
+            Q[5] = all[5];
+            Q[6] = all[6];
+            Q[7] = all[7];
+            Q[8] = all[8];
+        }
         floats a[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        take_3f(item1, 0, 3, down1, across1, step1, a);
+        if (dense1) {
+            load_3f(item1 + 0 * sizeof(float), step1, &a[0]);
+        } else if (step1 == sizeof(float)) {
+            a[0] = PACKEDF_IN(item1 + entries1[0], 0);
+            a[1] = PACKEDF_IN(item1 + entries1[1], 0);
+            a[2] = PACKEDF_IN(item1 + entries1[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item1, entries1, step1, 3, all);
+            a[0] = all[0];
+            a[1] = all[1];
+            a[2] = all[2];
+        }
         floats a_prime[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        take_3f(item2, 0, 3, down2, across2, step2, a_prime);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &a_prime[0]);
+        } else if (step2 == sizeof(float)) {
+            a_prime[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            a_prime[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            a_prime[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item2, entries2, step2, 3, all);
+            a_prime[0] = all[0];
+            a_prime[1] = all[1];
+            a_prime[2] = all[2];
+        }
         const floats t1 = Q[2] + Q[6];
         const floats t2 = Q[5] + Q[7];
         const floats t3 = Q[8] + (Q[0] + Q[4]);
@@ -1368,8 +1962,20 @@ void CHASLES_LEVELED(chasles_screw_of_motion_blockf)(
         const floats phi_value = 2.0f * directionsf(t42 * t61, t79);
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 6);
-        give_4f(item3, 0, 6, down3, across3, step3, axis0, axis1, axis2, axis3);
-        give_2f(item3, 4, 6, down3, across3, step3, axis4, axis5);
+        if (dense3) {
+            store_4f(item3 + 0 * sizeof(float), step3, axis0, axis1, axis2, axis3);
+            store_2f(item3 + 4 * sizeof(float), step3, axis4, axis5);
+        } else if (step3 == sizeof(float)) {
+            PACKEDF(item3 + entries3[0], 0) = axis0;
+            PACKEDF(item3 + entries3[1], 0) = axis1;
+            PACKEDF(item3 + entries3[2], 0) = axis2;
+            PACKEDF(item3 + entries3[3], 0) = axis3;
+            PACKEDF(item3 + entries3[4], 0) = axis4;
+            PACKEDF(item3 + entries3[5], 0) = axis5;
+        } else {
+            const floats all[] = {axis0, axis1, axis2, axis3, axis4, axis5};
+            give_eachf(item3, entries3, step3, 6, all);
+        }
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 1);
         store_1f(item4, step4, d_0_value);
@@ -1388,20 +1994,20 @@ void CHASLES_LEVELED(chasles_instant_screw_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(7, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(8, 1 * sizeof(double));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step1, steps + 7, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 1 * sizeof(double));
     chasles_stream copied = *stream;
@@ -1409,15 +2015,51 @@ void CHASLES_LEVELED(chasles_instant_screw_block)(
         doubles omega[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, omega);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &omega[0]);
+        } else if (step0 == sizeof(double)) {
+            omega[0] = PACKED_IN(item0 + entries0[0], 0);
+            omega[1] = PACKED_IN(item0 + entries0[1], 0);
+            omega[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         doubles a_dot[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        take_3(item1, 0, 3, down1, across1, step1, a_dot);
+        if (dense1) {
+            load_3(item1 + 0 * sizeof(double), step1, &a_dot[0]);
+        } else if (step1 == sizeof(double)) {
+            a_dot[0] = PACKED_IN(item1 + entries1[0], 0);
+            a_dot[1] = PACKED_IN(item1 + entries1[1], 0);
+            a_dot[2] = PACKED_IN(item1 + entries1[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item1, entries1, step1, 3, all);
+            a_dot[0] = all[0];
+            a_dot[1] = all[1];
+            a_dot[2] = all[2];
+        }
         doubles a[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        take_3(item2, 0, 3, down2, across2, step2, a);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &a[0]);
+        } else if (step2 == sizeof(double)) {
+            a[0] = PACKED_IN(item2 + entries2[0], 0);
+            a[1] = PACKED_IN(item2 + entries2[1], 0);
+            a[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item2, entries2, step2, 3, all);
+            a[0] = all[0];
+            a[1] = all[1];
+            a[2] = all[2];
+        }
         const doubles t1 = choose(less(omega[0], spread(0.0)), -omega[0], omega[0]);
         const doubles t2 = choose(less(omega[1], spread(0.0)), -omega[1], omega[1]);
         const doubles t3 = choose(less(t1, t2), t2, t1);
@@ -1445,8 +2087,20 @@ void CHASLES_LEVELED(chasles_instant_screw_block)(
         const doubles pitch_value = (axis0 * t13 + axis1 * t14 + axis2 * t15) / t6;
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 6);
-        give_4(item3, 0, 6, down3, across3, step3, axis0, axis1, axis2, axis3);
-        give_2(item3, 4, 6, down3, across3, step3, axis4, axis5);
+        if (dense3) {
+            store_4(item3 + 0 * sizeof(double), step3, axis0, axis1, axis2, axis3);
+            store_2(item3 + 4 * sizeof(double), step3, axis4, axis5);
+        } else if (step3 == sizeof(double)) {
+            PACKED(item3 + entries3[0], 0) = axis0;
+            PACKED(item3 + entries3[1], 0) = axis1;
+            PACKED(item3 + entries3[2], 0) = axis2;
+            PACKED(item3 + entries3[3], 0) = axis3;
+            PACKED(item3 + entries3[4], 0) = axis4;
+            PACKED(item3 + entries3[5], 0) = axis5;
+        } else {
+            const doubles all[] = {axis0, axis1, axis2, axis3, axis4, axis5};
+            give_each(item3, entries3, step3, 6, all);
+        }
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 1);
         store_1(item4, step4, pitch_value);
@@ -1462,20 +2116,20 @@ void CHASLES_LEVELED(chasles_instant_screw_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(7, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(8, 1 * sizeof(float));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step1, steps + 7, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 1 * sizeof(float));
     chasles_stream copied = *stream;
@@ -1483,15 +2137,51 @@ void CHASLES_LEVELED(chasles_instant_screw_blockf)(
         floats omega[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, omega);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &omega[0]);
+        } else if (step0 == sizeof(float)) {
+            omega[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            omega[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            omega[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         floats a_dot[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        take_3f(item1, 0, 3, down1, across1, step1, a_dot);
+        if (dense1) {
+            load_3f(item1 + 0 * sizeof(float), step1, &a_dot[0]);
+        } else if (step1 == sizeof(float)) {
+            a_dot[0] = PACKEDF_IN(item1 + entries1[0], 0);
+            a_dot[1] = PACKEDF_IN(item1 + entries1[1], 0);
+            a_dot[2] = PACKEDF_IN(item1 + entries1[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item1, entries1, step1, 3, all);
+            a_dot[0] = all[0];
+            a_dot[1] = all[1];
+            a_dot[2] = all[2];
+        }
         floats a[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        take_3f(item2, 0, 3, down2, across2, step2, a);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &a[0]);
+        } else if (step2 == sizeof(float)) {
+            a[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            a[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            a[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item2, entries2, step2, 3, all);
+            a[0] = all[0];
+            a[1] = all[1];
+            a[2] = all[2];
+        }
         const floats t1 = choosef(lessf(omega[0], spreadf(0.0f)), -omega[0], omega[0]);
         const floats t2 = choosef(lessf(omega[1], spreadf(0.0f)), -omega[1], omega[1]);
         const floats t3 = choosef(lessf(t1, t2), t2, t1);
@@ -1519,8 +2209,20 @@ void CHASLES_LEVELED(chasles_instant_screw_blockf)(
         const floats pitch_value = (axis0 * t13 + axis1 * t14 + axis2 * t15) / t6;
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 6);
-        give_4f(item3, 0, 6, down3, across3, step3, axis0, axis1, axis2, axis3);
-        give_2f(item3, 4, 6, down3, across3, step3, axis4, axis5);
+        if (dense3) {
+            store_4f(item3 + 0 * sizeof(float), step3, axis0, axis1, axis2, axis3);
+            store_2f(item3 + 4 * sizeof(float), step3, axis4, axis5);
+        } else if (step3 == sizeof(float)) {
+            PACKEDF(item3 + entries3[0], 0) = axis0;
+            PACKEDF(item3 + entries3[1], 0) = axis1;
+            PACKEDF(item3 + entries3[2], 0) = axis2;
+            PACKEDF(item3 + entries3[3], 0) = axis3;
+            PACKEDF(item3 + entries3[4], 0) = axis4;
+            PACKEDF(item3 + entries3[5], 0) = axis5;
+        } else {
+            const floats all[] = {axis0, axis1, axis2, axis3, axis4, axis5};
+            give_eachf(item3, entries3, step3, 6, all);
+        }
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 1);
         store_1f(item4, step4, pitch_value);
@@ -1536,14 +2238,14 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 4 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
+    ptrdiff_t entries2[12];
+    const int dense2 = CHASLES_DENSE(find_entries(12, 4, sizeof(double), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -1561,7 +2263,19 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &e[0]);
+        } else if (step0 == sizeof(double)) {
+            e[0] = PACKED_IN(item0 + entries0[0], 0);
+            e[1] = PACKED_IN(item0 + entries0[1], 0);
+            e[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         const doubles sin_phi = sines[0][g];
         const doubles cos_phi = cosines[0][g];
         const doubles N_tilde3 = e[0];
@@ -1577,9 +2291,39 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_block)(
         const doubles N_tilde8 = -N_tilde2;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 12);
-        give_4(item2, 0, 4, down2, across2, step2, N_tilde0, N_tilde1, N_tilde2, N_tilde3);
-        give_4(item2, 4, 4, down2, across2, step2, N_tilde4, N_tilde0, N_tilde6, N_tilde7);
-        give_4(item2, 8, 4, down2, across2, step2, N_tilde8, N_tilde9, N_tilde0, N_tilde11);
+        if (dense2) {
+            store_4(item2 + 0 * sizeof(double), step2, N_tilde0, N_tilde1, N_tilde2, N_tilde3);
+            store_4(item2 + 4 * sizeof(double), step2, N_tilde4, N_tilde0, N_tilde6, N_tilde7);
+            store_4(item2 + 8 * sizeof(double), step2, N_tilde8, N_tilde9, N_tilde0, N_tilde11);
+        } else if (step2 == sizeof(double)) {
+            PACKED(item2 + entries2[0], 0) = N_tilde0;
+            PACKED(item2 + entries2[1], 0) = N_tilde1;
+            PACKED(item2 + entries2[2], 0) = N_tilde2;
+            PACKED(item2 + entries2[3], 0) = N_tilde3;
+            PACKED(item2 + entries2[4], 0) = N_tilde4;
+            PACKED(item2 + entries2[5], 0) = N_tilde0;
+            PACKED(item2 + entries2[6], 0) = N_tilde6;
+            PACKED(item2 + entries2[7], 0) = N_tilde7;
+            PACKED(item2 + entries2[8], 0) = N_tilde8;
+            PACKED(item2 + entries2[9], 0) = N_tilde9;
+            PACKED(item2 + entries2[10], 0) = N_tilde0;
+            PACKED(item2 + entries2[11], 0) = N_tilde11;
+        } else {
+            const doubles all[] = {
+            N_tilde0,
+            N_tilde1,
+            N_tilde2,
+            N_tilde3,
+            N_tilde4,
+            N_tilde0,
+            N_tilde6,
+            N_tilde7,
+            N_tilde8,
+            N_tilde9,
+            N_tilde0,
+            N_tilde11};
+            give_each(item2, entries2, step2, 12, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1592,14 +2336,14 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 4 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
+    ptrdiff_t entries2[12];
+    const int dense2 = CHASLES_DENSE(find_entries(12, 4, sizeof(float), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -1617,7 +2361,19 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
+        } else if (step0 == sizeof(float)) {
+            e[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            e[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            e[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         const floats sin_phi = sines[0][g];
         const floats cos_phi = cosines[0][g];
         const floats N_tilde3 = e[0];
@@ -1633,9 +2389,39 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_blockf)(
         const floats N_tilde8 = -N_tilde2;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 12);
-        give_4f(item2, 0, 4, down2, across2, step2, N_tilde0, N_tilde1, N_tilde2, N_tilde3);
-        give_4f(item2, 4, 4, down2, across2, step2, N_tilde4, N_tilde0, N_tilde6, N_tilde7);
-        give_4f(item2, 8, 4, down2, across2, step2, N_tilde8, N_tilde9, N_tilde0, N_tilde11);
+        if (dense2) {
+            store_4f(item2 + 0 * sizeof(float), step2, N_tilde0, N_tilde1, N_tilde2, N_tilde3);
+            store_4f(item2 + 4 * sizeof(float), step2, N_tilde4, N_tilde0, N_tilde6, N_tilde7);
+            store_4f(item2 + 8 * sizeof(float), step2, N_tilde8, N_tilde9, N_tilde0, N_tilde11);
+        } else if (step2 == sizeof(float)) {
+            PACKEDF(item2 + entries2[0], 0) = N_tilde0;
+            PACKEDF(item2 + entries2[1], 0) = N_tilde1;
+            PACKEDF(item2 + entries2[2], 0) = N_tilde2;
+            PACKEDF(item2 + entries2[3], 0) = N_tilde3;
+            PACKEDF(item2 + entries2[4], 0) = N_tilde4;
+            PACKEDF(item2 + entries2[5], 0) = N_tilde0;
+            PACKEDF(item2 + entries2[6], 0) = N_tilde6;
+            PACKEDF(item2 + entries2[7], 0) = N_tilde7;
+            PACKEDF(item2 + entries2[8], 0) = N_tilde8;
+            PACKEDF(item2 + entries2[9], 0) = N_tilde9;
+            PACKEDF(item2 + entries2[10], 0) = N_tilde0;
+            PACKEDF(item2 + entries2[11], 0) = N_tilde11;
+        } else {
+            const floats all[] = {
+            N_tilde0,
+            N_tilde1,
+            N_tilde2,
+            N_tilde3,
+            N_tilde4,
+            N_tilde0,
+            N_tilde6,
+            N_tilde7,
+            N_tilde8,
+            N_tilde9,
+            N_tilde0,
+            N_tilde11};
+            give_eachf(item2, entries2, step2, 12, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1648,14 +2434,14 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 4 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
+    ptrdiff_t entries2[12];
+    const int dense2 = CHASLES_DENSE(find_entries(12, 4, sizeof(double), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -1673,7 +2459,19 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &e[0]);
+        } else if (step0 == sizeof(double)) {
+            e[0] = PACKED_IN(item0 + entries0[0], 0);
+            e[1] = PACKED_IN(item0 + entries0[1], 0);
+            e[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t1 = choose(equal(cos_half_phi, spread(0.0)), spread(0.0), sin_half_phi);
@@ -1686,9 +2484,39 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_block)(
         const doubles L_tilde7 = -L_tilde2;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 12);
-        give_4(item2, 0, 4, down2, across2, step2, spread(1.0), L_tilde1, L_tilde2, L_tilde3);
-        give_4(item2, 4, 4, down2, across2, step2, L_tilde4, spread(1.0), L_tilde3, L_tilde7);
-        give_4(item2, 8, 4, down2, across2, step2, L_tilde7, L_tilde9, spread(1.0), L_tilde1);
+        if (dense2) {
+            store_4(item2 + 0 * sizeof(double), step2, spread(1.0), L_tilde1, L_tilde2, L_tilde3);
+            store_4(item2 + 4 * sizeof(double), step2, L_tilde4, spread(1.0), L_tilde3, L_tilde7);
+            store_4(item2 + 8 * sizeof(double), step2, L_tilde7, L_tilde9, spread(1.0), L_tilde1);
+        } else if (step2 == sizeof(double)) {
+            PACKED(item2 + entries2[0], 0) = spread(1.0);
+            PACKED(item2 + entries2[1], 0) = L_tilde1;
+            PACKED(item2 + entries2[2], 0) = L_tilde2;
+            PACKED(item2 + entries2[3], 0) = L_tilde3;
+            PACKED(item2 + entries2[4], 0) = L_tilde4;
+            PACKED(item2 + entries2[5], 0) = spread(1.0);
+            PACKED(item2 + entries2[6], 0) = L_tilde3;
+            PACKED(item2 + entries2[7], 0) = L_tilde7;
+            PACKED(item2 + entries2[8], 0) = L_tilde7;
+            PACKED(item2 + entries2[9], 0) = L_tilde9;
+            PACKED(item2 + entries2[10], 0) = spread(1.0);
+            PACKED(item2 + entries2[11], 0) = L_tilde1;
+        } else {
+            const doubles all[] = {
+            spread(1.0),
+            L_tilde1,
+            L_tilde2,
+            L_tilde3,
+            L_tilde4,
+            spread(1.0),
+            L_tilde3,
+            L_tilde7,
+            L_tilde7,
+            L_tilde9,
+            spread(1.0),
+            L_tilde1};
+            give_each(item2, entries2, step2, 12, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1701,14 +2529,14 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 4 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
+    ptrdiff_t entries2[12];
+    const int dense2 = CHASLES_DENSE(find_entries(12, 4, sizeof(float), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -1726,7 +2554,19 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
+        } else if (step0 == sizeof(float)) {
+            e[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            e[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            e[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const truthsf t1 = equalf(cos_half_phi, spreadf(0.0f));
@@ -1739,9 +2579,39 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_blockf)(
         const floats L_tilde7 = -L_tilde2;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 12);
-        give_4f(item2, 0, 4, down2, across2, step2, spreadf(1.0f), L_tilde1, L_tilde2, L_tilde3);
-        give_4f(item2, 4, 4, down2, across2, step2, L_tilde4, spreadf(1.0f), L_tilde3, L_tilde7);
-        give_4f(item2, 8, 4, down2, across2, step2, L_tilde7, L_tilde9, spreadf(1.0f), L_tilde1);
+        if (dense2) {
+            store_4f(item2 + 0 * sizeof(float), step2, spreadf(1.0f), L_tilde1, L_tilde2, L_tilde3);
+            store_4f(item2 + 4 * sizeof(float), step2, L_tilde4, spreadf(1.0f), L_tilde3, L_tilde7);
+            store_4f(item2 + 8 * sizeof(float), step2, L_tilde7, L_tilde9, spreadf(1.0f), L_tilde1);
+        } else if (step2 == sizeof(float)) {
+            PACKEDF(item2 + entries2[0], 0) = spreadf(1.0f);
+            PACKEDF(item2 + entries2[1], 0) = L_tilde1;
+            PACKEDF(item2 + entries2[2], 0) = L_tilde2;
+            PACKEDF(item2 + entries2[3], 0) = L_tilde3;
+            PACKEDF(item2 + entries2[4], 0) = L_tilde4;
+            PACKEDF(item2 + entries2[5], 0) = spreadf(1.0f);
+            PACKEDF(item2 + entries2[6], 0) = L_tilde3;
+            PACKEDF(item2 + entries2[7], 0) = L_tilde7;
+            PACKEDF(item2 + entries2[8], 0) = L_tilde7;
+            PACKEDF(item2 + entries2[9], 0) = L_tilde9;
+            PACKEDF(item2 + entries2[10], 0) = spreadf(1.0f);
+            PACKEDF(item2 + entries2[11], 0) = L_tilde1;
+        } else {
+            const floats all[] = {
+            spreadf(1.0f),
+            L_tilde1,
+            L_tilde2,
+            L_tilde3,
+            L_tilde4,
+            spreadf(1.0f),
+            L_tilde3,
+            L_tilde7,
+            L_tilde7,
+            L_tilde9,
+            spreadf(1.0f),
+            L_tilde1};
+            give_eachf(item2, entries2, step2, 12, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1754,14 +2624,14 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 4 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
+    ptrdiff_t entries2[12];
+    const int dense2 = CHASLES_DENSE(find_entries(12, 4, sizeof(double), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -1779,7 +2649,19 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &e[0]);
+        } else if (step0 == sizeof(double)) {
+            e[0] = PACKED_IN(item0 + entries0[0], 0);
+            e[1] = PACKED_IN(item0 + entries0[1], 0);
+            e[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles H_tilde0 = 2.0 * cos_half_phi;
@@ -1792,9 +2674,39 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_block)(
         const doubles H_tilde7 = -H_tilde2;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 12);
-        give_4(item2, 0, 4, down2, across2, step2, H_tilde0, H_tilde1, H_tilde2, H_tilde3);
-        give_4(item2, 4, 4, down2, across2, step2, H_tilde4, H_tilde0, H_tilde3, H_tilde7);
-        give_4(item2, 8, 4, down2, across2, step2, H_tilde7, H_tilde9, H_tilde0, H_tilde1);
+        if (dense2) {
+            store_4(item2 + 0 * sizeof(double), step2, H_tilde0, H_tilde1, H_tilde2, H_tilde3);
+            store_4(item2 + 4 * sizeof(double), step2, H_tilde4, H_tilde0, H_tilde3, H_tilde7);
+            store_4(item2 + 8 * sizeof(double), step2, H_tilde7, H_tilde9, H_tilde0, H_tilde1);
+        } else if (step2 == sizeof(double)) {
+            PACKED(item2 + entries2[0], 0) = H_tilde0;
+            PACKED(item2 + entries2[1], 0) = H_tilde1;
+            PACKED(item2 + entries2[2], 0) = H_tilde2;
+            PACKED(item2 + entries2[3], 0) = H_tilde3;
+            PACKED(item2 + entries2[4], 0) = H_tilde4;
+            PACKED(item2 + entries2[5], 0) = H_tilde0;
+            PACKED(item2 + entries2[6], 0) = H_tilde3;
+            PACKED(item2 + entries2[7], 0) = H_tilde7;
+            PACKED(item2 + entries2[8], 0) = H_tilde7;
+            PACKED(item2 + entries2[9], 0) = H_tilde9;
+            PACKED(item2 + entries2[10], 0) = H_tilde0;
+            PACKED(item2 + entries2[11], 0) = H_tilde1;
+        } else {
+            const doubles all[] = {
+            H_tilde0,
+            H_tilde1,
+            H_tilde2,
+            H_tilde3,
+            H_tilde4,
+            H_tilde0,
+            H_tilde3,
+            H_tilde7,
+            H_tilde7,
+            H_tilde9,
+            H_tilde0,
+            H_tilde1};
+            give_each(item2, entries2, step2, 12, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1807,14 +2719,14 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 12 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 4 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
+    ptrdiff_t entries2[12];
+    const int dense2 = CHASLES_DENSE(find_entries(12, 4, sizeof(float), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -1832,7 +2744,19 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
+        } else if (step0 == sizeof(float)) {
+            e[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            e[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            e[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats H_tilde0 = 2.0f * cos_half_phi;
@@ -1845,9 +2769,39 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_blockf)(
         const floats H_tilde7 = -H_tilde2;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 12);
-        give_4f(item2, 0, 4, down2, across2, step2, H_tilde0, H_tilde1, H_tilde2, H_tilde3);
-        give_4f(item2, 4, 4, down2, across2, step2, H_tilde4, H_tilde0, H_tilde3, H_tilde7);
-        give_4f(item2, 8, 4, down2, across2, step2, H_tilde7, H_tilde9, H_tilde0, H_tilde1);
+        if (dense2) {
+            store_4f(item2 + 0 * sizeof(float), step2, H_tilde0, H_tilde1, H_tilde2, H_tilde3);
+            store_4f(item2 + 4 * sizeof(float), step2, H_tilde4, H_tilde0, H_tilde3, H_tilde7);
+            store_4f(item2 + 8 * sizeof(float), step2, H_tilde7, H_tilde9, H_tilde0, H_tilde1);
+        } else if (step2 == sizeof(float)) {
+            PACKEDF(item2 + entries2[0], 0) = H_tilde0;
+            PACKEDF(item2 + entries2[1], 0) = H_tilde1;
+            PACKEDF(item2 + entries2[2], 0) = H_tilde2;
+            PACKEDF(item2 + entries2[3], 0) = H_tilde3;
+            PACKEDF(item2 + entries2[4], 0) = H_tilde4;
+            PACKEDF(item2 + entries2[5], 0) = H_tilde0;
+            PACKEDF(item2 + entries2[6], 0) = H_tilde3;
+            PACKEDF(item2 + entries2[7], 0) = H_tilde7;
+            PACKEDF(item2 + entries2[8], 0) = H_tilde7;
+            PACKEDF(item2 + entries2[9], 0) = H_tilde9;
+            PACKEDF(item2 + entries2[10], 0) = H_tilde0;
+            PACKEDF(item2 + entries2[11], 0) = H_tilde1;
+        } else {
+            const floats all[] = {
+            H_tilde0,
+            H_tilde1,
+            H_tilde2,
+            H_tilde3,
+            H_tilde4,
+            H_tilde0,
+            H_tilde3,
+            H_tilde7,
+            H_tilde7,
+            H_tilde9,
+            H_tilde0,
+            H_tilde1};
+            give_eachf(item2, entries2, step2, 12, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1860,18 +2814,18 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 6 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 7 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
+    ptrdiff_t entries3[7];
+    const int dense3 = CHASLES_DENSE(find_entries(7, 7, sizeof(double), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -1889,12 +2843,42 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &e[0]);
+        } else if (step0 == sizeof(double)) {
+            e[0] = PACKED_IN(item0 + entries0[0], 0);
+            e[1] = PACKED_IN(item0 + entries0[1], 0);
+            e[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
-        take_4(item2, 0, 6, down2, across2, step2, t);
-        take_2(item2, 4, 6, down2, across2, step2, &t[4]);
+        if (dense2) {
+            load_4(item2 + 0 * sizeof(double), step2, &t[0]);
+            load_2(item2 + 4 * sizeof(double), step2, &t[4]);
+        } else if (step2 == sizeof(double)) {
+            t[0] = PACKED_IN(item2 + entries2[0], 0);
+            t[1] = PACKED_IN(item2 + entries2[1], 0);
+            t[2] = PACKED_IN(item2 + entries2[2], 0);
+            t[3] = PACKED_IN(item2 + entries2[3], 0);
+            t[4] = PACKED_IN(item2 + entries2[4], 0);
+            t[5] = PACKED_IN(item2 + entries2[5], 0);
+        } else {
+            doubles all[6];
+            take_each(item2, entries2, step2, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+            t[3] = all[3];
+            t[4] = all[4];
+            t[5] = all[5];
+        }
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles s_dot4 = t[3];
@@ -1908,8 +2892,21 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_block)(
         const doubles s_dot2 = -(0.5 * (e[0] * t[1] - e[1] * t[0]) + (e[2] * s_dot3 - t[2]) * t2);
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 7);
-        give_4(item3, 0, 7, down3, across3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
-        give_3(item3, 4, 7, down3, across3, step3, s_dot4, s_dot5, s_dot6);
+        if (dense3) {
+            store_4(item3 + 0 * sizeof(double), step3, s_dot0, s_dot1, s_dot2, s_dot3);
+            store_3(item3 + 4 * sizeof(double), step3, s_dot4, s_dot5, s_dot6);
+        } else if (step3 == sizeof(double)) {
+            PACKED(item3 + entries3[0], 0) = s_dot0;
+            PACKED(item3 + entries3[1], 0) = s_dot1;
+            PACKED(item3 + entries3[2], 0) = s_dot2;
+            PACKED(item3 + entries3[3], 0) = s_dot3;
+            PACKED(item3 + entries3[4], 0) = s_dot4;
+            PACKED(item3 + entries3[5], 0) = s_dot5;
+            PACKED(item3 + entries3[6], 0) = s_dot6;
+        } else {
+            const doubles all[] = {s_dot0, s_dot1, s_dot2, s_dot3, s_dot4, s_dot5, s_dot6};
+            give_each(item3, entries3, step3, 7, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1922,18 +2919,18 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 6 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 7 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
+    ptrdiff_t entries3[7];
+    const int dense3 = CHASLES_DENSE(find_entries(7, 7, sizeof(float), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -1951,12 +2948,42 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
+        } else if (step0 == sizeof(float)) {
+            e[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            e[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            e[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
-        take_4f(item2, 0, 6, down2, across2, step2, t);
-        take_2f(item2, 4, 6, down2, across2, step2, &t[4]);
+        if (dense2) {
+            load_4f(item2 + 0 * sizeof(float), step2, &t[0]);
+            load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
+        } else if (step2 == sizeof(float)) {
+            t[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            t[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            t[2] = PACKEDF_IN(item2 + entries2[2], 0);
+            t[3] = PACKEDF_IN(item2 + entries2[3], 0);
+            t[4] = PACKEDF_IN(item2 + entries2[4], 0);
+            t[5] = PACKEDF_IN(item2 + entries2[5], 0);
+        } else {
+            floats all[6];
+            take_eachf(item2, entries2, step2, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+            t[3] = all[3];
+            t[4] = all[4];
+            t[5] = all[5];
+        }
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats s_dot4 = t[3];
@@ -1970,8 +2997,21 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_blockf)(
         const floats s_dot2 = -(0.5f * (e[0] * t[1] - e[1] * t[0]) + (e[2] * s_dot3 - t[2]) * t2);
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 7);
-        give_4f(item3, 0, 7, down3, across3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
-        give_3f(item3, 4, 7, down3, across3, step3, s_dot4, s_dot5, s_dot6);
+        if (dense3) {
+            store_4f(item3 + 0 * sizeof(float), step3, s_dot0, s_dot1, s_dot2, s_dot3);
+            store_3f(item3 + 4 * sizeof(float), step3, s_dot4, s_dot5, s_dot6);
+        } else if (step3 == sizeof(float)) {
+            PACKEDF(item3 + entries3[0], 0) = s_dot0;
+            PACKEDF(item3 + entries3[1], 0) = s_dot1;
+            PACKEDF(item3 + entries3[2], 0) = s_dot2;
+            PACKEDF(item3 + entries3[3], 0) = s_dot3;
+            PACKEDF(item3 + entries3[4], 0) = s_dot4;
+            PACKEDF(item3 + entries3[5], 0) = s_dot5;
+            PACKEDF(item3 + entries3[6], 0) = s_dot6;
+        } else {
+            const floats all[] = {s_dot0, s_dot1, s_dot2, s_dot3, s_dot4, s_dot5, s_dot6};
+            give_eachf(item3, entries3, step3, 7, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1984,18 +3024,18 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 6 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 7 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
+    ptrdiff_t entries3[7];
+    const int dense3 = CHASLES_DENSE(find_entries(7, 7, sizeof(double), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -2013,12 +3053,42 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &e[0]);
+        } else if (step0 == sizeof(double)) {
+            e[0] = PACKED_IN(item0 + entries0[0], 0);
+            e[1] = PACKED_IN(item0 + entries0[1], 0);
+            e[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
-        take_4(item2, 0, 6, down2, across2, step2, t);
-        take_2(item2, 4, 6, down2, across2, step2, &t[4]);
+        if (dense2) {
+            load_4(item2 + 0 * sizeof(double), step2, &t[0]);
+            load_2(item2 + 4 * sizeof(double), step2, &t[4]);
+        } else if (step2 == sizeof(double)) {
+            t[0] = PACKED_IN(item2 + entries2[0], 0);
+            t[1] = PACKED_IN(item2 + entries2[1], 0);
+            t[2] = PACKED_IN(item2 + entries2[2], 0);
+            t[3] = PACKED_IN(item2 + entries2[3], 0);
+            t[4] = PACKED_IN(item2 + entries2[4], 0);
+            t[5] = PACKED_IN(item2 + entries2[5], 0);
+        } else {
+            doubles all[6];
+            take_each(item2, entries2, step2, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+            t[3] = all[3];
+            t[4] = all[4];
+            t[5] = all[5];
+        }
         const doubles sin_phi = sines[0][g];
         const doubles cos_phi = cosines[0][g];
         const doubles s_dot4 = t[3];
@@ -2035,8 +3105,21 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_block)(
         const doubles s_dot3 = -(t3 + t[2] * (e[2] * sin_phi));
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 7);
-        give_4(item3, 0, 7, down3, across3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
-        give_3(item3, 4, 7, down3, across3, step3, s_dot4, s_dot5, s_dot6);
+        if (dense3) {
+            store_4(item3 + 0 * sizeof(double), step3, s_dot0, s_dot1, s_dot2, s_dot3);
+            store_3(item3 + 4 * sizeof(double), step3, s_dot4, s_dot5, s_dot6);
+        } else if (step3 == sizeof(double)) {
+            PACKED(item3 + entries3[0], 0) = s_dot0;
+            PACKED(item3 + entries3[1], 0) = s_dot1;
+            PACKED(item3 + entries3[2], 0) = s_dot2;
+            PACKED(item3 + entries3[3], 0) = s_dot3;
+            PACKED(item3 + entries3[4], 0) = s_dot4;
+            PACKED(item3 + entries3[5], 0) = s_dot5;
+            PACKED(item3 + entries3[6], 0) = s_dot6;
+        } else {
+            const doubles all[] = {s_dot0, s_dot1, s_dot2, s_dot3, s_dot4, s_dot5, s_dot6};
+            give_each(item3, entries3, step3, 7, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2049,18 +3132,18 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 6 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 7 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
+    ptrdiff_t entries3[7];
+    const int dense3 = CHASLES_DENSE(find_entries(7, 7, sizeof(float), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -2078,12 +3161,42 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
+        } else if (step0 == sizeof(float)) {
+            e[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            e[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            e[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
-        take_4f(item2, 0, 6, down2, across2, step2, t);
-        take_2f(item2, 4, 6, down2, across2, step2, &t[4]);
+        if (dense2) {
+            load_4f(item2 + 0 * sizeof(float), step2, &t[0]);
+            load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
+        } else if (step2 == sizeof(float)) {
+            t[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            t[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            t[2] = PACKEDF_IN(item2 + entries2[2], 0);
+            t[3] = PACKEDF_IN(item2 + entries2[3], 0);
+            t[4] = PACKEDF_IN(item2 + entries2[4], 0);
+            t[5] = PACKEDF_IN(item2 + entries2[5], 0);
+        } else {
+            floats all[6];
+            take_eachf(item2, entries2, step2, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+            t[3] = all[3];
+            t[4] = all[4];
+            t[5] = all[5];
+        }
         const floats sin_phi = sines[0][g];
         const floats cos_phi = cosines[0][g];
         const floats s_dot4 = t[3];
@@ -2100,8 +3213,21 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_blockf)(
         const floats s_dot3 = -(t3 + t[2] * (e[2] * sin_phi));
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 7);
-        give_4f(item3, 0, 7, down3, across3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
-        give_3f(item3, 4, 7, down3, across3, step3, s_dot4, s_dot5, s_dot6);
+        if (dense3) {
+            store_4f(item3 + 0 * sizeof(float), step3, s_dot0, s_dot1, s_dot2, s_dot3);
+            store_3f(item3 + 4 * sizeof(float), step3, s_dot4, s_dot5, s_dot6);
+        } else if (step3 == sizeof(float)) {
+            PACKEDF(item3 + entries3[0], 0) = s_dot0;
+            PACKEDF(item3 + entries3[1], 0) = s_dot1;
+            PACKEDF(item3 + entries3[2], 0) = s_dot2;
+            PACKEDF(item3 + entries3[3], 0) = s_dot3;
+            PACKEDF(item3 + entries3[4], 0) = s_dot4;
+            PACKEDF(item3 + entries3[5], 0) = s_dot5;
+            PACKEDF(item3 + entries3[6], 0) = s_dot6;
+        } else {
+            const floats all[] = {s_dot0, s_dot1, s_dot2, s_dot3, s_dot4, s_dot5, s_dot6};
+            give_eachf(item3, entries3, step3, 7, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2114,18 +3240,18 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 6 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 7 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
+    ptrdiff_t entries3[7];
+    const int dense3 = CHASLES_DENSE(find_entries(7, 7, sizeof(double), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -2143,12 +3269,42 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &e[0]);
+        } else if (step0 == sizeof(double)) {
+            e[0] = PACKED_IN(item0 + entries0[0], 0);
+            e[1] = PACKED_IN(item0 + entries0[1], 0);
+            e[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
-        take_4(item2, 0, 6, down2, across2, step2, t);
-        take_2(item2, 4, 6, down2, across2, step2, &t[4]);
+        if (dense2) {
+            load_4(item2 + 0 * sizeof(double), step2, &t[0]);
+            load_2(item2 + 4 * sizeof(double), step2, &t[4]);
+        } else if (step2 == sizeof(double)) {
+            t[0] = PACKED_IN(item2 + entries2[0], 0);
+            t[1] = PACKED_IN(item2 + entries2[1], 0);
+            t[2] = PACKED_IN(item2 + entries2[2], 0);
+            t[3] = PACKED_IN(item2 + entries2[3], 0);
+            t[4] = PACKED_IN(item2 + entries2[4], 0);
+            t[5] = PACKED_IN(item2 + entries2[5], 0);
+        } else {
+            doubles all[6];
+            take_each(item2, entries2, step2, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+            t[3] = all[3];
+            t[4] = all[4];
+            t[5] = all[5];
+        }
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles s_dot4 = t[3];
@@ -2165,8 +3321,21 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_block)(
         const doubles s_dot3 = -(t[0] * t1 + t[1] * t2 + t[2] * t3);
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 7);
-        give_4(item3, 0, 7, down3, across3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
-        give_3(item3, 4, 7, down3, across3, step3, s_dot4, s_dot5, s_dot6);
+        if (dense3) {
+            store_4(item3 + 0 * sizeof(double), step3, s_dot0, s_dot1, s_dot2, s_dot3);
+            store_3(item3 + 4 * sizeof(double), step3, s_dot4, s_dot5, s_dot6);
+        } else if (step3 == sizeof(double)) {
+            PACKED(item3 + entries3[0], 0) = s_dot0;
+            PACKED(item3 + entries3[1], 0) = s_dot1;
+            PACKED(item3 + entries3[2], 0) = s_dot2;
+            PACKED(item3 + entries3[3], 0) = s_dot3;
+            PACKED(item3 + entries3[4], 0) = s_dot4;
+            PACKED(item3 + entries3[5], 0) = s_dot5;
+            PACKED(item3 + entries3[6], 0) = s_dot6;
+        } else {
+            const doubles all[] = {s_dot0, s_dot1, s_dot2, s_dot3, s_dot4, s_dot5, s_dot6};
+            give_each(item3, entries3, step3, 7, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2179,18 +3348,18 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 6 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 7 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
+    ptrdiff_t entries3[7];
+    const int dense3 = CHASLES_DENSE(find_entries(7, 7, sizeof(float), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -2208,12 +3377,42 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
+        } else if (step0 == sizeof(float)) {
+            e[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            e[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            e[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
-        take_4f(item2, 0, 6, down2, across2, step2, t);
-        take_2f(item2, 4, 6, down2, across2, step2, &t[4]);
+        if (dense2) {
+            load_4f(item2 + 0 * sizeof(float), step2, &t[0]);
+            load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
+        } else if (step2 == sizeof(float)) {
+            t[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            t[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            t[2] = PACKEDF_IN(item2 + entries2[2], 0);
+            t[3] = PACKEDF_IN(item2 + entries2[3], 0);
+            t[4] = PACKEDF_IN(item2 + entries2[4], 0);
+            t[5] = PACKEDF_IN(item2 + entries2[5], 0);
+        } else {
+            floats all[6];
+            take_eachf(item2, entries2, step2, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+            t[3] = all[3];
+            t[4] = all[4];
+            t[5] = all[5];
+        }
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats s_dot4 = t[3];
@@ -2230,8 +3429,21 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_blockf)(
         const floats s_dot3 = -(t[0] * t1 + t[1] * t2 + t[2] * t3);
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 7);
-        give_4f(item3, 0, 7, down3, across3, step3, s_dot0, s_dot1, s_dot2, s_dot3);
-        give_3f(item3, 4, 7, down3, across3, step3, s_dot4, s_dot5, s_dot6);
+        if (dense3) {
+            store_4f(item3 + 0 * sizeof(float), step3, s_dot0, s_dot1, s_dot2, s_dot3);
+            store_3f(item3 + 4 * sizeof(float), step3, s_dot4, s_dot5, s_dot6);
+        } else if (step3 == sizeof(float)) {
+            PACKEDF(item3 + entries3[0], 0) = s_dot0;
+            PACKEDF(item3 + entries3[1], 0) = s_dot1;
+            PACKEDF(item3 + entries3[2], 0) = s_dot2;
+            PACKEDF(item3 + entries3[3], 0) = s_dot3;
+            PACKEDF(item3 + entries3[4], 0) = s_dot4;
+            PACKEDF(item3 + entries3[5], 0) = s_dot5;
+            PACKEDF(item3 + entries3[6], 0) = s_dot6;
+        } else {
+            const floats all[] = {s_dot0, s_dot1, s_dot2, s_dot3, s_dot4, s_dot5, s_dot6};
+            give_eachf(item3, entries3, step3, 7, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2244,18 +3456,18 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 7 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
+    ptrdiff_t entries2[7];
+    const int dense2 = CHASLES_DENSE(find_entries(7, 7, sizeof(double), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -2273,12 +3485,44 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &e[0]);
+        } else if (step0 == sizeof(double)) {
+            e[0] = PACKED_IN(item0 + entries0[0], 0);
+            e[1] = PACKED_IN(item0 + entries0[1], 0);
+            e[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 7);
-        take_4(item2, 0, 7, down2, across2, step2, s_dot);
-        take_3(item2, 4, 7, down2, across2, step2, &s_dot[4]);
+        if (dense2) {
+            load_4(item2 + 0 * sizeof(double), step2, &s_dot[0]);
+            load_3(item2 + 4 * sizeof(double), step2, &s_dot[4]);
+        } else if (step2 == sizeof(double)) {
+            s_dot[0] = PACKED_IN(item2 + entries2[0], 0);
+            s_dot[1] = PACKED_IN(item2 + entries2[1], 0);
+            s_dot[2] = PACKED_IN(item2 + entries2[2], 0);
+            s_dot[3] = PACKED_IN(item2 + entries2[3], 0);
+            s_dot[4] = PACKED_IN(item2 + entries2[4], 0);
+            s_dot[5] = PACKED_IN(item2 + entries2[5], 0);
+            s_dot[6] = PACKED_IN(item2 + entries2[6], 0);
+        } else {
+            doubles all[7];
+            take_each(item2, entries2, step2, 7, all);
+            s_dot[0] = all[0];
+            s_dot[1] = all[1];
+            s_dot[2] = all[2];
+            s_dot[3] = all[3];
+            s_dot[4] = all[4];
+            s_dot[5] = all[5];
+            s_dot[6] = all[6];
+        }
         const doubles sin_phi = sines[0][g];
         const doubles cos_phi = cosines[0][g];
         const doubles t3 = s_dot[4];
@@ -2293,8 +3537,20 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_block)(
         const doubles t2 = t9 + e[2] * s_dot[3];
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 6);
-        give_4(item3, 0, 6, down3, across3, step3, t0, t1, t2, t3);
-        give_2(item3, 4, 6, down3, across3, step3, t4, t5);
+        if (dense3) {
+            store_4(item3 + 0 * sizeof(double), step3, t0, t1, t2, t3);
+            store_2(item3 + 4 * sizeof(double), step3, t4, t5);
+        } else if (step3 == sizeof(double)) {
+            PACKED(item3 + entries3[0], 0) = t0;
+            PACKED(item3 + entries3[1], 0) = t1;
+            PACKED(item3 + entries3[2], 0) = t2;
+            PACKED(item3 + entries3[3], 0) = t3;
+            PACKED(item3 + entries3[4], 0) = t4;
+            PACKED(item3 + entries3[5], 0) = t5;
+        } else {
+            const doubles all[] = {t0, t1, t2, t3, t4, t5};
+            give_each(item3, entries3, step3, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2307,18 +3563,18 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 7 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
+    ptrdiff_t entries2[7];
+    const int dense2 = CHASLES_DENSE(find_entries(7, 7, sizeof(float), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -2336,12 +3592,44 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
+        } else if (step0 == sizeof(float)) {
+            e[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            e[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            e[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 7);
-        take_4f(item2, 0, 7, down2, across2, step2, s_dot);
-        take_3f(item2, 4, 7, down2, across2, step2, &s_dot[4]);
+        if (dense2) {
+            load_4f(item2 + 0 * sizeof(float), step2, &s_dot[0]);
+            load_3f(item2 + 4 * sizeof(float), step2, &s_dot[4]);
+        } else if (step2 == sizeof(float)) {
+            s_dot[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            s_dot[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            s_dot[2] = PACKEDF_IN(item2 + entries2[2], 0);
+            s_dot[3] = PACKEDF_IN(item2 + entries2[3], 0);
+            s_dot[4] = PACKEDF_IN(item2 + entries2[4], 0);
+            s_dot[5] = PACKEDF_IN(item2 + entries2[5], 0);
+            s_dot[6] = PACKEDF_IN(item2 + entries2[6], 0);
+        } else {
+            floats all[7];
+            take_eachf(item2, entries2, step2, 7, all);
+            s_dot[0] = all[0];
+            s_dot[1] = all[1];
+            s_dot[2] = all[2];
+            s_dot[3] = all[3];
+            s_dot[4] = all[4];
+            s_dot[5] = all[5];
+            s_dot[6] = all[6];
+        }
         const floats sin_phi = sines[0][g];
         const floats cos_phi = cosines[0][g];
         const floats t3 = s_dot[4];
@@ -2356,8 +3644,20 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_blockf)(
         const floats t2 = t9 + e[2] * s_dot[3];
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 6);
-        give_4f(item3, 0, 6, down3, across3, step3, t0, t1, t2, t3);
-        give_2f(item3, 4, 6, down3, across3, step3, t4, t5);
+        if (dense3) {
+            store_4f(item3 + 0 * sizeof(float), step3, t0, t1, t2, t3);
+            store_2f(item3 + 4 * sizeof(float), step3, t4, t5);
+        } else if (step3 == sizeof(float)) {
+            PACKEDF(item3 + entries3[0], 0) = t0;
+            PACKEDF(item3 + entries3[1], 0) = t1;
+            PACKEDF(item3 + entries3[2], 0) = t2;
+            PACKEDF(item3 + entries3[3], 0) = t3;
+            PACKEDF(item3 + entries3[4], 0) = t4;
+            PACKEDF(item3 + entries3[5], 0) = t5;
+        } else {
+            const floats all[] = {t0, t1, t2, t3, t4, t5};
+            give_eachf(item3, entries3, step3, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2370,18 +3670,18 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 7 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
+    ptrdiff_t entries2[7];
+    const int dense2 = CHASLES_DENSE(find_entries(7, 7, sizeof(double), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -2399,12 +3699,44 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &e[0]);
+        } else if (step0 == sizeof(double)) {
+            e[0] = PACKED_IN(item0 + entries0[0], 0);
+            e[1] = PACKED_IN(item0 + entries0[1], 0);
+            e[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 7);
-        take_4(item2, 0, 7, down2, across2, step2, s_dot);
-        take_3(item2, 4, 7, down2, across2, step2, &s_dot[4]);
+        if (dense2) {
+            load_4(item2 + 0 * sizeof(double), step2, &s_dot[0]);
+            load_3(item2 + 4 * sizeof(double), step2, &s_dot[4]);
+        } else if (step2 == sizeof(double)) {
+            s_dot[0] = PACKED_IN(item2 + entries2[0], 0);
+            s_dot[1] = PACKED_IN(item2 + entries2[1], 0);
+            s_dot[2] = PACKED_IN(item2 + entries2[2], 0);
+            s_dot[3] = PACKED_IN(item2 + entries2[3], 0);
+            s_dot[4] = PACKED_IN(item2 + entries2[4], 0);
+            s_dot[5] = PACKED_IN(item2 + entries2[5], 0);
+            s_dot[6] = PACKED_IN(item2 + entries2[6], 0);
+        } else {
+            doubles all[7];
+            take_each(item2, entries2, step2, 7, all);
+            s_dot[0] = all[0];
+            s_dot[1] = all[1];
+            s_dot[2] = all[2];
+            s_dot[3] = all[3];
+            s_dot[4] = all[4];
+            s_dot[5] = all[5];
+            s_dot[6] = all[6];
+        }
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t3 = s_dot[4];
@@ -2420,8 +3752,20 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_block)(
         const doubles t2 = s_dot[2] + (s_dot[1] * t8 - s_dot[0] * t9) - s_dot[3] * t10;
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 6);
-        give_4(item3, 0, 6, down3, across3, step3, t0, t1, t2, t3);
-        give_2(item3, 4, 6, down3, across3, step3, t4, t5);
+        if (dense3) {
+            store_4(item3 + 0 * sizeof(double), step3, t0, t1, t2, t3);
+            store_2(item3 + 4 * sizeof(double), step3, t4, t5);
+        } else if (step3 == sizeof(double)) {
+            PACKED(item3 + entries3[0], 0) = t0;
+            PACKED(item3 + entries3[1], 0) = t1;
+            PACKED(item3 + entries3[2], 0) = t2;
+            PACKED(item3 + entries3[3], 0) = t3;
+            PACKED(item3 + entries3[4], 0) = t4;
+            PACKED(item3 + entries3[5], 0) = t5;
+        } else {
+            const doubles all[] = {t0, t1, t2, t3, t4, t5};
+            give_each(item3, entries3, step3, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2434,18 +3778,18 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 7 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
+    ptrdiff_t entries2[7];
+    const int dense2 = CHASLES_DENSE(find_entries(7, 7, sizeof(float), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -2463,12 +3807,44 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
+        } else if (step0 == sizeof(float)) {
+            e[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            e[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            e[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 7);
-        take_4f(item2, 0, 7, down2, across2, step2, s_dot);
-        take_3f(item2, 4, 7, down2, across2, step2, &s_dot[4]);
+        if (dense2) {
+            load_4f(item2 + 0 * sizeof(float), step2, &s_dot[0]);
+            load_3f(item2 + 4 * sizeof(float), step2, &s_dot[4]);
+        } else if (step2 == sizeof(float)) {
+            s_dot[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            s_dot[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            s_dot[2] = PACKEDF_IN(item2 + entries2[2], 0);
+            s_dot[3] = PACKEDF_IN(item2 + entries2[3], 0);
+            s_dot[4] = PACKEDF_IN(item2 + entries2[4], 0);
+            s_dot[5] = PACKEDF_IN(item2 + entries2[5], 0);
+            s_dot[6] = PACKEDF_IN(item2 + entries2[6], 0);
+        } else {
+            floats all[7];
+            take_eachf(item2, entries2, step2, 7, all);
+            s_dot[0] = all[0];
+            s_dot[1] = all[1];
+            s_dot[2] = all[2];
+            s_dot[3] = all[3];
+            s_dot[4] = all[4];
+            s_dot[5] = all[5];
+            s_dot[6] = all[6];
+        }
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats t3 = s_dot[4];
@@ -2484,8 +3860,20 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_blockf)(
         const floats t2 = s_dot[2] + (s_dot[1] * t8 - s_dot[0] * t9) - s_dot[3] * t10;
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 6);
-        give_4f(item3, 0, 6, down3, across3, step3, t0, t1, t2, t3);
-        give_2f(item3, 4, 6, down3, across3, step3, t4, t5);
+        if (dense3) {
+            store_4f(item3 + 0 * sizeof(float), step3, t0, t1, t2, t3);
+            store_2f(item3 + 4 * sizeof(float), step3, t4, t5);
+        } else if (step3 == sizeof(float)) {
+            PACKEDF(item3 + entries3[0], 0) = t0;
+            PACKEDF(item3 + entries3[1], 0) = t1;
+            PACKEDF(item3 + entries3[2], 0) = t2;
+            PACKEDF(item3 + entries3[3], 0) = t3;
+            PACKEDF(item3 + entries3[4], 0) = t4;
+            PACKEDF(item3 + entries3[5], 0) = t5;
+        } else {
+            const floats all[] = {t0, t1, t2, t3, t4, t5};
+            give_eachf(item3, entries3, step3, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2498,18 +3886,18 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 7 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
+    ptrdiff_t entries2[7];
+    const int dense2 = CHASLES_DENSE(find_entries(7, 7, sizeof(double), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -2527,12 +3915,44 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &e[0]);
+        } else if (step0 == sizeof(double)) {
+            e[0] = PACKED_IN(item0 + entries0[0], 0);
+            e[1] = PACKED_IN(item0 + entries0[1], 0);
+            e[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 7);
-        take_4(item2, 0, 7, down2, across2, step2, s_dot);
-        take_3(item2, 4, 7, down2, across2, step2, &s_dot[4]);
+        if (dense2) {
+            load_4(item2 + 0 * sizeof(double), step2, &s_dot[0]);
+            load_3(item2 + 4 * sizeof(double), step2, &s_dot[4]);
+        } else if (step2 == sizeof(double)) {
+            s_dot[0] = PACKED_IN(item2 + entries2[0], 0);
+            s_dot[1] = PACKED_IN(item2 + entries2[1], 0);
+            s_dot[2] = PACKED_IN(item2 + entries2[2], 0);
+            s_dot[3] = PACKED_IN(item2 + entries2[3], 0);
+            s_dot[4] = PACKED_IN(item2 + entries2[4], 0);
+            s_dot[5] = PACKED_IN(item2 + entries2[5], 0);
+            s_dot[6] = PACKED_IN(item2 + entries2[6], 0);
+        } else {
+            doubles all[7];
+            take_each(item2, entries2, step2, 7, all);
+            s_dot[0] = all[0];
+            s_dot[1] = all[1];
+            s_dot[2] = all[2];
+            s_dot[3] = all[3];
+            s_dot[4] = all[4];
+            s_dot[5] = all[5];
+            s_dot[6] = all[6];
+        }
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t3 = s_dot[4];
@@ -2548,8 +3968,20 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_block)(
         const doubles t2 = s_dot[1] * t8 - s_dot[0] * t9 + s_dot[2] * t6 - s_dot[3] * t10;
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 6);
-        give_4(item3, 0, 6, down3, across3, step3, t0, t1, t2, t3);
-        give_2(item3, 4, 6, down3, across3, step3, t4, t5);
+        if (dense3) {
+            store_4(item3 + 0 * sizeof(double), step3, t0, t1, t2, t3);
+            store_2(item3 + 4 * sizeof(double), step3, t4, t5);
+        } else if (step3 == sizeof(double)) {
+            PACKED(item3 + entries3[0], 0) = t0;
+            PACKED(item3 + entries3[1], 0) = t1;
+            PACKED(item3 + entries3[2], 0) = t2;
+            PACKED(item3 + entries3[3], 0) = t3;
+            PACKED(item3 + entries3[4], 0) = t4;
+            PACKED(item3 + entries3[5], 0) = t5;
+        } else {
+            const doubles all[] = {t0, t1, t2, t3, t4, t5};
+            give_each(item3, entries3, step3, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2562,18 +3994,18 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 7 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
+    ptrdiff_t entries2[7];
+    const int dense2 = CHASLES_DENSE(find_entries(7, 7, sizeof(float), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -2591,12 +4023,44 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
+        } else if (step0 == sizeof(float)) {
+            e[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            e[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            e[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 7);
-        take_4f(item2, 0, 7, down2, across2, step2, s_dot);
-        take_3f(item2, 4, 7, down2, across2, step2, &s_dot[4]);
+        if (dense2) {
+            load_4f(item2 + 0 * sizeof(float), step2, &s_dot[0]);
+            load_3f(item2 + 4 * sizeof(float), step2, &s_dot[4]);
+        } else if (step2 == sizeof(float)) {
+            s_dot[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            s_dot[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            s_dot[2] = PACKEDF_IN(item2 + entries2[2], 0);
+            s_dot[3] = PACKEDF_IN(item2 + entries2[3], 0);
+            s_dot[4] = PACKEDF_IN(item2 + entries2[4], 0);
+            s_dot[5] = PACKEDF_IN(item2 + entries2[5], 0);
+            s_dot[6] = PACKEDF_IN(item2 + entries2[6], 0);
+        } else {
+            floats all[7];
+            take_eachf(item2, entries2, step2, 7, all);
+            s_dot[0] = all[0];
+            s_dot[1] = all[1];
+            s_dot[2] = all[2];
+            s_dot[3] = all[3];
+            s_dot[4] = all[4];
+            s_dot[5] = all[5];
+            s_dot[6] = all[6];
+        }
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats t3 = s_dot[4];
@@ -2612,8 +4076,20 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_blockf)(
         const floats t2 = s_dot[1] * t8 - s_dot[0] * t9 + s_dot[2] * t6 - s_dot[3] * t10;
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 6);
-        give_4f(item3, 0, 6, down3, across3, step3, t0, t1, t2, t3);
-        give_2f(item3, 4, 6, down3, across3, step3, t4, t5);
+        if (dense3) {
+            store_4f(item3 + 0 * sizeof(float), step3, t0, t1, t2, t3);
+            store_2f(item3 + 4 * sizeof(float), step3, t4, t5);
+        } else if (step3 == sizeof(float)) {
+            PACKEDF(item3 + entries3[0], 0) = t0;
+            PACKEDF(item3 + entries3[1], 0) = t1;
+            PACKEDF(item3 + entries3[2], 0) = t2;
+            PACKEDF(item3 + entries3[3], 0) = t3;
+            PACKEDF(item3 + entries3[4], 0) = t4;
+            PACKEDF(item3 + entries3[5], 0) = t5;
+        } else {
+            const floats all[] = {t0, t1, t2, t3, t4, t5};
+            give_eachf(item3, entries3, step3, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2626,35 +4102,77 @@ void CHASLES_LEVELED(chasles_twist_transfer_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 6 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries0[6];
+    const int dense0 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(6, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(7, 1 * sizeof(double));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step1, steps + 6, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles t_A[6];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 6);
-        take_4(item0, 0, 6, down0, across0, step0, t_A);
-        take_2(item0, 4, 6, down0, across0, step0, &t_A[4]);
+        if (dense0) {
+            load_4(item0 + 0 * sizeof(double), step0, &t_A[0]);
+            load_2(item0 + 4 * sizeof(double), step0, &t_A[4]);
+        } else if (step0 == sizeof(double)) {
+            t_A[0] = PACKED_IN(item0 + entries0[0], 0);
+            t_A[1] = PACKED_IN(item0 + entries0[1], 0);
+            t_A[2] = PACKED_IN(item0 + entries0[2], 0);
+            t_A[3] = PACKED_IN(item0 + entries0[3], 0);
+            t_A[4] = PACKED_IN(item0 + entries0[4], 0);
+            t_A[5] = PACKED_IN(item0 + entries0[5], 0);
+        } else {
+            doubles all[6];
+            take_each(item0, entries0, step0, 6, all);
+            t_A[0] = all[0];
+            t_A[1] = all[1];
+            t_A[2] = all[2];
+            t_A[3] = all[3];
+            t_A[4] = all[4];
+            t_A[5] = all[5];
+        }
         doubles a[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        take_3(item1, 0, 3, down1, across1, step1, a);
+        if (dense1) {
+            load_3(item1 + 0 * sizeof(double), step1, &a[0]);
+        } else if (step1 == sizeof(double)) {
+            a[0] = PACKED_IN(item1 + entries1[0], 0);
+            a[1] = PACKED_IN(item1 + entries1[1], 0);
+            a[2] = PACKED_IN(item1 + entries1[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item1, entries1, step1, 3, all);
+            a[0] = all[0];
+            a[1] = all[1];
+            a[2] = all[2];
+        }
         doubles p[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        take_3(item2, 0, 3, down2, across2, step2, p);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &p[0]);
+        } else if (step2 == sizeof(double)) {
+            p[0] = PACKED_IN(item2 + entries2[0], 0);
+            p[1] = PACKED_IN(item2 + entries2[1], 0);
+            p[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item2, entries2, step2, 3, all);
+            p[0] = all[0];
+            p[1] = all[1];
+            p[2] = all[2];
+        }
         const doubles t_P0 = t_A[0];
         const doubles t_P1 = t_A[1];
         const doubles t_P2 = t_A[2];
@@ -2666,8 +4184,20 @@ void CHASLES_LEVELED(chasles_twist_transfer_block)(
         const doubles t_P5 = t_A[5] + (t_P1 * t1 - t_P0 * t2);
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 6);
-        give_4(item3, 0, 6, down3, across3, step3, t_P0, t_P1, t_P2, t_P3);
-        give_2(item3, 4, 6, down3, across3, step3, t_P4, t_P5);
+        if (dense3) {
+            store_4(item3 + 0 * sizeof(double), step3, t_P0, t_P1, t_P2, t_P3);
+            store_2(item3 + 4 * sizeof(double), step3, t_P4, t_P5);
+        } else if (step3 == sizeof(double)) {
+            PACKED(item3 + entries3[0], 0) = t_P0;
+            PACKED(item3 + entries3[1], 0) = t_P1;
+            PACKED(item3 + entries3[2], 0) = t_P2;
+            PACKED(item3 + entries3[3], 0) = t_P3;
+            PACKED(item3 + entries3[4], 0) = t_P4;
+            PACKED(item3 + entries3[5], 0) = t_P5;
+        } else {
+            const doubles all[] = {t_P0, t_P1, t_P2, t_P3, t_P4, t_P5};
+            give_each(item3, entries3, step3, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2680,35 +4210,77 @@ void CHASLES_LEVELED(chasles_twist_transfer_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 6 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries0[6];
+    const int dense0 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(6, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(7, 1 * sizeof(float));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step1, steps + 6, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats t_A[6];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 6);
-        take_4f(item0, 0, 6, down0, across0, step0, t_A);
-        take_2f(item0, 4, 6, down0, across0, step0, &t_A[4]);
+        if (dense0) {
+            load_4f(item0 + 0 * sizeof(float), step0, &t_A[0]);
+            load_2f(item0 + 4 * sizeof(float), step0, &t_A[4]);
+        } else if (step0 == sizeof(float)) {
+            t_A[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            t_A[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            t_A[2] = PACKEDF_IN(item0 + entries0[2], 0);
+            t_A[3] = PACKEDF_IN(item0 + entries0[3], 0);
+            t_A[4] = PACKEDF_IN(item0 + entries0[4], 0);
+            t_A[5] = PACKEDF_IN(item0 + entries0[5], 0);
+        } else {
+            floats all[6];
+            take_eachf(item0, entries0, step0, 6, all);
+            t_A[0] = all[0];
+            t_A[1] = all[1];
+            t_A[2] = all[2];
+            t_A[3] = all[3];
+            t_A[4] = all[4];
+            t_A[5] = all[5];
+        }
         floats a[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        take_3f(item1, 0, 3, down1, across1, step1, a);
+        if (dense1) {
+            load_3f(item1 + 0 * sizeof(float), step1, &a[0]);
+        } else if (step1 == sizeof(float)) {
+            a[0] = PACKEDF_IN(item1 + entries1[0], 0);
+            a[1] = PACKEDF_IN(item1 + entries1[1], 0);
+            a[2] = PACKEDF_IN(item1 + entries1[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item1, entries1, step1, 3, all);
+            a[0] = all[0];
+            a[1] = all[1];
+            a[2] = all[2];
+        }
         floats p[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        take_3f(item2, 0, 3, down2, across2, step2, p);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &p[0]);
+        } else if (step2 == sizeof(float)) {
+            p[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            p[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            p[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item2, entries2, step2, 3, all);
+            p[0] = all[0];
+            p[1] = all[1];
+            p[2] = all[2];
+        }
         const floats t_P0 = t_A[0];
         const floats t_P1 = t_A[1];
         const floats t_P2 = t_A[2];
@@ -2720,8 +4292,20 @@ void CHASLES_LEVELED(chasles_twist_transfer_blockf)(
         const floats t_P5 = t_A[5] + (t_P1 * t1 - t_P0 * t2);
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 6);
-        give_4f(item3, 0, 6, down3, across3, step3, t_P0, t_P1, t_P2, t_P3);
-        give_2f(item3, 4, 6, down3, across3, step3, t_P4, t_P5);
+        if (dense3) {
+            store_4f(item3 + 0 * sizeof(float), step3, t_P0, t_P1, t_P2, t_P3);
+            store_2f(item3 + 4 * sizeof(float), step3, t_P4, t_P5);
+        } else if (step3 == sizeof(float)) {
+            PACKEDF(item3 + entries3[0], 0) = t_P0;
+            PACKEDF(item3 + entries3[1], 0) = t_P1;
+            PACKEDF(item3 + entries3[2], 0) = t_P2;
+            PACKEDF(item3 + entries3[3], 0) = t_P3;
+            PACKEDF(item3 + entries3[4], 0) = t_P4;
+            PACKEDF(item3 + entries3[5], 0) = t_P5;
+        } else {
+            const floats all[] = {t_P0, t_P1, t_P2, t_P3, t_P4, t_P5};
+            give_eachf(item3, entries3, step3, 6, all);
+        }
         stream_lines(&copied);
     }
 }

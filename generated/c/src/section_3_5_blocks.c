@@ -23,26 +23,50 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
+    ptrdiff_t entries2[9];
+    const int dense2 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, omega);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &omega[0]);
+        } else if (step0 == sizeof(double)) {
+            omega[0] = PACKED_IN(item0 + entries0[0], 0);
+            omega[1] = PACKED_IN(item0 + entries0[1], 0);
+            omega[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         doubles omega_dot[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        take_3(item1, 0, 3, down1, across1, step1, omega_dot);
+        if (dense1) {
+            load_3(item1 + 0 * sizeof(double), step1, &omega_dot[0]);
+        } else if (step1 == sizeof(double)) {
+            omega_dot[0] = PACKED_IN(item1 + entries1[0], 0);
+            omega_dot[1] = PACKED_IN(item1 + entries1[1], 0);
+            omega_dot[2] = PACKED_IN(item1 + entries1[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item1, entries1, step1, 3, all);
+            omega_dot[0] = all[0];
+            omega_dot[1] = all[1];
+            omega_dot[2] = all[2];
+        }
         const doubles t1 = omega[0] * omega[0];
         const doubles t2 = omega[0] * omega[1];
         const doubles t3 = omega[0] * omega[2];
@@ -60,9 +84,24 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_block)(
         const doubles W7 = omega_dot[0] + t5;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 9);
-        give_4(item2, 0, 3, down2, across2, step2, W0, W1, W2, W3);
-        give_4(item2, 4, 3, down2, across2, step2, W4, W5, W6, W7);
-        give_1(item2, 8, 3, down2, across2, step2, W8);
+        if (dense2) {
+            store_4(item2 + 0 * sizeof(double), step2, W0, W1, W2, W3);
+            store_4(item2 + 4 * sizeof(double), step2, W4, W5, W6, W7);
+            store_1(item2 + 8 * sizeof(double), step2, W8);
+        } else if (step2 == sizeof(double)) {
+            PACKED(item2 + entries2[0], 0) = W0;
+            PACKED(item2 + entries2[1], 0) = W1;
+            PACKED(item2 + entries2[2], 0) = W2;
+            PACKED(item2 + entries2[3], 0) = W3;
+            PACKED(item2 + entries2[4], 0) = W4;
+            PACKED(item2 + entries2[5], 0) = W5;
+            PACKED(item2 + entries2[6], 0) = W6;
+            PACKED(item2 + entries2[7], 0) = W7;
+            PACKED(item2 + entries2[8], 0) = W8;
+        } else {
+            const doubles all[] = {W0, W1, W2, W3, W4, W5, W6, W7, W8};
+            give_each(item2, entries2, step2, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -75,26 +114,50 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 9 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
+    ptrdiff_t entries2[9];
+    const int dense2 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, omega);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &omega[0]);
+        } else if (step0 == sizeof(float)) {
+            omega[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            omega[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            omega[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         floats omega_dot[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        take_3f(item1, 0, 3, down1, across1, step1, omega_dot);
+        if (dense1) {
+            load_3f(item1 + 0 * sizeof(float), step1, &omega_dot[0]);
+        } else if (step1 == sizeof(float)) {
+            omega_dot[0] = PACKEDF_IN(item1 + entries1[0], 0);
+            omega_dot[1] = PACKEDF_IN(item1 + entries1[1], 0);
+            omega_dot[2] = PACKEDF_IN(item1 + entries1[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item1, entries1, step1, 3, all);
+            omega_dot[0] = all[0];
+            omega_dot[1] = all[1];
+            omega_dot[2] = all[2];
+        }
         const floats t1 = omega[0] * omega[0];
         const floats t2 = omega[0] * omega[1];
         const floats t3 = omega[0] * omega[2];
@@ -112,9 +175,24 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_blockf)(
         const floats W7 = omega_dot[0] + t5;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 9);
-        give_4f(item2, 0, 3, down2, across2, step2, W0, W1, W2, W3);
-        give_4f(item2, 4, 3, down2, across2, step2, W4, W5, W6, W7);
-        give_1f(item2, 8, 3, down2, across2, step2, W8);
+        if (dense2) {
+            store_4f(item2 + 0 * sizeof(float), step2, W0, W1, W2, W3);
+            store_4f(item2 + 4 * sizeof(float), step2, W4, W5, W6, W7);
+            store_1f(item2 + 8 * sizeof(float), step2, W8);
+        } else if (step2 == sizeof(float)) {
+            PACKEDF(item2 + entries2[0], 0) = W0;
+            PACKEDF(item2 + entries2[1], 0) = W1;
+            PACKEDF(item2 + entries2[2], 0) = W2;
+            PACKEDF(item2 + entries2[3], 0) = W3;
+            PACKEDF(item2 + entries2[4], 0) = W4;
+            PACKEDF(item2 + entries2[5], 0) = W5;
+            PACKEDF(item2 + entries2[6], 0) = W6;
+            PACKEDF(item2 + entries2[7], 0) = W7;
+            PACKEDF(item2 + entries2[8], 0) = W8;
+        } else {
+            const floats all[] = {W0, W1, W2, W3, W4, W5, W6, W7, W8};
+            give_eachf(item2, entries2, step2, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -127,50 +205,110 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(6, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(7, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 6, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(8, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(9, 1 * sizeof(double));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step1, steps + 8, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(10, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(11, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 10, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(12, 3 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(13, 1 * sizeof(double));
+    ptrdiff_t entries3[3];
+    const int dense3 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step3, steps + 12, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t down4 = CHASLES_STEP(14, 3 * sizeof(double));
-    const ptrdiff_t across4 = CHASLES_STEP(15, 1 * sizeof(double));
+    ptrdiff_t entries4[3];
+    const int dense4 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step4, steps + 14, entries4));
     char *const at5 = at[5];
     const ptrdiff_t step5 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t down5 = CHASLES_STEP(16, 3 * sizeof(double));
-    const ptrdiff_t across5 = CHASLES_STEP(17, 1 * sizeof(double));
+    ptrdiff_t entries5[3];
+    const int dense5 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step5, steps + 16, entries5));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles omega[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, omega);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &omega[0]);
+        } else if (step0 == sizeof(double)) {
+            omega[0] = PACKED_IN(item0 + entries0[0], 0);
+            omega[1] = PACKED_IN(item0 + entries0[1], 0);
+            omega[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         doubles omega_dot[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        take_3(item1, 0, 3, down1, across1, step1, omega_dot);
+        if (dense1) {
+            load_3(item1 + 0 * sizeof(double), step1, &omega_dot[0]);
+        } else if (step1 == sizeof(double)) {
+            omega_dot[0] = PACKED_IN(item1 + entries1[0], 0);
+            omega_dot[1] = PACKED_IN(item1 + entries1[1], 0);
+            omega_dot[2] = PACKED_IN(item1 + entries1[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item1, entries1, step1, 3, all);
+            omega_dot[0] = all[0];
+            omega_dot[1] = all[1];
+            omega_dot[2] = all[2];
+        }
         doubles a_ddot[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        take_3(item2, 0, 3, down2, across2, step2, a_ddot);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &a_ddot[0]);
+        } else if (step2 == sizeof(double)) {
+            a_ddot[0] = PACKED_IN(item2 + entries2[0], 0);
+            a_ddot[1] = PACKED_IN(item2 + entries2[1], 0);
+            a_ddot[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item2, entries2, step2, 3, all);
+            a_ddot[0] = all[0];
+            a_ddot[1] = all[1];
+            a_ddot[2] = all[2];
+        }
         doubles a[3];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 3);
-        take_3(item3, 0, 3, down3, across3, step3, a);
+        if (dense3) {
+            load_3(item3 + 0 * sizeof(double), step3, &a[0]);
+        } else if (step3 == sizeof(double)) {
+            a[0] = PACKED_IN(item3 + entries3[0], 0);
+            a[1] = PACKED_IN(item3 + entries3[1], 0);
+            a[2] = PACKED_IN(item3 + entries3[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item3, entries3, step3, 3, all);
+            a[0] = all[0];
+            a[1] = all[1];
+            a[2] = all[2];
+        }
         doubles p[3];
         const char *const item4 = at4 + g * LANES * step4;
         prefetch(item4, 3);
-        take_3(item4, 0, 3, down4, across4, step4, p);
+        if (dense4) {
+            load_3(item4 + 0 * sizeof(double), step4, &p[0]);
+        } else if (step4 == sizeof(double)) {
+            p[0] = PACKED_IN(item4 + entries4[0], 0);
+            p[1] = PACKED_IN(item4 + entries4[1], 0);
+            p[2] = PACKED_IN(item4 + entries4[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item4, entries4, step4, 3, all);
+            p[0] = all[0];
+            p[1] = all[1];
+            p[2] = all[2];
+        }
         const doubles t1 = p[0] - a[0];
         const doubles t2 = p[1] - a[1];
         const doubles t3 = p[2] - a[2];
@@ -185,7 +323,16 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_block)(
         const doubles p_ddot2 = t9 + (omega[0] * t5 - omega[1] * t4);
         char *const item5 = at5 + g * LANES * step5;
         prefetch_to_write(item5, 3);
-        give_3(item5, 0, 3, down5, across5, step5, p_ddot0, p_ddot1, p_ddot2);
+        if (dense5) {
+            store_3(item5 + 0 * sizeof(double), step5, p_ddot0, p_ddot1, p_ddot2);
+        } else if (step5 == sizeof(double)) {
+            PACKED(item5 + entries5[0], 0) = p_ddot0;
+            PACKED(item5 + entries5[1], 0) = p_ddot1;
+            PACKED(item5 + entries5[2], 0) = p_ddot2;
+        } else {
+            const doubles all[] = {p_ddot0, p_ddot1, p_ddot2};
+            give_each(item5, entries5, step5, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -198,50 +345,110 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(6, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(7, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 6, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(8, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(9, 1 * sizeof(float));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step1, steps + 8, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(10, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(11, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 10, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(12, 3 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(13, 1 * sizeof(float));
+    ptrdiff_t entries3[3];
+    const int dense3 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step3, steps + 12, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t down4 = CHASLES_STEP(14, 3 * sizeof(float));
-    const ptrdiff_t across4 = CHASLES_STEP(15, 1 * sizeof(float));
+    ptrdiff_t entries4[3];
+    const int dense4 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step4, steps + 14, entries4));
     char *const at5 = at[5];
     const ptrdiff_t step5 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t down5 = CHASLES_STEP(16, 3 * sizeof(float));
-    const ptrdiff_t across5 = CHASLES_STEP(17, 1 * sizeof(float));
+    ptrdiff_t entries5[3];
+    const int dense5 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step5, steps + 16, entries5));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats omega[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, omega);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &omega[0]);
+        } else if (step0 == sizeof(float)) {
+            omega[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            omega[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            omega[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         floats omega_dot[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        take_3f(item1, 0, 3, down1, across1, step1, omega_dot);
+        if (dense1) {
+            load_3f(item1 + 0 * sizeof(float), step1, &omega_dot[0]);
+        } else if (step1 == sizeof(float)) {
+            omega_dot[0] = PACKEDF_IN(item1 + entries1[0], 0);
+            omega_dot[1] = PACKEDF_IN(item1 + entries1[1], 0);
+            omega_dot[2] = PACKEDF_IN(item1 + entries1[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item1, entries1, step1, 3, all);
+            omega_dot[0] = all[0];
+            omega_dot[1] = all[1];
+            omega_dot[2] = all[2];
+        }
         floats a_ddot[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        take_3f(item2, 0, 3, down2, across2, step2, a_ddot);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &a_ddot[0]);
+        } else if (step2 == sizeof(float)) {
+            a_ddot[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            a_ddot[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            a_ddot[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item2, entries2, step2, 3, all);
+            a_ddot[0] = all[0];
+            a_ddot[1] = all[1];
+            a_ddot[2] = all[2];
+        }
         floats a[3];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 3);
-        take_3f(item3, 0, 3, down3, across3, step3, a);
+        if (dense3) {
+            load_3f(item3 + 0 * sizeof(float), step3, &a[0]);
+        } else if (step3 == sizeof(float)) {
+            a[0] = PACKEDF_IN(item3 + entries3[0], 0);
+            a[1] = PACKEDF_IN(item3 + entries3[1], 0);
+            a[2] = PACKEDF_IN(item3 + entries3[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item3, entries3, step3, 3, all);
+            a[0] = all[0];
+            a[1] = all[1];
+            a[2] = all[2];
+        }
         floats p[3];
         const char *const item4 = at4 + g * LANESF * step4;
         prefetch(item4, 3);
-        take_3f(item4, 0, 3, down4, across4, step4, p);
+        if (dense4) {
+            load_3f(item4 + 0 * sizeof(float), step4, &p[0]);
+        } else if (step4 == sizeof(float)) {
+            p[0] = PACKEDF_IN(item4 + entries4[0], 0);
+            p[1] = PACKEDF_IN(item4 + entries4[1], 0);
+            p[2] = PACKEDF_IN(item4 + entries4[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item4, entries4, step4, 3, all);
+            p[0] = all[0];
+            p[1] = all[1];
+            p[2] = all[2];
+        }
         const floats t1 = p[0] - a[0];
         const floats t2 = p[1] - a[1];
         const floats t3 = p[2] - a[2];
@@ -256,7 +463,16 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_blockf)(
         const floats p_ddot2 = t9 + (omega[0] * t5 - omega[1] * t4);
         char *const item5 = at5 + g * LANESF * step5;
         prefetch_to_write(item5, 3);
-        give_3f(item5, 0, 3, down5, across5, step5, p_ddot0, p_ddot1, p_ddot2);
+        if (dense5) {
+            store_3f(item5 + 0 * sizeof(float), step5, p_ddot0, p_ddot1, p_ddot2);
+        } else if (step5 == sizeof(float)) {
+            PACKEDF(item5 + entries5[0], 0) = p_ddot0;
+            PACKEDF(item5 + entries5[1], 0) = p_ddot1;
+            PACKEDF(item5 + entries5[2], 0) = p_ddot2;
+        } else {
+            const floats all[] = {p_ddot0, p_ddot1, p_ddot2};
+            give_eachf(item5, entries5, step5, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -269,18 +485,18 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 3 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
+    ptrdiff_t entries3[12];
+    const int dense3 = CHASLES_DENSE(find_entries(12, 3, sizeof(double), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -298,11 +514,35 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &e[0]);
+        } else if (step0 == sizeof(double)) {
+            e[0] = PACKED_IN(item0 + entries0[0], 0);
+            e[1] = PACKED_IN(item0 + entries0[1], 0);
+            e[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        take_3(item2, 0, 3, down2, across2, step2, omega);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &omega[0]);
+        } else if (step2 == sizeof(double)) {
+            omega[0] = PACKED_IN(item2 + entries2[0], 0);
+            omega[1] = PACKED_IN(item2 + entries2[1], 0);
+            omega[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item2, entries2, step2, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t1 = choose(equal(sin_half_phi, spread(0.0)), spread(0.0), cos_half_phi);
@@ -339,9 +579,39 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_block)(
         const doubles N_dot8 = e[2] * t13 - t4;
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 12);
-        give_4(item3, 0, 3, down3, across3, step3, N_dot0, N_dot1, N_dot2, N_dot3);
-        give_4(item3, 4, 3, down3, across3, step3, N_dot4, N_dot5, N_dot6, N_dot7);
-        give_4(item3, 8, 3, down3, across3, step3, N_dot8, N_dot9, N_dot10, N_dot11);
+        if (dense3) {
+            store_4(item3 + 0 * sizeof(double), step3, N_dot0, N_dot1, N_dot2, N_dot3);
+            store_4(item3 + 4 * sizeof(double), step3, N_dot4, N_dot5, N_dot6, N_dot7);
+            store_4(item3 + 8 * sizeof(double), step3, N_dot8, N_dot9, N_dot10, N_dot11);
+        } else if (step3 == sizeof(double)) {
+            PACKED(item3 + entries3[0], 0) = N_dot0;
+            PACKED(item3 + entries3[1], 0) = N_dot1;
+            PACKED(item3 + entries3[2], 0) = N_dot2;
+            PACKED(item3 + entries3[3], 0) = N_dot3;
+            PACKED(item3 + entries3[4], 0) = N_dot4;
+            PACKED(item3 + entries3[5], 0) = N_dot5;
+            PACKED(item3 + entries3[6], 0) = N_dot6;
+            PACKED(item3 + entries3[7], 0) = N_dot7;
+            PACKED(item3 + entries3[8], 0) = N_dot8;
+            PACKED(item3 + entries3[9], 0) = N_dot9;
+            PACKED(item3 + entries3[10], 0) = N_dot10;
+            PACKED(item3 + entries3[11], 0) = N_dot11;
+        } else {
+            const doubles all[] = {
+            N_dot0,
+            N_dot1,
+            N_dot2,
+            N_dot3,
+            N_dot4,
+            N_dot5,
+            N_dot6,
+            N_dot7,
+            N_dot8,
+            N_dot9,
+            N_dot10,
+            N_dot11};
+            give_each(item3, entries3, step3, 12, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -354,18 +624,18 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 3 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
+    ptrdiff_t entries3[12];
+    const int dense3 = CHASLES_DENSE(find_entries(12, 3, sizeof(float), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -383,11 +653,35 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
+        } else if (step0 == sizeof(float)) {
+            e[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            e[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            e[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        take_3f(item2, 0, 3, down2, across2, step2, omega);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &omega[0]);
+        } else if (step2 == sizeof(float)) {
+            omega[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            omega[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            omega[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item2, entries2, step2, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const truthsf t1 = equalf(sin_half_phi, spreadf(0.0f));
@@ -424,9 +718,39 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_blockf)(
         const floats N_dot8 = e[2] * t13 - t4;
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 12);
-        give_4f(item3, 0, 3, down3, across3, step3, N_dot0, N_dot1, N_dot2, N_dot3);
-        give_4f(item3, 4, 3, down3, across3, step3, N_dot4, N_dot5, N_dot6, N_dot7);
-        give_4f(item3, 8, 3, down3, across3, step3, N_dot8, N_dot9, N_dot10, N_dot11);
+        if (dense3) {
+            store_4f(item3 + 0 * sizeof(float), step3, N_dot0, N_dot1, N_dot2, N_dot3);
+            store_4f(item3 + 4 * sizeof(float), step3, N_dot4, N_dot5, N_dot6, N_dot7);
+            store_4f(item3 + 8 * sizeof(float), step3, N_dot8, N_dot9, N_dot10, N_dot11);
+        } else if (step3 == sizeof(float)) {
+            PACKEDF(item3 + entries3[0], 0) = N_dot0;
+            PACKEDF(item3 + entries3[1], 0) = N_dot1;
+            PACKEDF(item3 + entries3[2], 0) = N_dot2;
+            PACKEDF(item3 + entries3[3], 0) = N_dot3;
+            PACKEDF(item3 + entries3[4], 0) = N_dot4;
+            PACKEDF(item3 + entries3[5], 0) = N_dot5;
+            PACKEDF(item3 + entries3[6], 0) = N_dot6;
+            PACKEDF(item3 + entries3[7], 0) = N_dot7;
+            PACKEDF(item3 + entries3[8], 0) = N_dot8;
+            PACKEDF(item3 + entries3[9], 0) = N_dot9;
+            PACKEDF(item3 + entries3[10], 0) = N_dot10;
+            PACKEDF(item3 + entries3[11], 0) = N_dot11;
+        } else {
+            const floats all[] = {
+            N_dot0,
+            N_dot1,
+            N_dot2,
+            N_dot3,
+            N_dot4,
+            N_dot5,
+            N_dot6,
+            N_dot7,
+            N_dot8,
+            N_dot9,
+            N_dot10,
+            N_dot11};
+            give_eachf(item3, entries3, step3, 12, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -439,18 +763,18 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 3 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
+    ptrdiff_t entries3[12];
+    const int dense3 = CHASLES_DENSE(find_entries(12, 3, sizeof(double), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -468,11 +792,35 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &e[0]);
+        } else if (step0 == sizeof(double)) {
+            e[0] = PACKED_IN(item0 + entries0[0], 0);
+            e[1] = PACKED_IN(item0 + entries0[1], 0);
+            e[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        take_3(item2, 0, 3, down2, across2, step2, omega);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &omega[0]);
+        } else if (step2 == sizeof(double)) {
+            omega[0] = PACKED_IN(item2 + entries2[0], 0);
+            omega[1] = PACKED_IN(item2 + entries2[1], 0);
+            omega[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item2, entries2, step2, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const doubles sin_phi = sines[0][g];
         const doubles cos_phi = cosines[0][g];
         const doubles t1 = e[0] * omega[0] + e[1] * omega[1] + e[2] * omega[2];
@@ -514,9 +862,39 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_block)(
         const doubles L_dot11 = -t14;
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 12);
-        give_4(item3, 0, 3, down3, across3, step3, L_dot0, L_dot1, L_dot2, L_dot3);
-        give_4(item3, 4, 3, down3, across3, step3, L_dot4, L_dot5, L_dot6, L_dot7);
-        give_4(item3, 8, 3, down3, across3, step3, L_dot8, L_dot9, L_dot10, L_dot11);
+        if (dense3) {
+            store_4(item3 + 0 * sizeof(double), step3, L_dot0, L_dot1, L_dot2, L_dot3);
+            store_4(item3 + 4 * sizeof(double), step3, L_dot4, L_dot5, L_dot6, L_dot7);
+            store_4(item3 + 8 * sizeof(double), step3, L_dot8, L_dot9, L_dot10, L_dot11);
+        } else if (step3 == sizeof(double)) {
+            PACKED(item3 + entries3[0], 0) = L_dot0;
+            PACKED(item3 + entries3[1], 0) = L_dot1;
+            PACKED(item3 + entries3[2], 0) = L_dot2;
+            PACKED(item3 + entries3[3], 0) = L_dot3;
+            PACKED(item3 + entries3[4], 0) = L_dot4;
+            PACKED(item3 + entries3[5], 0) = L_dot5;
+            PACKED(item3 + entries3[6], 0) = L_dot6;
+            PACKED(item3 + entries3[7], 0) = L_dot7;
+            PACKED(item3 + entries3[8], 0) = L_dot8;
+            PACKED(item3 + entries3[9], 0) = L_dot9;
+            PACKED(item3 + entries3[10], 0) = L_dot10;
+            PACKED(item3 + entries3[11], 0) = L_dot11;
+        } else {
+            const doubles all[] = {
+            L_dot0,
+            L_dot1,
+            L_dot2,
+            L_dot3,
+            L_dot4,
+            L_dot5,
+            L_dot6,
+            L_dot7,
+            L_dot8,
+            L_dot9,
+            L_dot10,
+            L_dot11};
+            give_each(item3, entries3, step3, 12, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -529,18 +907,18 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 3 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
+    ptrdiff_t entries3[12];
+    const int dense3 = CHASLES_DENSE(find_entries(12, 3, sizeof(float), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -558,11 +936,35 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
+        } else if (step0 == sizeof(float)) {
+            e[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            e[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            e[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        take_3f(item2, 0, 3, down2, across2, step2, omega);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &omega[0]);
+        } else if (step2 == sizeof(float)) {
+            omega[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            omega[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            omega[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item2, entries2, step2, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const floats sin_phi = sines[0][g];
         const floats cos_phi = cosines[0][g];
         const floats t1 = e[0] * omega[0] + e[1] * omega[1] + e[2] * omega[2];
@@ -604,9 +1006,39 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_blockf)(
         const floats L_dot11 = -t14;
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 12);
-        give_4f(item3, 0, 3, down3, across3, step3, L_dot0, L_dot1, L_dot2, L_dot3);
-        give_4f(item3, 4, 3, down3, across3, step3, L_dot4, L_dot5, L_dot6, L_dot7);
-        give_4f(item3, 8, 3, down3, across3, step3, L_dot8, L_dot9, L_dot10, L_dot11);
+        if (dense3) {
+            store_4f(item3 + 0 * sizeof(float), step3, L_dot0, L_dot1, L_dot2, L_dot3);
+            store_4f(item3 + 4 * sizeof(float), step3, L_dot4, L_dot5, L_dot6, L_dot7);
+            store_4f(item3 + 8 * sizeof(float), step3, L_dot8, L_dot9, L_dot10, L_dot11);
+        } else if (step3 == sizeof(float)) {
+            PACKEDF(item3 + entries3[0], 0) = L_dot0;
+            PACKEDF(item3 + entries3[1], 0) = L_dot1;
+            PACKEDF(item3 + entries3[2], 0) = L_dot2;
+            PACKEDF(item3 + entries3[3], 0) = L_dot3;
+            PACKEDF(item3 + entries3[4], 0) = L_dot4;
+            PACKEDF(item3 + entries3[5], 0) = L_dot5;
+            PACKEDF(item3 + entries3[6], 0) = L_dot6;
+            PACKEDF(item3 + entries3[7], 0) = L_dot7;
+            PACKEDF(item3 + entries3[8], 0) = L_dot8;
+            PACKEDF(item3 + entries3[9], 0) = L_dot9;
+            PACKEDF(item3 + entries3[10], 0) = L_dot10;
+            PACKEDF(item3 + entries3[11], 0) = L_dot11;
+        } else {
+            const floats all[] = {
+            L_dot0,
+            L_dot1,
+            L_dot2,
+            L_dot3,
+            L_dot4,
+            L_dot5,
+            L_dot6,
+            L_dot7,
+            L_dot8,
+            L_dot9,
+            L_dot10,
+            L_dot11};
+            give_eachf(item3, entries3, step3, 12, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -619,18 +1051,18 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 3 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
+    ptrdiff_t entries3[12];
+    const int dense3 = CHASLES_DENSE(find_entries(12, 3, sizeof(double), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -648,11 +1080,35 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &e[0]);
+        } else if (step0 == sizeof(double)) {
+            e[0] = PACKED_IN(item0 + entries0[0], 0);
+            e[1] = PACKED_IN(item0 + entries0[1], 0);
+            e[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        take_3(item2, 0, 3, down2, across2, step2, omega);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &omega[0]);
+        } else if (step2 == sizeof(double)) {
+            omega[0] = PACKED_IN(item2 + entries2[0], 0);
+            omega[1] = PACKED_IN(item2 + entries2[1], 0);
+            omega[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item2, entries2, step2, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t1 = 0.25 * sin_half_phi;
@@ -669,9 +1125,39 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_block)(
         const doubles H_dot3 = -H_dot1;
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 12);
-        give_4(item3, 0, 3, down3, across3, step3, H_dot0, H_dot1, H_dot2, H_dot3);
-        give_4(item3, 4, 3, down3, across3, step3, H_dot0, H_dot5, H_dot6, H_dot7);
-        give_4(item3, 8, 3, down3, across3, step3, H_dot0, H_dot7, H_dot2, H_dot3);
+        if (dense3) {
+            store_4(item3 + 0 * sizeof(double), step3, H_dot0, H_dot1, H_dot2, H_dot3);
+            store_4(item3 + 4 * sizeof(double), step3, H_dot0, H_dot5, H_dot6, H_dot7);
+            store_4(item3 + 8 * sizeof(double), step3, H_dot0, H_dot7, H_dot2, H_dot3);
+        } else if (step3 == sizeof(double)) {
+            PACKED(item3 + entries3[0], 0) = H_dot0;
+            PACKED(item3 + entries3[1], 0) = H_dot1;
+            PACKED(item3 + entries3[2], 0) = H_dot2;
+            PACKED(item3 + entries3[3], 0) = H_dot3;
+            PACKED(item3 + entries3[4], 0) = H_dot0;
+            PACKED(item3 + entries3[5], 0) = H_dot5;
+            PACKED(item3 + entries3[6], 0) = H_dot6;
+            PACKED(item3 + entries3[7], 0) = H_dot7;
+            PACKED(item3 + entries3[8], 0) = H_dot0;
+            PACKED(item3 + entries3[9], 0) = H_dot7;
+            PACKED(item3 + entries3[10], 0) = H_dot2;
+            PACKED(item3 + entries3[11], 0) = H_dot3;
+        } else {
+            const doubles all[] = {
+            H_dot0,
+            H_dot1,
+            H_dot2,
+            H_dot3,
+            H_dot0,
+            H_dot5,
+            H_dot6,
+            H_dot7,
+            H_dot0,
+            H_dot7,
+            H_dot2,
+            H_dot3};
+            give_each(item3, entries3, step3, 12, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -684,18 +1170,18 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 3 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
+    ptrdiff_t entries3[12];
+    const int dense3 = CHASLES_DENSE(find_entries(12, 3, sizeof(float), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -713,11 +1199,35 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
+        } else if (step0 == sizeof(float)) {
+            e[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            e[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            e[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        take_3f(item2, 0, 3, down2, across2, step2, omega);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &omega[0]);
+        } else if (step2 == sizeof(float)) {
+            omega[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            omega[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            omega[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item2, entries2, step2, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats t1 = 0.25f * sin_half_phi;
@@ -734,9 +1244,39 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_blockf)(
         const floats H_dot3 = -H_dot1;
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 12);
-        give_4f(item3, 0, 3, down3, across3, step3, H_dot0, H_dot1, H_dot2, H_dot3);
-        give_4f(item3, 4, 3, down3, across3, step3, H_dot0, H_dot5, H_dot6, H_dot7);
-        give_4f(item3, 8, 3, down3, across3, step3, H_dot0, H_dot7, H_dot2, H_dot3);
+        if (dense3) {
+            store_4f(item3 + 0 * sizeof(float), step3, H_dot0, H_dot1, H_dot2, H_dot3);
+            store_4f(item3 + 4 * sizeof(float), step3, H_dot0, H_dot5, H_dot6, H_dot7);
+            store_4f(item3 + 8 * sizeof(float), step3, H_dot0, H_dot7, H_dot2, H_dot3);
+        } else if (step3 == sizeof(float)) {
+            PACKEDF(item3 + entries3[0], 0) = H_dot0;
+            PACKEDF(item3 + entries3[1], 0) = H_dot1;
+            PACKEDF(item3 + entries3[2], 0) = H_dot2;
+            PACKEDF(item3 + entries3[3], 0) = H_dot3;
+            PACKEDF(item3 + entries3[4], 0) = H_dot0;
+            PACKEDF(item3 + entries3[5], 0) = H_dot5;
+            PACKEDF(item3 + entries3[6], 0) = H_dot6;
+            PACKEDF(item3 + entries3[7], 0) = H_dot7;
+            PACKEDF(item3 + entries3[8], 0) = H_dot0;
+            PACKEDF(item3 + entries3[9], 0) = H_dot7;
+            PACKEDF(item3 + entries3[10], 0) = H_dot2;
+            PACKEDF(item3 + entries3[11], 0) = H_dot3;
+        } else {
+            const floats all[] = {
+            H_dot0,
+            H_dot1,
+            H_dot2,
+            H_dot3,
+            H_dot0,
+            H_dot5,
+            H_dot6,
+            H_dot7,
+            H_dot0,
+            H_dot7,
+            H_dot2,
+            H_dot3};
+            give_eachf(item3, entries3, step3, 12, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -749,18 +1289,18 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 4 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
+    ptrdiff_t entries3[12];
+    const int dense3 = CHASLES_DENSE(find_entries(12, 4, sizeof(double), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -778,11 +1318,35 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &e[0]);
+        } else if (step0 == sizeof(double)) {
+            e[0] = PACKED_IN(item0 + entries0[0], 0);
+            e[1] = PACKED_IN(item0 + entries0[1], 0);
+            e[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        take_3(item2, 0, 3, down2, across2, step2, omega);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &omega[0]);
+        } else if (step2 == sizeof(double)) {
+            omega[0] = PACKED_IN(item2 + entries2[0], 0);
+            omega[1] = PACKED_IN(item2 + entries2[1], 0);
+            omega[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item2, entries2, step2, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t1 = e[0] * omega[0] + e[1] * omega[1] + e[2] * omega[2];
@@ -806,9 +1370,51 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_block)(
         const doubles N_tilde_dot11 = -((e[2] * t1 - omega[2]) * t9 + 0.5 * t7);
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 12);
-        give_4(item3, 0, 4, down3, across3, step3, N_tilde_dot0, N_tilde_dot1, N_tilde_dot2, N_tilde_dot3);
-        give_4(item3, 4, 4, down3, across3, step3, N_tilde_dot4, N_tilde_dot0, N_tilde_dot6, N_tilde_dot7);
-        give_4(item3, 8, 4, down3, across3, step3, N_tilde_dot8, N_tilde_dot9, N_tilde_dot0, N_tilde_dot11);
+        if (dense3) {
+            store_4(item3 + 0 * sizeof(double), step3, 
+            N_tilde_dot0,
+            N_tilde_dot1,
+            N_tilde_dot2,
+            N_tilde_dot3);
+            store_4(item3 + 4 * sizeof(double), step3, 
+            N_tilde_dot4,
+            N_tilde_dot0,
+            N_tilde_dot6,
+            N_tilde_dot7);
+            store_4(item3 + 8 * sizeof(double), step3, 
+            N_tilde_dot8,
+            N_tilde_dot9,
+            N_tilde_dot0,
+            N_tilde_dot11);
+        } else if (step3 == sizeof(double)) {
+            PACKED(item3 + entries3[0], 0) = N_tilde_dot0;
+            PACKED(item3 + entries3[1], 0) = N_tilde_dot1;
+            PACKED(item3 + entries3[2], 0) = N_tilde_dot2;
+            PACKED(item3 + entries3[3], 0) = N_tilde_dot3;
+            PACKED(item3 + entries3[4], 0) = N_tilde_dot4;
+            PACKED(item3 + entries3[5], 0) = N_tilde_dot0;
+            PACKED(item3 + entries3[6], 0) = N_tilde_dot6;
+            PACKED(item3 + entries3[7], 0) = N_tilde_dot7;
+            PACKED(item3 + entries3[8], 0) = N_tilde_dot8;
+            PACKED(item3 + entries3[9], 0) = N_tilde_dot9;
+            PACKED(item3 + entries3[10], 0) = N_tilde_dot0;
+            PACKED(item3 + entries3[11], 0) = N_tilde_dot11;
+        } else {
+            const doubles all[] = {
+            N_tilde_dot0,
+            N_tilde_dot1,
+            N_tilde_dot2,
+            N_tilde_dot3,
+            N_tilde_dot4,
+            N_tilde_dot0,
+            N_tilde_dot6,
+            N_tilde_dot7,
+            N_tilde_dot8,
+            N_tilde_dot9,
+            N_tilde_dot0,
+            N_tilde_dot11};
+            give_each(item3, entries3, step3, 12, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -821,18 +1427,18 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 4 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
+    ptrdiff_t entries3[12];
+    const int dense3 = CHASLES_DENSE(find_entries(12, 4, sizeof(float), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -850,11 +1456,35 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
+        } else if (step0 == sizeof(float)) {
+            e[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            e[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            e[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        take_3f(item2, 0, 3, down2, across2, step2, omega);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &omega[0]);
+        } else if (step2 == sizeof(float)) {
+            omega[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            omega[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            omega[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item2, entries2, step2, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats t1 = e[0] * omega[0] + e[1] * omega[1] + e[2] * omega[2];
@@ -878,13 +1508,51 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_blockf)(
         const floats N_tilde_dot11 = -((e[2] * t1 - omega[2]) * t9 + 0.5f * t7);
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 12);
-        give_4f(item3, 0, 4, down3, across3, step3, N_tilde_dot0, N_tilde_dot1, N_tilde_dot2, N_tilde_dot3);
-        give_4f(item3, 4, 4, down3, across3, step3, N_tilde_dot4, N_tilde_dot0, N_tilde_dot6, N_tilde_dot7);
-        give_4f(item3, 8, 4, down3, across3, step3, 
+        if (dense3) {
+            store_4f(item3 + 0 * sizeof(float), step3, 
+            N_tilde_dot0,
+            N_tilde_dot1,
+            N_tilde_dot2,
+            N_tilde_dot3);
+            store_4f(item3 + 4 * sizeof(float), step3, 
+            N_tilde_dot4,
+            N_tilde_dot0,
+            N_tilde_dot6,
+            N_tilde_dot7);
+            store_4f(item3 + 8 * sizeof(float), step3, 
             N_tilde_dot8,
             N_tilde_dot9,
             N_tilde_dot0,
             N_tilde_dot11);
+        } else if (step3 == sizeof(float)) {
+            PACKEDF(item3 + entries3[0], 0) = N_tilde_dot0;
+            PACKEDF(item3 + entries3[1], 0) = N_tilde_dot1;
+            PACKEDF(item3 + entries3[2], 0) = N_tilde_dot2;
+            PACKEDF(item3 + entries3[3], 0) = N_tilde_dot3;
+            PACKEDF(item3 + entries3[4], 0) = N_tilde_dot4;
+            PACKEDF(item3 + entries3[5], 0) = N_tilde_dot0;
+            PACKEDF(item3 + entries3[6], 0) = N_tilde_dot6;
+            PACKEDF(item3 + entries3[7], 0) = N_tilde_dot7;
+            PACKEDF(item3 + entries3[8], 0) = N_tilde_dot8;
+            PACKEDF(item3 + entries3[9], 0) = N_tilde_dot9;
+            PACKEDF(item3 + entries3[10], 0) = N_tilde_dot0;
+            PACKEDF(item3 + entries3[11], 0) = N_tilde_dot11;
+        } else {
+            const floats all[] = {
+            N_tilde_dot0,
+            N_tilde_dot1,
+            N_tilde_dot2,
+            N_tilde_dot3,
+            N_tilde_dot4,
+            N_tilde_dot0,
+            N_tilde_dot6,
+            N_tilde_dot7,
+            N_tilde_dot8,
+            N_tilde_dot9,
+            N_tilde_dot0,
+            N_tilde_dot11};
+            give_eachf(item3, entries3, step3, 12, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -897,18 +1565,18 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 4 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
+    ptrdiff_t entries3[12];
+    const int dense3 = CHASLES_DENSE(find_entries(12, 4, sizeof(double), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -926,11 +1594,35 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &e[0]);
+        } else if (step0 == sizeof(double)) {
+            e[0] = PACKED_IN(item0 + entries0[0], 0);
+            e[1] = PACKED_IN(item0 + entries0[1], 0);
+            e[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        take_3(item2, 0, 3, down2, across2, step2, omega);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &omega[0]);
+        } else if (step2 == sizeof(double)) {
+            omega[0] = PACKED_IN(item2 + entries2[0], 0);
+            omega[1] = PACKED_IN(item2 + entries2[1], 0);
+            omega[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item2, entries2, step2, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t1 = choose(equal(cos_half_phi, spread(0.0)), spread(0.0), sin_half_phi);
@@ -947,9 +1639,51 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_block)(
         const doubles L_tilde_dot7 = -L_tilde_dot2;
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 12);
-        give_4(item3, 0, 4, down3, across3, step3, spread(0.0), L_tilde_dot1, L_tilde_dot2, L_tilde_dot3);
-        give_4(item3, 4, 4, down3, across3, step3, L_tilde_dot4, spread(0.0), L_tilde_dot3, L_tilde_dot7);
-        give_4(item3, 8, 4, down3, across3, step3, L_tilde_dot7, L_tilde_dot9, spread(0.0), L_tilde_dot1);
+        if (dense3) {
+            store_4(item3 + 0 * sizeof(double), step3, 
+            spread(0.0),
+            L_tilde_dot1,
+            L_tilde_dot2,
+            L_tilde_dot3);
+            store_4(item3 + 4 * sizeof(double), step3, 
+            L_tilde_dot4,
+            spread(0.0),
+            L_tilde_dot3,
+            L_tilde_dot7);
+            store_4(item3 + 8 * sizeof(double), step3, 
+            L_tilde_dot7,
+            L_tilde_dot9,
+            spread(0.0),
+            L_tilde_dot1);
+        } else if (step3 == sizeof(double)) {
+            PACKED(item3 + entries3[0], 0) = spread(0.0);
+            PACKED(item3 + entries3[1], 0) = L_tilde_dot1;
+            PACKED(item3 + entries3[2], 0) = L_tilde_dot2;
+            PACKED(item3 + entries3[3], 0) = L_tilde_dot3;
+            PACKED(item3 + entries3[4], 0) = L_tilde_dot4;
+            PACKED(item3 + entries3[5], 0) = spread(0.0);
+            PACKED(item3 + entries3[6], 0) = L_tilde_dot3;
+            PACKED(item3 + entries3[7], 0) = L_tilde_dot7;
+            PACKED(item3 + entries3[8], 0) = L_tilde_dot7;
+            PACKED(item3 + entries3[9], 0) = L_tilde_dot9;
+            PACKED(item3 + entries3[10], 0) = spread(0.0);
+            PACKED(item3 + entries3[11], 0) = L_tilde_dot1;
+        } else {
+            const doubles all[] = {
+            spread(0.0),
+            L_tilde_dot1,
+            L_tilde_dot2,
+            L_tilde_dot3,
+            L_tilde_dot4,
+            spread(0.0),
+            L_tilde_dot3,
+            L_tilde_dot7,
+            L_tilde_dot7,
+            L_tilde_dot9,
+            spread(0.0),
+            L_tilde_dot1};
+            give_each(item3, entries3, step3, 12, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -962,18 +1696,18 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 4 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
+    ptrdiff_t entries3[12];
+    const int dense3 = CHASLES_DENSE(find_entries(12, 4, sizeof(float), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -991,11 +1725,35 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
+        } else if (step0 == sizeof(float)) {
+            e[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            e[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            e[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        take_3f(item2, 0, 3, down2, across2, step2, omega);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &omega[0]);
+        } else if (step2 == sizeof(float)) {
+            omega[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            omega[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            omega[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item2, entries2, step2, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const truthsf t1 = equalf(cos_half_phi, spreadf(0.0f));
@@ -1012,21 +1770,51 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_blockf)(
         const floats L_tilde_dot7 = -L_tilde_dot2;
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 12);
-        give_4f(item3, 0, 4, down3, across3, step3, 
+        if (dense3) {
+            store_4f(item3 + 0 * sizeof(float), step3, 
             spreadf(0.0f),
             L_tilde_dot1,
             L_tilde_dot2,
             L_tilde_dot3);
-        give_4f(item3, 4, 4, down3, across3, step3, 
+            store_4f(item3 + 4 * sizeof(float), step3, 
             L_tilde_dot4,
             spreadf(0.0f),
             L_tilde_dot3,
             L_tilde_dot7);
-        give_4f(item3, 8, 4, down3, across3, step3, 
+            store_4f(item3 + 8 * sizeof(float), step3, 
             L_tilde_dot7,
             L_tilde_dot9,
             spreadf(0.0f),
             L_tilde_dot1);
+        } else if (step3 == sizeof(float)) {
+            PACKEDF(item3 + entries3[0], 0) = spreadf(0.0f);
+            PACKEDF(item3 + entries3[1], 0) = L_tilde_dot1;
+            PACKEDF(item3 + entries3[2], 0) = L_tilde_dot2;
+            PACKEDF(item3 + entries3[3], 0) = L_tilde_dot3;
+            PACKEDF(item3 + entries3[4], 0) = L_tilde_dot4;
+            PACKEDF(item3 + entries3[5], 0) = spreadf(0.0f);
+            PACKEDF(item3 + entries3[6], 0) = L_tilde_dot3;
+            PACKEDF(item3 + entries3[7], 0) = L_tilde_dot7;
+            PACKEDF(item3 + entries3[8], 0) = L_tilde_dot7;
+            PACKEDF(item3 + entries3[9], 0) = L_tilde_dot9;
+            PACKEDF(item3 + entries3[10], 0) = spreadf(0.0f);
+            PACKEDF(item3 + entries3[11], 0) = L_tilde_dot1;
+        } else {
+            const floats all[] = {
+            spreadf(0.0f),
+            L_tilde_dot1,
+            L_tilde_dot2,
+            L_tilde_dot3,
+            L_tilde_dot4,
+            spreadf(0.0f),
+            L_tilde_dot3,
+            L_tilde_dot7,
+            L_tilde_dot7,
+            L_tilde_dot9,
+            spreadf(0.0f),
+            L_tilde_dot1};
+            give_eachf(item3, entries3, step3, 12, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1039,18 +1827,18 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 4 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
+    ptrdiff_t entries3[12];
+    const int dense3 = CHASLES_DENSE(find_entries(12, 4, sizeof(double), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -1068,11 +1856,35 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &e[0]);
+        } else if (step0 == sizeof(double)) {
+            e[0] = PACKED_IN(item0 + entries0[0], 0);
+            e[1] = PACKED_IN(item0 + entries0[1], 0);
+            e[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        take_3(item2, 0, 3, down2, across2, step2, omega);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &omega[0]);
+        } else if (step2 == sizeof(double)) {
+            omega[0] = PACKED_IN(item2 + entries2[0], 0);
+            omega[1] = PACKED_IN(item2 + entries2[1], 0);
+            omega[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item2, entries2, step2, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t1 = e[0] * sin_half_phi;
@@ -1087,9 +1899,51 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_block)(
         const doubles H_tilde_dot7 = -H_tilde_dot2;
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 12);
-        give_4(item3, 0, 4, down3, across3, step3, H_tilde_dot0, H_tilde_dot1, H_tilde_dot2, H_tilde_dot3);
-        give_4(item3, 4, 4, down3, across3, step3, H_tilde_dot4, H_tilde_dot0, H_tilde_dot3, H_tilde_dot7);
-        give_4(item3, 8, 4, down3, across3, step3, H_tilde_dot7, H_tilde_dot9, H_tilde_dot0, H_tilde_dot1);
+        if (dense3) {
+            store_4(item3 + 0 * sizeof(double), step3, 
+            H_tilde_dot0,
+            H_tilde_dot1,
+            H_tilde_dot2,
+            H_tilde_dot3);
+            store_4(item3 + 4 * sizeof(double), step3, 
+            H_tilde_dot4,
+            H_tilde_dot0,
+            H_tilde_dot3,
+            H_tilde_dot7);
+            store_4(item3 + 8 * sizeof(double), step3, 
+            H_tilde_dot7,
+            H_tilde_dot9,
+            H_tilde_dot0,
+            H_tilde_dot1);
+        } else if (step3 == sizeof(double)) {
+            PACKED(item3 + entries3[0], 0) = H_tilde_dot0;
+            PACKED(item3 + entries3[1], 0) = H_tilde_dot1;
+            PACKED(item3 + entries3[2], 0) = H_tilde_dot2;
+            PACKED(item3 + entries3[3], 0) = H_tilde_dot3;
+            PACKED(item3 + entries3[4], 0) = H_tilde_dot4;
+            PACKED(item3 + entries3[5], 0) = H_tilde_dot0;
+            PACKED(item3 + entries3[6], 0) = H_tilde_dot3;
+            PACKED(item3 + entries3[7], 0) = H_tilde_dot7;
+            PACKED(item3 + entries3[8], 0) = H_tilde_dot7;
+            PACKED(item3 + entries3[9], 0) = H_tilde_dot9;
+            PACKED(item3 + entries3[10], 0) = H_tilde_dot0;
+            PACKED(item3 + entries3[11], 0) = H_tilde_dot1;
+        } else {
+            const doubles all[] = {
+            H_tilde_dot0,
+            H_tilde_dot1,
+            H_tilde_dot2,
+            H_tilde_dot3,
+            H_tilde_dot4,
+            H_tilde_dot0,
+            H_tilde_dot3,
+            H_tilde_dot7,
+            H_tilde_dot7,
+            H_tilde_dot9,
+            H_tilde_dot0,
+            H_tilde_dot1};
+            give_each(item3, entries3, step3, 12, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1102,18 +1956,18 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 12 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 4 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
+    ptrdiff_t entries3[12];
+    const int dense3 = CHASLES_DENSE(find_entries(12, 4, sizeof(float), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -1131,11 +1985,35 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
+        } else if (step0 == sizeof(float)) {
+            e[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            e[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            e[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        take_3f(item2, 0, 3, down2, across2, step2, omega);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &omega[0]);
+        } else if (step2 == sizeof(float)) {
+            omega[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            omega[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            omega[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item2, entries2, step2, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats t1 = e[0] * sin_half_phi;
@@ -1150,9 +2028,51 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_blockf)(
         const floats H_tilde_dot7 = -H_tilde_dot2;
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 12);
-        give_4f(item3, 0, 4, down3, across3, step3, H_tilde_dot0, H_tilde_dot1, H_tilde_dot2, H_tilde_dot3);
-        give_4f(item3, 4, 4, down3, across3, step3, H_tilde_dot4, H_tilde_dot0, H_tilde_dot3, H_tilde_dot7);
-        give_4f(item3, 8, 4, down3, across3, step3, H_tilde_dot7, H_tilde_dot9, H_tilde_dot0, H_tilde_dot1);
+        if (dense3) {
+            store_4f(item3 + 0 * sizeof(float), step3, 
+            H_tilde_dot0,
+            H_tilde_dot1,
+            H_tilde_dot2,
+            H_tilde_dot3);
+            store_4f(item3 + 4 * sizeof(float), step3, 
+            H_tilde_dot4,
+            H_tilde_dot0,
+            H_tilde_dot3,
+            H_tilde_dot7);
+            store_4f(item3 + 8 * sizeof(float), step3, 
+            H_tilde_dot7,
+            H_tilde_dot9,
+            H_tilde_dot0,
+            H_tilde_dot1);
+        } else if (step3 == sizeof(float)) {
+            PACKEDF(item3 + entries3[0], 0) = H_tilde_dot0;
+            PACKEDF(item3 + entries3[1], 0) = H_tilde_dot1;
+            PACKEDF(item3 + entries3[2], 0) = H_tilde_dot2;
+            PACKEDF(item3 + entries3[3], 0) = H_tilde_dot3;
+            PACKEDF(item3 + entries3[4], 0) = H_tilde_dot4;
+            PACKEDF(item3 + entries3[5], 0) = H_tilde_dot0;
+            PACKEDF(item3 + entries3[6], 0) = H_tilde_dot3;
+            PACKEDF(item3 + entries3[7], 0) = H_tilde_dot7;
+            PACKEDF(item3 + entries3[8], 0) = H_tilde_dot7;
+            PACKEDF(item3 + entries3[9], 0) = H_tilde_dot9;
+            PACKEDF(item3 + entries3[10], 0) = H_tilde_dot0;
+            PACKEDF(item3 + entries3[11], 0) = H_tilde_dot1;
+        } else {
+            const floats all[] = {
+            H_tilde_dot0,
+            H_tilde_dot1,
+            H_tilde_dot2,
+            H_tilde_dot3,
+            H_tilde_dot4,
+            H_tilde_dot0,
+            H_tilde_dot3,
+            H_tilde_dot7,
+            H_tilde_dot7,
+            H_tilde_dot9,
+            H_tilde_dot0,
+            H_tilde_dot1};
+            give_eachf(item3, entries3, step3, 12, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1165,22 +2085,22 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 6 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 7 * sizeof(double));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 7 * sizeof(double));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
+    ptrdiff_t entries4[7];
+    const int dense4 = CHASLES_DENSE(find_entries(7, 7, sizeof(double), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -1198,16 +2118,58 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &e[0]);
+        } else if (step0 == sizeof(double)) {
+            e[0] = PACKED_IN(item0 + entries0[0], 0);
+            e[1] = PACKED_IN(item0 + entries0[1], 0);
+            e[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
-        take_3(item2, 0, 6, down2, across2, step2, t);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &t[0]);
+        } else if (step2 == sizeof(double)) {
+            t[0] = PACKED_IN(item2 + entries2[0], 0);
+            t[1] = PACKED_IN(item2 + entries2[1], 0);
+            t[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[6];
+            take_each(item2, entries2, step2, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+        }
         doubles t_dot[6];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 6);
-        take_4(item3, 0, 6, down3, across3, step3, t_dot);
-        take_2(item3, 4, 6, down3, across3, step3, &t_dot[4]);
+        if (dense3) {
+            load_4(item3 + 0 * sizeof(double), step3, &t_dot[0]);
+            load_2(item3 + 4 * sizeof(double), step3, &t_dot[4]);
+        } else if (step3 == sizeof(double)) {
+            t_dot[0] = PACKED_IN(item3 + entries3[0], 0);
+            t_dot[1] = PACKED_IN(item3 + entries3[1], 0);
+            t_dot[2] = PACKED_IN(item3 + entries3[2], 0);
+            t_dot[3] = PACKED_IN(item3 + entries3[3], 0);
+            t_dot[4] = PACKED_IN(item3 + entries3[4], 0);
+            t_dot[5] = PACKED_IN(item3 + entries3[5], 0);
+        } else {
+            doubles all[6];
+            take_each(item3, entries3, step3, 6, all);
+            t_dot[0] = all[0];
+            t_dot[1] = all[1];
+            t_dot[2] = all[2];
+            t_dot[3] = all[3];
+            t_dot[4] = all[4];
+            t_dot[5] = all[5];
+        }
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles s_ddot4 = t_dot[3];
@@ -1233,8 +2195,21 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_block)(
         const doubles s_ddot2 = t6 * (t_dot[2] - e[2] * s_ddot3 + t1 * t9) + t4 * t11 - t14;
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 7);
-        give_4(item4, 0, 7, down4, across4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
-        give_3(item4, 4, 7, down4, across4, step4, s_ddot4, s_ddot5, s_ddot6);
+        if (dense4) {
+            store_4(item4 + 0 * sizeof(double), step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
+            store_3(item4 + 4 * sizeof(double), step4, s_ddot4, s_ddot5, s_ddot6);
+        } else if (step4 == sizeof(double)) {
+            PACKED(item4 + entries4[0], 0) = s_ddot0;
+            PACKED(item4 + entries4[1], 0) = s_ddot1;
+            PACKED(item4 + entries4[2], 0) = s_ddot2;
+            PACKED(item4 + entries4[3], 0) = s_ddot3;
+            PACKED(item4 + entries4[4], 0) = s_ddot4;
+            PACKED(item4 + entries4[5], 0) = s_ddot5;
+            PACKED(item4 + entries4[6], 0) = s_ddot6;
+        } else {
+            const doubles all[] = {s_ddot0, s_ddot1, s_ddot2, s_ddot3, s_ddot4, s_ddot5, s_ddot6};
+            give_each(item4, entries4, step4, 7, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1247,22 +2222,22 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 6 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 7 * sizeof(float));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 7 * sizeof(float));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
+    ptrdiff_t entries4[7];
+    const int dense4 = CHASLES_DENSE(find_entries(7, 7, sizeof(float), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -1280,16 +2255,58 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
+        } else if (step0 == sizeof(float)) {
+            e[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            e[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            e[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
-        take_3f(item2, 0, 6, down2, across2, step2, t);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &t[0]);
+        } else if (step2 == sizeof(float)) {
+            t[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            t[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            t[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[6];
+            take_eachf(item2, entries2, step2, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+        }
         floats t_dot[6];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 6);
-        take_4f(item3, 0, 6, down3, across3, step3, t_dot);
-        take_2f(item3, 4, 6, down3, across3, step3, &t_dot[4]);
+        if (dense3) {
+            load_4f(item3 + 0 * sizeof(float), step3, &t_dot[0]);
+            load_2f(item3 + 4 * sizeof(float), step3, &t_dot[4]);
+        } else if (step3 == sizeof(float)) {
+            t_dot[0] = PACKEDF_IN(item3 + entries3[0], 0);
+            t_dot[1] = PACKEDF_IN(item3 + entries3[1], 0);
+            t_dot[2] = PACKEDF_IN(item3 + entries3[2], 0);
+            t_dot[3] = PACKEDF_IN(item3 + entries3[3], 0);
+            t_dot[4] = PACKEDF_IN(item3 + entries3[4], 0);
+            t_dot[5] = PACKEDF_IN(item3 + entries3[5], 0);
+        } else {
+            floats all[6];
+            take_eachf(item3, entries3, step3, 6, all);
+            t_dot[0] = all[0];
+            t_dot[1] = all[1];
+            t_dot[2] = all[2];
+            t_dot[3] = all[3];
+            t_dot[4] = all[4];
+            t_dot[5] = all[5];
+        }
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats s_ddot4 = t_dot[3];
@@ -1315,8 +2332,21 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_blockf)(
         const floats s_ddot2 = t6 * (t_dot[2] - e[2] * s_ddot3 + t1 * t9) + t4 * t11 - t14;
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 7);
-        give_4f(item4, 0, 7, down4, across4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
-        give_3f(item4, 4, 7, down4, across4, step4, s_ddot4, s_ddot5, s_ddot6);
+        if (dense4) {
+            store_4f(item4 + 0 * sizeof(float), step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
+            store_3f(item4 + 4 * sizeof(float), step4, s_ddot4, s_ddot5, s_ddot6);
+        } else if (step4 == sizeof(float)) {
+            PACKEDF(item4 + entries4[0], 0) = s_ddot0;
+            PACKEDF(item4 + entries4[1], 0) = s_ddot1;
+            PACKEDF(item4 + entries4[2], 0) = s_ddot2;
+            PACKEDF(item4 + entries4[3], 0) = s_ddot3;
+            PACKEDF(item4 + entries4[4], 0) = s_ddot4;
+            PACKEDF(item4 + entries4[5], 0) = s_ddot5;
+            PACKEDF(item4 + entries4[6], 0) = s_ddot6;
+        } else {
+            const floats all[] = {s_ddot0, s_ddot1, s_ddot2, s_ddot3, s_ddot4, s_ddot5, s_ddot6};
+            give_eachf(item4, entries4, step4, 7, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1329,22 +2359,22 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 6 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 7 * sizeof(double));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 7 * sizeof(double));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
+    ptrdiff_t entries4[7];
+    const int dense4 = CHASLES_DENSE(find_entries(7, 7, sizeof(double), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -1362,16 +2392,58 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &e[0]);
+        } else if (step0 == sizeof(double)) {
+            e[0] = PACKED_IN(item0 + entries0[0], 0);
+            e[1] = PACKED_IN(item0 + entries0[1], 0);
+            e[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
-        take_3(item2, 0, 6, down2, across2, step2, t);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &t[0]);
+        } else if (step2 == sizeof(double)) {
+            t[0] = PACKED_IN(item2 + entries2[0], 0);
+            t[1] = PACKED_IN(item2 + entries2[1], 0);
+            t[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[6];
+            take_each(item2, entries2, step2, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+        }
         doubles t_dot[6];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 6);
-        take_4(item3, 0, 6, down3, across3, step3, t_dot);
-        take_2(item3, 4, 6, down3, across3, step3, &t_dot[4]);
+        if (dense3) {
+            load_4(item3 + 0 * sizeof(double), step3, &t_dot[0]);
+            load_2(item3 + 4 * sizeof(double), step3, &t_dot[4]);
+        } else if (step3 == sizeof(double)) {
+            t_dot[0] = PACKED_IN(item3 + entries3[0], 0);
+            t_dot[1] = PACKED_IN(item3 + entries3[1], 0);
+            t_dot[2] = PACKED_IN(item3 + entries3[2], 0);
+            t_dot[3] = PACKED_IN(item3 + entries3[3], 0);
+            t_dot[4] = PACKED_IN(item3 + entries3[4], 0);
+            t_dot[5] = PACKED_IN(item3 + entries3[5], 0);
+        } else {
+            doubles all[6];
+            take_each(item3, entries3, step3, 6, all);
+            t_dot[0] = all[0];
+            t_dot[1] = all[1];
+            t_dot[2] = all[2];
+            t_dot[3] = all[3];
+            t_dot[4] = all[4];
+            t_dot[5] = all[5];
+        }
         const doubles sin_phi = sines[0][g];
         const doubles cos_phi = cosines[0][g];
         const doubles s_ddot4 = t_dot[3];
@@ -1396,8 +2468,21 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_block)(
         const doubles s_ddot3 = t2 * t8 - sin_phi * t9 - t1 * t10;
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 7);
-        give_4(item4, 0, 7, down4, across4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
-        give_3(item4, 4, 7, down4, across4, step4, s_ddot4, s_ddot5, s_ddot6);
+        if (dense4) {
+            store_4(item4 + 0 * sizeof(double), step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
+            store_3(item4 + 4 * sizeof(double), step4, s_ddot4, s_ddot5, s_ddot6);
+        } else if (step4 == sizeof(double)) {
+            PACKED(item4 + entries4[0], 0) = s_ddot0;
+            PACKED(item4 + entries4[1], 0) = s_ddot1;
+            PACKED(item4 + entries4[2], 0) = s_ddot2;
+            PACKED(item4 + entries4[3], 0) = s_ddot3;
+            PACKED(item4 + entries4[4], 0) = s_ddot4;
+            PACKED(item4 + entries4[5], 0) = s_ddot5;
+            PACKED(item4 + entries4[6], 0) = s_ddot6;
+        } else {
+            const doubles all[] = {s_ddot0, s_ddot1, s_ddot2, s_ddot3, s_ddot4, s_ddot5, s_ddot6};
+            give_each(item4, entries4, step4, 7, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1410,22 +2495,22 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 6 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 7 * sizeof(float));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 7 * sizeof(float));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
+    ptrdiff_t entries4[7];
+    const int dense4 = CHASLES_DENSE(find_entries(7, 7, sizeof(float), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -1443,16 +2528,58 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
+        } else if (step0 == sizeof(float)) {
+            e[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            e[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            e[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
-        take_3f(item2, 0, 6, down2, across2, step2, t);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &t[0]);
+        } else if (step2 == sizeof(float)) {
+            t[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            t[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            t[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[6];
+            take_eachf(item2, entries2, step2, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+        }
         floats t_dot[6];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 6);
-        take_4f(item3, 0, 6, down3, across3, step3, t_dot);
-        take_2f(item3, 4, 6, down3, across3, step3, &t_dot[4]);
+        if (dense3) {
+            load_4f(item3 + 0 * sizeof(float), step3, &t_dot[0]);
+            load_2f(item3 + 4 * sizeof(float), step3, &t_dot[4]);
+        } else if (step3 == sizeof(float)) {
+            t_dot[0] = PACKEDF_IN(item3 + entries3[0], 0);
+            t_dot[1] = PACKEDF_IN(item3 + entries3[1], 0);
+            t_dot[2] = PACKEDF_IN(item3 + entries3[2], 0);
+            t_dot[3] = PACKEDF_IN(item3 + entries3[3], 0);
+            t_dot[4] = PACKEDF_IN(item3 + entries3[4], 0);
+            t_dot[5] = PACKEDF_IN(item3 + entries3[5], 0);
+        } else {
+            floats all[6];
+            take_eachf(item3, entries3, step3, 6, all);
+            t_dot[0] = all[0];
+            t_dot[1] = all[1];
+            t_dot[2] = all[2];
+            t_dot[3] = all[3];
+            t_dot[4] = all[4];
+            t_dot[5] = all[5];
+        }
         const floats sin_phi = sines[0][g];
         const floats cos_phi = cosines[0][g];
         const floats s_ddot4 = t_dot[3];
@@ -1477,8 +2604,21 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_blockf)(
         const floats s_ddot3 = t2 * t8 - sin_phi * t9 - t1 * t10;
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 7);
-        give_4f(item4, 0, 7, down4, across4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
-        give_3f(item4, 4, 7, down4, across4, step4, s_ddot4, s_ddot5, s_ddot6);
+        if (dense4) {
+            store_4f(item4 + 0 * sizeof(float), step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
+            store_3f(item4 + 4 * sizeof(float), step4, s_ddot4, s_ddot5, s_ddot6);
+        } else if (step4 == sizeof(float)) {
+            PACKEDF(item4 + entries4[0], 0) = s_ddot0;
+            PACKEDF(item4 + entries4[1], 0) = s_ddot1;
+            PACKEDF(item4 + entries4[2], 0) = s_ddot2;
+            PACKEDF(item4 + entries4[3], 0) = s_ddot3;
+            PACKEDF(item4 + entries4[4], 0) = s_ddot4;
+            PACKEDF(item4 + entries4[5], 0) = s_ddot5;
+            PACKEDF(item4 + entries4[6], 0) = s_ddot6;
+        } else {
+            const floats all[] = {s_ddot0, s_ddot1, s_ddot2, s_ddot3, s_ddot4, s_ddot5, s_ddot6};
+            give_eachf(item4, entries4, step4, 7, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1491,22 +2631,22 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 6 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 7 * sizeof(double));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 7 * sizeof(double));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
+    ptrdiff_t entries4[7];
+    const int dense4 = CHASLES_DENSE(find_entries(7, 7, sizeof(double), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -1524,16 +2664,58 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &e[0]);
+        } else if (step0 == sizeof(double)) {
+            e[0] = PACKED_IN(item0 + entries0[0], 0);
+            e[1] = PACKED_IN(item0 + entries0[1], 0);
+            e[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
-        take_3(item2, 0, 6, down2, across2, step2, t);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &t[0]);
+        } else if (step2 == sizeof(double)) {
+            t[0] = PACKED_IN(item2 + entries2[0], 0);
+            t[1] = PACKED_IN(item2 + entries2[1], 0);
+            t[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[6];
+            take_each(item2, entries2, step2, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+        }
         doubles t_dot[6];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 6);
-        take_4(item3, 0, 6, down3, across3, step3, t_dot);
-        take_2(item3, 4, 6, down3, across3, step3, &t_dot[4]);
+        if (dense3) {
+            load_4(item3 + 0 * sizeof(double), step3, &t_dot[0]);
+            load_2(item3 + 4 * sizeof(double), step3, &t_dot[4]);
+        } else if (step3 == sizeof(double)) {
+            t_dot[0] = PACKED_IN(item3 + entries3[0], 0);
+            t_dot[1] = PACKED_IN(item3 + entries3[1], 0);
+            t_dot[2] = PACKED_IN(item3 + entries3[2], 0);
+            t_dot[3] = PACKED_IN(item3 + entries3[3], 0);
+            t_dot[4] = PACKED_IN(item3 + entries3[4], 0);
+            t_dot[5] = PACKED_IN(item3 + entries3[5], 0);
+        } else {
+            doubles all[6];
+            take_each(item3, entries3, step3, 6, all);
+            t_dot[0] = all[0];
+            t_dot[1] = all[1];
+            t_dot[2] = all[2];
+            t_dot[3] = all[3];
+            t_dot[4] = all[4];
+            t_dot[5] = all[5];
+        }
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles s_ddot4 = t_dot[3];
@@ -1554,8 +2736,21 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_block)(
         const doubles s_ddot3 = -(t9 + cos_half_phi * t4);
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 7);
-        give_4(item4, 0, 7, down4, across4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
-        give_3(item4, 4, 7, down4, across4, step4, s_ddot4, s_ddot5, s_ddot6);
+        if (dense4) {
+            store_4(item4 + 0 * sizeof(double), step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
+            store_3(item4 + 4 * sizeof(double), step4, s_ddot4, s_ddot5, s_ddot6);
+        } else if (step4 == sizeof(double)) {
+            PACKED(item4 + entries4[0], 0) = s_ddot0;
+            PACKED(item4 + entries4[1], 0) = s_ddot1;
+            PACKED(item4 + entries4[2], 0) = s_ddot2;
+            PACKED(item4 + entries4[3], 0) = s_ddot3;
+            PACKED(item4 + entries4[4], 0) = s_ddot4;
+            PACKED(item4 + entries4[5], 0) = s_ddot5;
+            PACKED(item4 + entries4[6], 0) = s_ddot6;
+        } else {
+            const doubles all[] = {s_ddot0, s_ddot1, s_ddot2, s_ddot3, s_ddot4, s_ddot5, s_ddot6};
+            give_each(item4, entries4, step4, 7, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1568,22 +2763,22 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 6 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 7 * sizeof(float));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 7 * sizeof(float));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
+    ptrdiff_t entries4[7];
+    const int dense4 = CHASLES_DENSE(find_entries(7, 7, sizeof(float), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -1601,16 +2796,58 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
+        } else if (step0 == sizeof(float)) {
+            e[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            e[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            e[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
-        take_3f(item2, 0, 6, down2, across2, step2, t);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &t[0]);
+        } else if (step2 == sizeof(float)) {
+            t[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            t[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            t[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[6];
+            take_eachf(item2, entries2, step2, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+        }
         floats t_dot[6];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 6);
-        take_4f(item3, 0, 6, down3, across3, step3, t_dot);
-        take_2f(item3, 4, 6, down3, across3, step3, &t_dot[4]);
+        if (dense3) {
+            load_4f(item3 + 0 * sizeof(float), step3, &t_dot[0]);
+            load_2f(item3 + 4 * sizeof(float), step3, &t_dot[4]);
+        } else if (step3 == sizeof(float)) {
+            t_dot[0] = PACKEDF_IN(item3 + entries3[0], 0);
+            t_dot[1] = PACKEDF_IN(item3 + entries3[1], 0);
+            t_dot[2] = PACKEDF_IN(item3 + entries3[2], 0);
+            t_dot[3] = PACKEDF_IN(item3 + entries3[3], 0);
+            t_dot[4] = PACKEDF_IN(item3 + entries3[4], 0);
+            t_dot[5] = PACKEDF_IN(item3 + entries3[5], 0);
+        } else {
+            floats all[6];
+            take_eachf(item3, entries3, step3, 6, all);
+            t_dot[0] = all[0];
+            t_dot[1] = all[1];
+            t_dot[2] = all[2];
+            t_dot[3] = all[3];
+            t_dot[4] = all[4];
+            t_dot[5] = all[5];
+        }
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats s_ddot4 = t_dot[3];
@@ -1631,8 +2868,21 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_blockf)(
         const floats s_ddot3 = -(t9 + cos_half_phi * t4);
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 7);
-        give_4f(item4, 0, 7, down4, across4, step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
-        give_3f(item4, 4, 7, down4, across4, step4, s_ddot4, s_ddot5, s_ddot6);
+        if (dense4) {
+            store_4f(item4 + 0 * sizeof(float), step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
+            store_3f(item4 + 4 * sizeof(float), step4, s_ddot4, s_ddot5, s_ddot6);
+        } else if (step4 == sizeof(float)) {
+            PACKEDF(item4 + entries4[0], 0) = s_ddot0;
+            PACKEDF(item4 + entries4[1], 0) = s_ddot1;
+            PACKEDF(item4 + entries4[2], 0) = s_ddot2;
+            PACKEDF(item4 + entries4[3], 0) = s_ddot3;
+            PACKEDF(item4 + entries4[4], 0) = s_ddot4;
+            PACKEDF(item4 + entries4[5], 0) = s_ddot5;
+            PACKEDF(item4 + entries4[6], 0) = s_ddot6;
+        } else {
+            const floats all[] = {s_ddot0, s_ddot1, s_ddot2, s_ddot3, s_ddot4, s_ddot5, s_ddot6};
+            give_eachf(item4, entries4, step4, 7, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1645,22 +2895,22 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 7 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
+    ptrdiff_t entries2[7];
+    const int dense2 = CHASLES_DENSE(find_entries(7, 7, sizeof(double), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 7 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
+    ptrdiff_t entries3[7];
+    const int dense3 = CHASLES_DENSE(find_entries(7, 7, sizeof(double), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(double));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
+    ptrdiff_t entries4[6];
+    const int dense4 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -1678,16 +2928,62 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &e[0]);
+        } else if (step0 == sizeof(double)) {
+            e[0] = PACKED_IN(item0 + entries0[0], 0);
+            e[1] = PACKED_IN(item0 + entries0[1], 0);
+            e[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 7);
-        take_4(item2, 0, 7, down2, across2, step2, s_dot);
+        if (dense2) {
+            load_4(item2 + 0 * sizeof(double), step2, &s_dot[0]);
+        } else if (step2 == sizeof(double)) {
+            s_dot[0] = PACKED_IN(item2 + entries2[0], 0);
+            s_dot[1] = PACKED_IN(item2 + entries2[1], 0);
+            s_dot[2] = PACKED_IN(item2 + entries2[2], 0);
+            s_dot[3] = PACKED_IN(item2 + entries2[3], 0);
+        } else {
+            doubles all[7];
+            take_each(item2, entries2, step2, 7, all);
+            s_dot[0] = all[0];
+            s_dot[1] = all[1];
+            s_dot[2] = all[2];
+            s_dot[3] = all[3];
+        }
         doubles s_ddot[7];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 7);
-        take_4(item3, 0, 7, down3, across3, step3, s_ddot);
-        take_3(item3, 4, 7, down3, across3, step3, &s_ddot[4]);
+        if (dense3) {
+            load_4(item3 + 0 * sizeof(double), step3, &s_ddot[0]);
+            load_3(item3 + 4 * sizeof(double), step3, &s_ddot[4]);
+        } else if (step3 == sizeof(double)) {
+            s_ddot[0] = PACKED_IN(item3 + entries3[0], 0);
+            s_ddot[1] = PACKED_IN(item3 + entries3[1], 0);
+            s_ddot[2] = PACKED_IN(item3 + entries3[2], 0);
+            s_ddot[3] = PACKED_IN(item3 + entries3[3], 0);
+            s_ddot[4] = PACKED_IN(item3 + entries3[4], 0);
+            s_ddot[5] = PACKED_IN(item3 + entries3[5], 0);
+            s_ddot[6] = PACKED_IN(item3 + entries3[6], 0);
+        } else {
+            doubles all[7];
+            take_each(item3, entries3, step3, 7, all);
+            s_ddot[0] = all[0];
+            s_ddot[1] = all[1];
+            s_ddot[2] = all[2];
+            s_ddot[3] = all[3];
+            s_ddot[4] = all[4];
+            s_ddot[5] = all[5];
+            s_ddot[6] = all[6];
+        }
         const doubles sin_phi = sines[0][g];
         const doubles cos_phi = cosines[0][g];
         const doubles t_dot3 = s_ddot[4];
@@ -1707,8 +3003,20 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_block)(
         const doubles t_dot2 = t4 + e[2] * s_ddot[3] + t9;
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 6);
-        give_4(item4, 0, 6, down4, across4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
-        give_2(item4, 4, 6, down4, across4, step4, t_dot4, t_dot5);
+        if (dense4) {
+            store_4(item4 + 0 * sizeof(double), step4, t_dot0, t_dot1, t_dot2, t_dot3);
+            store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
+        } else if (step4 == sizeof(double)) {
+            PACKED(item4 + entries4[0], 0) = t_dot0;
+            PACKED(item4 + entries4[1], 0) = t_dot1;
+            PACKED(item4 + entries4[2], 0) = t_dot2;
+            PACKED(item4 + entries4[3], 0) = t_dot3;
+            PACKED(item4 + entries4[4], 0) = t_dot4;
+            PACKED(item4 + entries4[5], 0) = t_dot5;
+        } else {
+            const doubles all[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
+            give_each(item4, entries4, step4, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1721,22 +3029,22 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 7 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
+    ptrdiff_t entries2[7];
+    const int dense2 = CHASLES_DENSE(find_entries(7, 7, sizeof(float), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 7 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
+    ptrdiff_t entries3[7];
+    const int dense3 = CHASLES_DENSE(find_entries(7, 7, sizeof(float), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(float));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
+    ptrdiff_t entries4[6];
+    const int dense4 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -1754,16 +3062,62 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
+        } else if (step0 == sizeof(float)) {
+            e[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            e[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            e[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 7);
-        take_4f(item2, 0, 7, down2, across2, step2, s_dot);
+        if (dense2) {
+            load_4f(item2 + 0 * sizeof(float), step2, &s_dot[0]);
+        } else if (step2 == sizeof(float)) {
+            s_dot[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            s_dot[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            s_dot[2] = PACKEDF_IN(item2 + entries2[2], 0);
+            s_dot[3] = PACKEDF_IN(item2 + entries2[3], 0);
+        } else {
+            floats all[7];
+            take_eachf(item2, entries2, step2, 7, all);
+            s_dot[0] = all[0];
+            s_dot[1] = all[1];
+            s_dot[2] = all[2];
+            s_dot[3] = all[3];
+        }
         floats s_ddot[7];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 7);
-        take_4f(item3, 0, 7, down3, across3, step3, s_ddot);
-        take_3f(item3, 4, 7, down3, across3, step3, &s_ddot[4]);
+        if (dense3) {
+            load_4f(item3 + 0 * sizeof(float), step3, &s_ddot[0]);
+            load_3f(item3 + 4 * sizeof(float), step3, &s_ddot[4]);
+        } else if (step3 == sizeof(float)) {
+            s_ddot[0] = PACKEDF_IN(item3 + entries3[0], 0);
+            s_ddot[1] = PACKEDF_IN(item3 + entries3[1], 0);
+            s_ddot[2] = PACKEDF_IN(item3 + entries3[2], 0);
+            s_ddot[3] = PACKEDF_IN(item3 + entries3[3], 0);
+            s_ddot[4] = PACKEDF_IN(item3 + entries3[4], 0);
+            s_ddot[5] = PACKEDF_IN(item3 + entries3[5], 0);
+            s_ddot[6] = PACKEDF_IN(item3 + entries3[6], 0);
+        } else {
+            floats all[7];
+            take_eachf(item3, entries3, step3, 7, all);
+            s_ddot[0] = all[0];
+            s_ddot[1] = all[1];
+            s_ddot[2] = all[2];
+            s_ddot[3] = all[3];
+            s_ddot[4] = all[4];
+            s_ddot[5] = all[5];
+            s_ddot[6] = all[6];
+        }
         const floats sin_phi = sines[0][g];
         const floats cos_phi = cosines[0][g];
         const floats t_dot3 = s_ddot[4];
@@ -1783,8 +3137,20 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_blockf)(
         const floats t_dot2 = t4 + e[2] * s_ddot[3] + t9;
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 6);
-        give_4f(item4, 0, 6, down4, across4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
-        give_2f(item4, 4, 6, down4, across4, step4, t_dot4, t_dot5);
+        if (dense4) {
+            store_4f(item4 + 0 * sizeof(float), step4, t_dot0, t_dot1, t_dot2, t_dot3);
+            store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
+        } else if (step4 == sizeof(float)) {
+            PACKEDF(item4 + entries4[0], 0) = t_dot0;
+            PACKEDF(item4 + entries4[1], 0) = t_dot1;
+            PACKEDF(item4 + entries4[2], 0) = t_dot2;
+            PACKEDF(item4 + entries4[3], 0) = t_dot3;
+            PACKEDF(item4 + entries4[4], 0) = t_dot4;
+            PACKEDF(item4 + entries4[5], 0) = t_dot5;
+        } else {
+            const floats all[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
+            give_eachf(item4, entries4, step4, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1797,22 +3163,22 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 7 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
+    ptrdiff_t entries2[7];
+    const int dense2 = CHASLES_DENSE(find_entries(7, 7, sizeof(double), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 7 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
+    ptrdiff_t entries3[7];
+    const int dense3 = CHASLES_DENSE(find_entries(7, 7, sizeof(double), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(double));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
+    ptrdiff_t entries4[6];
+    const int dense4 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -1830,16 +3196,62 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &e[0]);
+        } else if (step0 == sizeof(double)) {
+            e[0] = PACKED_IN(item0 + entries0[0], 0);
+            e[1] = PACKED_IN(item0 + entries0[1], 0);
+            e[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         doubles s_dot[7];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 7);
-        take_4(item2, 0, 7, down2, across2, step2, s_dot);
+        if (dense2) {
+            load_4(item2 + 0 * sizeof(double), step2, &s_dot[0]);
+        } else if (step2 == sizeof(double)) {
+            s_dot[0] = PACKED_IN(item2 + entries2[0], 0);
+            s_dot[1] = PACKED_IN(item2 + entries2[1], 0);
+            s_dot[2] = PACKED_IN(item2 + entries2[2], 0);
+            s_dot[3] = PACKED_IN(item2 + entries2[3], 0);
+        } else {
+            doubles all[7];
+            take_each(item2, entries2, step2, 7, all);
+            s_dot[0] = all[0];
+            s_dot[1] = all[1];
+            s_dot[2] = all[2];
+            s_dot[3] = all[3];
+        }
         doubles s_ddot[7];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 7);
-        take_4(item3, 0, 7, down3, across3, step3, s_ddot);
-        take_3(item3, 4, 7, down3, across3, step3, &s_ddot[4]);
+        if (dense3) {
+            load_4(item3 + 0 * sizeof(double), step3, &s_ddot[0]);
+            load_3(item3 + 4 * sizeof(double), step3, &s_ddot[4]);
+        } else if (step3 == sizeof(double)) {
+            s_ddot[0] = PACKED_IN(item3 + entries3[0], 0);
+            s_ddot[1] = PACKED_IN(item3 + entries3[1], 0);
+            s_ddot[2] = PACKED_IN(item3 + entries3[2], 0);
+            s_ddot[3] = PACKED_IN(item3 + entries3[3], 0);
+            s_ddot[4] = PACKED_IN(item3 + entries3[4], 0);
+            s_ddot[5] = PACKED_IN(item3 + entries3[5], 0);
+            s_ddot[6] = PACKED_IN(item3 + entries3[6], 0);
+        } else {
+            doubles all[7];
+            take_each(item3, entries3, step3, 7, all);
+            s_ddot[0] = all[0];
+            s_ddot[1] = all[1];
+            s_ddot[2] = all[2];
+            s_ddot[3] = all[3];
+            s_ddot[4] = all[4];
+            s_ddot[5] = all[5];
+            s_ddot[6] = all[6];
+        }
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t_dot3 = s_ddot[4];
@@ -1860,8 +3272,20 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_block)(
         const doubles t_dot2 = s_ddot[2] + (s_ddot[1] * t3 - s_ddot[0] * t4) - s_ddot[3] * t5 - t10;
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 6);
-        give_4(item4, 0, 6, down4, across4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
-        give_2(item4, 4, 6, down4, across4, step4, t_dot4, t_dot5);
+        if (dense4) {
+            store_4(item4 + 0 * sizeof(double), step4, t_dot0, t_dot1, t_dot2, t_dot3);
+            store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
+        } else if (step4 == sizeof(double)) {
+            PACKED(item4 + entries4[0], 0) = t_dot0;
+            PACKED(item4 + entries4[1], 0) = t_dot1;
+            PACKED(item4 + entries4[2], 0) = t_dot2;
+            PACKED(item4 + entries4[3], 0) = t_dot3;
+            PACKED(item4 + entries4[4], 0) = t_dot4;
+            PACKED(item4 + entries4[5], 0) = t_dot5;
+        } else {
+            const doubles all[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
+            give_each(item4, entries4, step4, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1874,22 +3298,22 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 7 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 7 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
+    ptrdiff_t entries2[7];
+    const int dense2 = CHASLES_DENSE(find_entries(7, 7, sizeof(float), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 7 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
+    ptrdiff_t entries3[7];
+    const int dense3 = CHASLES_DENSE(find_entries(7, 7, sizeof(float), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(float));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
+    ptrdiff_t entries4[6];
+    const int dense4 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -1907,16 +3331,62 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
+        } else if (step0 == sizeof(float)) {
+            e[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            e[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            e[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         floats s_dot[7];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 7);
-        take_4f(item2, 0, 7, down2, across2, step2, s_dot);
+        if (dense2) {
+            load_4f(item2 + 0 * sizeof(float), step2, &s_dot[0]);
+        } else if (step2 == sizeof(float)) {
+            s_dot[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            s_dot[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            s_dot[2] = PACKEDF_IN(item2 + entries2[2], 0);
+            s_dot[3] = PACKEDF_IN(item2 + entries2[3], 0);
+        } else {
+            floats all[7];
+            take_eachf(item2, entries2, step2, 7, all);
+            s_dot[0] = all[0];
+            s_dot[1] = all[1];
+            s_dot[2] = all[2];
+            s_dot[3] = all[3];
+        }
         floats s_ddot[7];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 7);
-        take_4f(item3, 0, 7, down3, across3, step3, s_ddot);
-        take_3f(item3, 4, 7, down3, across3, step3, &s_ddot[4]);
+        if (dense3) {
+            load_4f(item3 + 0 * sizeof(float), step3, &s_ddot[0]);
+            load_3f(item3 + 4 * sizeof(float), step3, &s_ddot[4]);
+        } else if (step3 == sizeof(float)) {
+            s_ddot[0] = PACKEDF_IN(item3 + entries3[0], 0);
+            s_ddot[1] = PACKEDF_IN(item3 + entries3[1], 0);
+            s_ddot[2] = PACKEDF_IN(item3 + entries3[2], 0);
+            s_ddot[3] = PACKEDF_IN(item3 + entries3[3], 0);
+            s_ddot[4] = PACKEDF_IN(item3 + entries3[4], 0);
+            s_ddot[5] = PACKEDF_IN(item3 + entries3[5], 0);
+            s_ddot[6] = PACKEDF_IN(item3 + entries3[6], 0);
+        } else {
+            floats all[7];
+            take_eachf(item3, entries3, step3, 7, all);
+            s_ddot[0] = all[0];
+            s_ddot[1] = all[1];
+            s_ddot[2] = all[2];
+            s_ddot[3] = all[3];
+            s_ddot[4] = all[4];
+            s_ddot[5] = all[5];
+            s_ddot[6] = all[6];
+        }
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats t_dot3 = s_ddot[4];
@@ -1937,8 +3407,20 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_blockf)(
         const floats t_dot2 = s_ddot[2] + (s_ddot[1] * t3 - s_ddot[0] * t4) - s_ddot[3] * t5 - t10;
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 6);
-        give_4f(item4, 0, 6, down4, across4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
-        give_2f(item4, 4, 6, down4, across4, step4, t_dot4, t_dot5);
+        if (dense4) {
+            store_4f(item4 + 0 * sizeof(float), step4, t_dot0, t_dot1, t_dot2, t_dot3);
+            store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
+        } else if (step4 == sizeof(float)) {
+            PACKEDF(item4 + entries4[0], 0) = t_dot0;
+            PACKEDF(item4 + entries4[1], 0) = t_dot1;
+            PACKEDF(item4 + entries4[2], 0) = t_dot2;
+            PACKEDF(item4 + entries4[3], 0) = t_dot3;
+            PACKEDF(item4 + entries4[4], 0) = t_dot4;
+            PACKEDF(item4 + entries4[5], 0) = t_dot5;
+        } else {
+            const floats all[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
+            give_eachf(item4, entries4, step4, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1951,18 +3433,18 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 7 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
+    ptrdiff_t entries3[7];
+    const int dense3 = CHASLES_DENSE(find_entries(7, 7, sizeof(double), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(double));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
+    ptrdiff_t entries4[6];
+    const int dense4 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     doubles angles[1][GROUPS];
     doubles sines[1][GROUPS];
@@ -1980,12 +3462,44 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_block)(
         doubles e[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &e[0]);
+        } else if (step0 == sizeof(double)) {
+            e[0] = PACKED_IN(item0 + entries0[0], 0);
+            e[1] = PACKED_IN(item0 + entries0[1], 0);
+            e[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         doubles s_ddot[7];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 7);
-        take_4(item3, 0, 7, down3, across3, step3, s_ddot);
-        take_3(item3, 4, 7, down3, across3, step3, &s_ddot[4]);
+        if (dense3) {
+            load_4(item3 + 0 * sizeof(double), step3, &s_ddot[0]);
+            load_3(item3 + 4 * sizeof(double), step3, &s_ddot[4]);
+        } else if (step3 == sizeof(double)) {
+            s_ddot[0] = PACKED_IN(item3 + entries3[0], 0);
+            s_ddot[1] = PACKED_IN(item3 + entries3[1], 0);
+            s_ddot[2] = PACKED_IN(item3 + entries3[2], 0);
+            s_ddot[3] = PACKED_IN(item3 + entries3[3], 0);
+            s_ddot[4] = PACKED_IN(item3 + entries3[4], 0);
+            s_ddot[5] = PACKED_IN(item3 + entries3[5], 0);
+            s_ddot[6] = PACKED_IN(item3 + entries3[6], 0);
+        } else {
+            doubles all[7];
+            take_each(item3, entries3, step3, 7, all);
+            s_ddot[0] = all[0];
+            s_ddot[1] = all[1];
+            s_ddot[2] = all[2];
+            s_ddot[3] = all[3];
+            s_ddot[4] = all[4];
+            s_ddot[5] = all[5];
+            s_ddot[6] = all[6];
+        }
         const doubles sin_half_phi = sines[0][g];
         const doubles cos_half_phi = cosines[0][g];
         const doubles t_dot3 = s_ddot[4];
@@ -2001,8 +3515,20 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_block)(
         const doubles t_dot2 = s_ddot[1] * t3 - s_ddot[0] * t4 + s_ddot[2] * t1 - s_ddot[3] * t5;
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 6);
-        give_4(item4, 0, 6, down4, across4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
-        give_2(item4, 4, 6, down4, across4, step4, t_dot4, t_dot5);
+        if (dense4) {
+            store_4(item4 + 0 * sizeof(double), step4, t_dot0, t_dot1, t_dot2, t_dot3);
+            store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
+        } else if (step4 == sizeof(double)) {
+            PACKED(item4 + entries4[0], 0) = t_dot0;
+            PACKED(item4 + entries4[1], 0) = t_dot1;
+            PACKED(item4 + entries4[2], 0) = t_dot2;
+            PACKED(item4 + entries4[3], 0) = t_dot3;
+            PACKED(item4 + entries4[4], 0) = t_dot4;
+            PACKED(item4 + entries4[5], 0) = t_dot5;
+        } else {
+            const doubles all[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
+            give_each(item4, entries4, step4, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2015,18 +3541,18 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 7 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 7 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
+    ptrdiff_t entries3[7];
+    const int dense3 = CHASLES_DENSE(find_entries(7, 7, sizeof(float), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(float));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
+    ptrdiff_t entries4[6];
+    const int dense4 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     floats angles[1][GROUPSF];
     floats sines[1][GROUPSF];
@@ -2044,12 +3570,44 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_blockf)(
         floats e[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, e);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &e[0]);
+        } else if (step0 == sizeof(float)) {
+            e[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            e[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            e[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            e[0] = all[0];
+            e[1] = all[1];
+            e[2] = all[2];
+        }
         floats s_ddot[7];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 7);
-        take_4f(item3, 0, 7, down3, across3, step3, s_ddot);
-        take_3f(item3, 4, 7, down3, across3, step3, &s_ddot[4]);
+        if (dense3) {
+            load_4f(item3 + 0 * sizeof(float), step3, &s_ddot[0]);
+            load_3f(item3 + 4 * sizeof(float), step3, &s_ddot[4]);
+        } else if (step3 == sizeof(float)) {
+            s_ddot[0] = PACKEDF_IN(item3 + entries3[0], 0);
+            s_ddot[1] = PACKEDF_IN(item3 + entries3[1], 0);
+            s_ddot[2] = PACKEDF_IN(item3 + entries3[2], 0);
+            s_ddot[3] = PACKEDF_IN(item3 + entries3[3], 0);
+            s_ddot[4] = PACKEDF_IN(item3 + entries3[4], 0);
+            s_ddot[5] = PACKEDF_IN(item3 + entries3[5], 0);
+            s_ddot[6] = PACKEDF_IN(item3 + entries3[6], 0);
+        } else {
+            floats all[7];
+            take_eachf(item3, entries3, step3, 7, all);
+            s_ddot[0] = all[0];
+            s_ddot[1] = all[1];
+            s_ddot[2] = all[2];
+            s_ddot[3] = all[3];
+            s_ddot[4] = all[4];
+            s_ddot[5] = all[5];
+            s_ddot[6] = all[6];
+        }
         const floats sin_half_phi = sines[0][g];
         const floats cos_half_phi = cosines[0][g];
         const floats t_dot3 = s_ddot[4];
@@ -2065,8 +3623,20 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_blockf)(
         const floats t_dot2 = s_ddot[1] * t3 - s_ddot[0] * t4 + s_ddot[2] * t1 - s_ddot[3] * t5;
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 6);
-        give_4f(item4, 0, 6, down4, across4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
-        give_2f(item4, 4, 6, down4, across4, step4, t_dot4, t_dot5);
+        if (dense4) {
+            store_4f(item4 + 0 * sizeof(float), step4, t_dot0, t_dot1, t_dot2, t_dot3);
+            store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
+        } else if (step4 == sizeof(float)) {
+            PACKEDF(item4 + entries4[0], 0) = t_dot0;
+            PACKEDF(item4 + entries4[1], 0) = t_dot1;
+            PACKEDF(item4 + entries4[2], 0) = t_dot2;
+            PACKEDF(item4 + entries4[3], 0) = t_dot3;
+            PACKEDF(item4 + entries4[4], 0) = t_dot4;
+            PACKEDF(item4 + entries4[5], 0) = t_dot5;
+        } else {
+            const floats all[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
+            give_eachf(item4, entries4, step4, 6, all);
+        }
         stream_lines(&copied);
     }
 }

@@ -23,52 +23,124 @@ void CHASLES_LEVELED(chasles_moving_frame_velocity_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(6, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(7, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 6, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(8, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(9, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 8, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(10, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(11, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 10, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(12, 3 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(13, 1 * sizeof(double));
+    ptrdiff_t entries3[3];
+    const int dense3 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step3, steps + 12, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t down4 = CHASLES_STEP(14, 3 * sizeof(double));
-    const ptrdiff_t across4 = CHASLES_STEP(15, 1 * sizeof(double));
+    ptrdiff_t entries4[3];
+    const int dense4 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step4, steps + 14, entries4));
     char *const at5 = at[5];
     const ptrdiff_t step5 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t down5 = CHASLES_STEP(16, 3 * sizeof(double));
-    const ptrdiff_t across5 = CHASLES_STEP(17, 1 * sizeof(double));
+    ptrdiff_t entries5[3];
+    const int dense5 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step5, steps + 16, entries5));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles o_dot[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, o_dot);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &o_dot[0]);
+        } else if (step0 == sizeof(double)) {
+            o_dot[0] = PACKED_IN(item0 + entries0[0], 0);
+            o_dot[1] = PACKED_IN(item0 + entries0[1], 0);
+            o_dot[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            o_dot[0] = all[0];
+            o_dot[1] = all[1];
+            o_dot[2] = all[2];
+        }
         doubles Q[9];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 9);
-        take_4(item1, 0, 3, down1, across1, step1, Q);
-        take_4(item1, 4, 3, down1, across1, step1, &Q[4]);
-        take_1(item1, 8, 3, down1, across1, step1, &Q[8]);
+        if (dense1) {
+            load_4(item1 + 0 * sizeof(double), step1, &Q[0]);
+            load_4(item1 + 4 * sizeof(double), step1, &Q[4]);
+            load_1(item1 + 8 * sizeof(double), step1, &Q[8]);
+        } else if (step1 == sizeof(double)) {
+            Q[0] = PACKED_IN(item1 + entries1[0], 0);
+            Q[1] = PACKED_IN(item1 + entries1[1], 0);
+            Q[2] = PACKED_IN(item1 + entries1[2], 0);
+            Q[3] = PACKED_IN(item1 + entries1[3], 0);
+            Q[4] = PACKED_IN(item1 + entries1[4], 0);
+            Q[5] = PACKED_IN(item1 + entries1[5], 0);
+            Q[6] = PACKED_IN(item1 + entries1[6], 0);
+            Q[7] = PACKED_IN(item1 + entries1[7], 0);
+            Q[8] = PACKED_IN(item1 + entries1[8], 0);
+        } else {
+            doubles all[9];
+            take_each(item1, entries1, step1, 9, all);
+            Q[0] = all[0];
+            Q[1] = all[1];
+            Q[2] = all[2];
+            Q[3] = all[3];
+            Q[4] = all[4];
+            Q[5] = all[5];
+            Q[6] = all[6];
+            Q[7] = all[7];
+            Q[8] = all[8];
+        }
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        take_3(item2, 0, 3, down2, across2, step2, omega);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &omega[0]);
+        } else if (step2 == sizeof(double)) {
+            omega[0] = PACKED_IN(item2 + entries2[0], 0);
+            omega[1] = PACKED_IN(item2 + entries2[1], 0);
+            omega[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item2, entries2, step2, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         doubles rho[3];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 3);
-        take_3(item3, 0, 3, down3, across3, step3, rho);
+        if (dense3) {
+            load_3(item3 + 0 * sizeof(double), step3, &rho[0]);
+        } else if (step3 == sizeof(double)) {
+            rho[0] = PACKED_IN(item3 + entries3[0], 0);
+            rho[1] = PACKED_IN(item3 + entries3[1], 0);
+            rho[2] = PACKED_IN(item3 + entries3[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item3, entries3, step3, 3, all);
+            rho[0] = all[0];
+            rho[1] = all[1];
+            rho[2] = all[2];
+        }
         doubles rho_dot[3];
         const char *const item4 = at4 + g * LANES * step4;
         prefetch(item4, 3);
-        take_3(item4, 0, 3, down4, across4, step4, rho_dot);
+        if (dense4) {
+            load_3(item4 + 0 * sizeof(double), step4, &rho_dot[0]);
+        } else if (step4 == sizeof(double)) {
+            rho_dot[0] = PACKED_IN(item4 + entries4[0], 0);
+            rho_dot[1] = PACKED_IN(item4 + entries4[1], 0);
+            rho_dot[2] = PACKED_IN(item4 + entries4[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item4, entries4, step4, 3, all);
+            rho_dot[0] = all[0];
+            rho_dot[1] = all[1];
+            rho_dot[2] = all[2];
+        }
         const doubles t1 = Q[0] * rho[0] + Q[1] * rho[1] + Q[2] * rho[2];
         const doubles t2 = Q[3] * rho[0] + Q[4] * rho[1] + Q[5] * rho[2];
         const doubles t3 = Q[6] * rho[0] + Q[7] * rho[1] + Q[8] * rho[2];
@@ -80,7 +152,16 @@ void CHASLES_LEVELED(chasles_moving_frame_velocity_block)(
         const doubles p_dot2 = o_dot[2] + (omega[0] * t2 - omega[1] * t1) + t6;
         char *const item5 = at5 + g * LANES * step5;
         prefetch_to_write(item5, 3);
-        give_3(item5, 0, 3, down5, across5, step5, p_dot0, p_dot1, p_dot2);
+        if (dense5) {
+            store_3(item5 + 0 * sizeof(double), step5, p_dot0, p_dot1, p_dot2);
+        } else if (step5 == sizeof(double)) {
+            PACKED(item5 + entries5[0], 0) = p_dot0;
+            PACKED(item5 + entries5[1], 0) = p_dot1;
+            PACKED(item5 + entries5[2], 0) = p_dot2;
+        } else {
+            const doubles all[] = {p_dot0, p_dot1, p_dot2};
+            give_each(item5, entries5, step5, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -93,52 +174,124 @@ void CHASLES_LEVELED(chasles_moving_frame_velocity_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(6, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(7, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 6, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(8, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(9, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 8, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(10, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(11, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 10, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(12, 3 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(13, 1 * sizeof(float));
+    ptrdiff_t entries3[3];
+    const int dense3 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step3, steps + 12, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t down4 = CHASLES_STEP(14, 3 * sizeof(float));
-    const ptrdiff_t across4 = CHASLES_STEP(15, 1 * sizeof(float));
+    ptrdiff_t entries4[3];
+    const int dense4 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step4, steps + 14, entries4));
     char *const at5 = at[5];
     const ptrdiff_t step5 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t down5 = CHASLES_STEP(16, 3 * sizeof(float));
-    const ptrdiff_t across5 = CHASLES_STEP(17, 1 * sizeof(float));
+    ptrdiff_t entries5[3];
+    const int dense5 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step5, steps + 16, entries5));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats o_dot[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, o_dot);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &o_dot[0]);
+        } else if (step0 == sizeof(float)) {
+            o_dot[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            o_dot[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            o_dot[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            o_dot[0] = all[0];
+            o_dot[1] = all[1];
+            o_dot[2] = all[2];
+        }
         floats Q[9];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 9);
-        take_4f(item1, 0, 3, down1, across1, step1, Q);
-        take_4f(item1, 4, 3, down1, across1, step1, &Q[4]);
-        take_1f(item1, 8, 3, down1, across1, step1, &Q[8]);
+        if (dense1) {
+            load_4f(item1 + 0 * sizeof(float), step1, &Q[0]);
+            load_4f(item1 + 4 * sizeof(float), step1, &Q[4]);
+            load_1f(item1 + 8 * sizeof(float), step1, &Q[8]);
+        } else if (step1 == sizeof(float)) {
+            Q[0] = PACKEDF_IN(item1 + entries1[0], 0);
+            Q[1] = PACKEDF_IN(item1 + entries1[1], 0);
+            Q[2] = PACKEDF_IN(item1 + entries1[2], 0);
+            Q[3] = PACKEDF_IN(item1 + entries1[3], 0);
+            Q[4] = PACKEDF_IN(item1 + entries1[4], 0);
+            Q[5] = PACKEDF_IN(item1 + entries1[5], 0);
+            Q[6] = PACKEDF_IN(item1 + entries1[6], 0);
+            Q[7] = PACKEDF_IN(item1 + entries1[7], 0);
+            Q[8] = PACKEDF_IN(item1 + entries1[8], 0);
+        } else {
+            floats all[9];
+            take_eachf(item1, entries1, step1, 9, all);
+            Q[0] = all[0];
+            Q[1] = all[1];
+            Q[2] = all[2];
+            Q[3] = all[3];
+            Q[4] = all[4];
+            Q[5] = all[5];
+            Q[6] = all[6];
+            Q[7] = all[7];
+            Q[8] = all[8];
+        }
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        take_3f(item2, 0, 3, down2, across2, step2, omega);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &omega[0]);
+        } else if (step2 == sizeof(float)) {
+            omega[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            omega[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            omega[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item2, entries2, step2, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         floats rho[3];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 3);
-        take_3f(item3, 0, 3, down3, across3, step3, rho);
+        if (dense3) {
+            load_3f(item3 + 0 * sizeof(float), step3, &rho[0]);
+        } else if (step3 == sizeof(float)) {
+            rho[0] = PACKEDF_IN(item3 + entries3[0], 0);
+            rho[1] = PACKEDF_IN(item3 + entries3[1], 0);
+            rho[2] = PACKEDF_IN(item3 + entries3[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item3, entries3, step3, 3, all);
+            rho[0] = all[0];
+            rho[1] = all[1];
+            rho[2] = all[2];
+        }
         floats rho_dot[3];
         const char *const item4 = at4 + g * LANESF * step4;
         prefetch(item4, 3);
-        take_3f(item4, 0, 3, down4, across4, step4, rho_dot);
+        if (dense4) {
+            load_3f(item4 + 0 * sizeof(float), step4, &rho_dot[0]);
+        } else if (step4 == sizeof(float)) {
+            rho_dot[0] = PACKEDF_IN(item4 + entries4[0], 0);
+            rho_dot[1] = PACKEDF_IN(item4 + entries4[1], 0);
+            rho_dot[2] = PACKEDF_IN(item4 + entries4[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item4, entries4, step4, 3, all);
+            rho_dot[0] = all[0];
+            rho_dot[1] = all[1];
+            rho_dot[2] = all[2];
+        }
         const floats t1 = Q[0] * rho[0] + Q[1] * rho[1] + Q[2] * rho[2];
         const floats t2 = Q[3] * rho[0] + Q[4] * rho[1] + Q[5] * rho[2];
         const floats t3 = Q[6] * rho[0] + Q[7] * rho[1] + Q[8] * rho[2];
@@ -150,7 +303,16 @@ void CHASLES_LEVELED(chasles_moving_frame_velocity_blockf)(
         const floats p_dot2 = o_dot[2] + (omega[0] * t2 - omega[1] * t1) + t6;
         char *const item5 = at5 + g * LANESF * step5;
         prefetch_to_write(item5, 3);
-        give_3f(item5, 0, 3, down5, across5, step5, p_dot0, p_dot1, p_dot2);
+        if (dense5) {
+            store_3f(item5 + 0 * sizeof(float), step5, p_dot0, p_dot1, p_dot2);
+        } else if (step5 == sizeof(float)) {
+            PACKEDF(item5 + entries5[0], 0) = p_dot0;
+            PACKEDF(item5 + entries5[1], 0) = p_dot1;
+            PACKEDF(item5 + entries5[2], 0) = p_dot2;
+        } else {
+            const floats all[] = {p_dot0, p_dot1, p_dot2};
+            give_eachf(item5, entries5, step5, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -163,68 +325,164 @@ void CHASLES_LEVELED(chasles_moving_frame_acceleration_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(8, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(9, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 8, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(10, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(11, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 10, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(12, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(13, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 12, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(14, 3 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(15, 1 * sizeof(double));
+    ptrdiff_t entries3[3];
+    const int dense3 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step3, steps + 14, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t down4 = CHASLES_STEP(16, 3 * sizeof(double));
-    const ptrdiff_t across4 = CHASLES_STEP(17, 1 * sizeof(double));
+    ptrdiff_t entries4[3];
+    const int dense4 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step4, steps + 16, entries4));
     char *const at5 = at[5];
     const ptrdiff_t step5 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t down5 = CHASLES_STEP(18, 3 * sizeof(double));
-    const ptrdiff_t across5 = CHASLES_STEP(19, 1 * sizeof(double));
+    ptrdiff_t entries5[3];
+    const int dense5 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step5, steps + 18, entries5));
     char *const at6 = at[6];
     const ptrdiff_t step6 = CHASLES_STEP(6, 3 * sizeof(double));
-    const ptrdiff_t down6 = CHASLES_STEP(20, 3 * sizeof(double));
-    const ptrdiff_t across6 = CHASLES_STEP(21, 1 * sizeof(double));
+    ptrdiff_t entries6[3];
+    const int dense6 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step6, steps + 20, entries6));
     char *const at7 = at[7];
     const ptrdiff_t step7 = CHASLES_STEP(7, 3 * sizeof(double));
-    const ptrdiff_t down7 = CHASLES_STEP(22, 3 * sizeof(double));
-    const ptrdiff_t across7 = CHASLES_STEP(23, 1 * sizeof(double));
+    ptrdiff_t entries7[3];
+    const int dense7 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step7, steps + 22, entries7));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles o_ddot[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, o_ddot);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &o_ddot[0]);
+        } else if (step0 == sizeof(double)) {
+            o_ddot[0] = PACKED_IN(item0 + entries0[0], 0);
+            o_ddot[1] = PACKED_IN(item0 + entries0[1], 0);
+            o_ddot[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            o_ddot[0] = all[0];
+            o_ddot[1] = all[1];
+            o_ddot[2] = all[2];
+        }
         doubles Q[9];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 9);
-        take_4(item1, 0, 3, down1, across1, step1, Q);
-        take_4(item1, 4, 3, down1, across1, step1, &Q[4]);
-        take_1(item1, 8, 3, down1, across1, step1, &Q[8]);
+        if (dense1) {
+            load_4(item1 + 0 * sizeof(double), step1, &Q[0]);
+            load_4(item1 + 4 * sizeof(double), step1, &Q[4]);
+            load_1(item1 + 8 * sizeof(double), step1, &Q[8]);
+        } else if (step1 == sizeof(double)) {
+            Q[0] = PACKED_IN(item1 + entries1[0], 0);
+            Q[1] = PACKED_IN(item1 + entries1[1], 0);
+            Q[2] = PACKED_IN(item1 + entries1[2], 0);
+            Q[3] = PACKED_IN(item1 + entries1[3], 0);
+            Q[4] = PACKED_IN(item1 + entries1[4], 0);
+            Q[5] = PACKED_IN(item1 + entries1[5], 0);
+            Q[6] = PACKED_IN(item1 + entries1[6], 0);
+            Q[7] = PACKED_IN(item1 + entries1[7], 0);
+            Q[8] = PACKED_IN(item1 + entries1[8], 0);
+        } else {
+            doubles all[9];
+            take_each(item1, entries1, step1, 9, all);
+            Q[0] = all[0];
+            Q[1] = all[1];
+            Q[2] = all[2];
+            Q[3] = all[3];
+            Q[4] = all[4];
+            Q[5] = all[5];
+            Q[6] = all[6];
+            Q[7] = all[7];
+            Q[8] = all[8];
+        }
         doubles omega[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        take_3(item2, 0, 3, down2, across2, step2, omega);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &omega[0]);
+        } else if (step2 == sizeof(double)) {
+            omega[0] = PACKED_IN(item2 + entries2[0], 0);
+            omega[1] = PACKED_IN(item2 + entries2[1], 0);
+            omega[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item2, entries2, step2, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         doubles omega_dot[3];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 3);
-        take_3(item3, 0, 3, down3, across3, step3, omega_dot);
+        if (dense3) {
+            load_3(item3 + 0 * sizeof(double), step3, &omega_dot[0]);
+        } else if (step3 == sizeof(double)) {
+            omega_dot[0] = PACKED_IN(item3 + entries3[0], 0);
+            omega_dot[1] = PACKED_IN(item3 + entries3[1], 0);
+            omega_dot[2] = PACKED_IN(item3 + entries3[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item3, entries3, step3, 3, all);
+            omega_dot[0] = all[0];
+            omega_dot[1] = all[1];
+            omega_dot[2] = all[2];
+        }
         doubles rho[3];
         const char *const item4 = at4 + g * LANES * step4;
         prefetch(item4, 3);
-        take_3(item4, 0, 3, down4, across4, step4, rho);
+        if (dense4) {
+            load_3(item4 + 0 * sizeof(double), step4, &rho[0]);
+        } else if (step4 == sizeof(double)) {
+            rho[0] = PACKED_IN(item4 + entries4[0], 0);
+            rho[1] = PACKED_IN(item4 + entries4[1], 0);
+            rho[2] = PACKED_IN(item4 + entries4[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item4, entries4, step4, 3, all);
+            rho[0] = all[0];
+            rho[1] = all[1];
+            rho[2] = all[2];
+        }
         doubles rho_dot[3];
         const char *const item5 = at5 + g * LANES * step5;
         prefetch(item5, 3);
-        take_3(item5, 0, 3, down5, across5, step5, rho_dot);
+        if (dense5) {
+            load_3(item5 + 0 * sizeof(double), step5, &rho_dot[0]);
+        } else if (step5 == sizeof(double)) {
+            rho_dot[0] = PACKED_IN(item5 + entries5[0], 0);
+            rho_dot[1] = PACKED_IN(item5 + entries5[1], 0);
+            rho_dot[2] = PACKED_IN(item5 + entries5[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item5, entries5, step5, 3, all);
+            rho_dot[0] = all[0];
+            rho_dot[1] = all[1];
+            rho_dot[2] = all[2];
+        }
         doubles rho_ddot[3];
         const char *const item6 = at6 + g * LANES * step6;
         prefetch(item6, 3);
-        take_3(item6, 0, 3, down6, across6, step6, rho_ddot);
+        if (dense6) {
+            load_3(item6 + 0 * sizeof(double), step6, &rho_ddot[0]);
+        } else if (step6 == sizeof(double)) {
+            rho_ddot[0] = PACKED_IN(item6 + entries6[0], 0);
+            rho_ddot[1] = PACKED_IN(item6 + entries6[1], 0);
+            rho_ddot[2] = PACKED_IN(item6 + entries6[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item6, entries6, step6, 3, all);
+            rho_ddot[0] = all[0];
+            rho_ddot[1] = all[1];
+            rho_ddot[2] = all[2];
+        }
         const doubles t1 = Q[0] * rho[0] + Q[1] * rho[1] + Q[2] * rho[2];
         const doubles t2 = Q[3] * rho[0] + Q[4] * rho[1] + Q[5] * rho[2];
         const doubles t3 = Q[6] * rho[0] + Q[7] * rho[1] + Q[8] * rho[2];
@@ -245,7 +503,16 @@ void CHASLES_LEVELED(chasles_moving_frame_acceleration_block)(
         const doubles p_ddot2 = t12 + (omega[0] * t7 - omega[1] * t5) + t15;
         char *const item7 = at7 + g * LANES * step7;
         prefetch_to_write(item7, 3);
-        give_3(item7, 0, 3, down7, across7, step7, p_ddot0, p_ddot1, p_ddot2);
+        if (dense7) {
+            store_3(item7 + 0 * sizeof(double), step7, p_ddot0, p_ddot1, p_ddot2);
+        } else if (step7 == sizeof(double)) {
+            PACKED(item7 + entries7[0], 0) = p_ddot0;
+            PACKED(item7 + entries7[1], 0) = p_ddot1;
+            PACKED(item7 + entries7[2], 0) = p_ddot2;
+        } else {
+            const doubles all[] = {p_ddot0, p_ddot1, p_ddot2};
+            give_each(item7, entries7, step7, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -258,68 +525,164 @@ void CHASLES_LEVELED(chasles_moving_frame_acceleration_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(8, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(9, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 8, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(10, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(11, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 10, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(12, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(13, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 12, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(14, 3 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(15, 1 * sizeof(float));
+    ptrdiff_t entries3[3];
+    const int dense3 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step3, steps + 14, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t down4 = CHASLES_STEP(16, 3 * sizeof(float));
-    const ptrdiff_t across4 = CHASLES_STEP(17, 1 * sizeof(float));
+    ptrdiff_t entries4[3];
+    const int dense4 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step4, steps + 16, entries4));
     char *const at5 = at[5];
     const ptrdiff_t step5 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t down5 = CHASLES_STEP(18, 3 * sizeof(float));
-    const ptrdiff_t across5 = CHASLES_STEP(19, 1 * sizeof(float));
+    ptrdiff_t entries5[3];
+    const int dense5 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step5, steps + 18, entries5));
     char *const at6 = at[6];
     const ptrdiff_t step6 = CHASLES_STEP(6, 3 * sizeof(float));
-    const ptrdiff_t down6 = CHASLES_STEP(20, 3 * sizeof(float));
-    const ptrdiff_t across6 = CHASLES_STEP(21, 1 * sizeof(float));
+    ptrdiff_t entries6[3];
+    const int dense6 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step6, steps + 20, entries6));
     char *const at7 = at[7];
     const ptrdiff_t step7 = CHASLES_STEP(7, 3 * sizeof(float));
-    const ptrdiff_t down7 = CHASLES_STEP(22, 3 * sizeof(float));
-    const ptrdiff_t across7 = CHASLES_STEP(23, 1 * sizeof(float));
+    ptrdiff_t entries7[3];
+    const int dense7 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step7, steps + 22, entries7));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats o_ddot[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, o_ddot);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &o_ddot[0]);
+        } else if (step0 == sizeof(float)) {
+            o_ddot[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            o_ddot[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            o_ddot[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            o_ddot[0] = all[0];
+            o_ddot[1] = all[1];
+            o_ddot[2] = all[2];
+        }
         floats Q[9];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 9);
-        take_4f(item1, 0, 3, down1, across1, step1, Q);
-        take_4f(item1, 4, 3, down1, across1, step1, &Q[4]);
-        take_1f(item1, 8, 3, down1, across1, step1, &Q[8]);
+        if (dense1) {
+            load_4f(item1 + 0 * sizeof(float), step1, &Q[0]);
+            load_4f(item1 + 4 * sizeof(float), step1, &Q[4]);
+            load_1f(item1 + 8 * sizeof(float), step1, &Q[8]);
+        } else if (step1 == sizeof(float)) {
+            Q[0] = PACKEDF_IN(item1 + entries1[0], 0);
+            Q[1] = PACKEDF_IN(item1 + entries1[1], 0);
+            Q[2] = PACKEDF_IN(item1 + entries1[2], 0);
+            Q[3] = PACKEDF_IN(item1 + entries1[3], 0);
+            Q[4] = PACKEDF_IN(item1 + entries1[4], 0);
+            Q[5] = PACKEDF_IN(item1 + entries1[5], 0);
+            Q[6] = PACKEDF_IN(item1 + entries1[6], 0);
+            Q[7] = PACKEDF_IN(item1 + entries1[7], 0);
+            Q[8] = PACKEDF_IN(item1 + entries1[8], 0);
+        } else {
+            floats all[9];
+            take_eachf(item1, entries1, step1, 9, all);
+            Q[0] = all[0];
+            Q[1] = all[1];
+            Q[2] = all[2];
+            Q[3] = all[3];
+            Q[4] = all[4];
+            Q[5] = all[5];
+            Q[6] = all[6];
+            Q[7] = all[7];
+            Q[8] = all[8];
+        }
         floats omega[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        take_3f(item2, 0, 3, down2, across2, step2, omega);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &omega[0]);
+        } else if (step2 == sizeof(float)) {
+            omega[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            omega[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            omega[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item2, entries2, step2, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         floats omega_dot[3];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 3);
-        take_3f(item3, 0, 3, down3, across3, step3, omega_dot);
+        if (dense3) {
+            load_3f(item3 + 0 * sizeof(float), step3, &omega_dot[0]);
+        } else if (step3 == sizeof(float)) {
+            omega_dot[0] = PACKEDF_IN(item3 + entries3[0], 0);
+            omega_dot[1] = PACKEDF_IN(item3 + entries3[1], 0);
+            omega_dot[2] = PACKEDF_IN(item3 + entries3[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item3, entries3, step3, 3, all);
+            omega_dot[0] = all[0];
+            omega_dot[1] = all[1];
+            omega_dot[2] = all[2];
+        }
         floats rho[3];
         const char *const item4 = at4 + g * LANESF * step4;
         prefetch(item4, 3);
-        take_3f(item4, 0, 3, down4, across4, step4, rho);
+        if (dense4) {
+            load_3f(item4 + 0 * sizeof(float), step4, &rho[0]);
+        } else if (step4 == sizeof(float)) {
+            rho[0] = PACKEDF_IN(item4 + entries4[0], 0);
+            rho[1] = PACKEDF_IN(item4 + entries4[1], 0);
+            rho[2] = PACKEDF_IN(item4 + entries4[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item4, entries4, step4, 3, all);
+            rho[0] = all[0];
+            rho[1] = all[1];
+            rho[2] = all[2];
+        }
         floats rho_dot[3];
         const char *const item5 = at5 + g * LANESF * step5;
         prefetch(item5, 3);
-        take_3f(item5, 0, 3, down5, across5, step5, rho_dot);
+        if (dense5) {
+            load_3f(item5 + 0 * sizeof(float), step5, &rho_dot[0]);
+        } else if (step5 == sizeof(float)) {
+            rho_dot[0] = PACKEDF_IN(item5 + entries5[0], 0);
+            rho_dot[1] = PACKEDF_IN(item5 + entries5[1], 0);
+            rho_dot[2] = PACKEDF_IN(item5 + entries5[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item5, entries5, step5, 3, all);
+            rho_dot[0] = all[0];
+            rho_dot[1] = all[1];
+            rho_dot[2] = all[2];
+        }
         floats rho_ddot[3];
         const char *const item6 = at6 + g * LANESF * step6;
         prefetch(item6, 3);
-        take_3f(item6, 0, 3, down6, across6, step6, rho_ddot);
+        if (dense6) {
+            load_3f(item6 + 0 * sizeof(float), step6, &rho_ddot[0]);
+        } else if (step6 == sizeof(float)) {
+            rho_ddot[0] = PACKEDF_IN(item6 + entries6[0], 0);
+            rho_ddot[1] = PACKEDF_IN(item6 + entries6[1], 0);
+            rho_ddot[2] = PACKEDF_IN(item6 + entries6[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item6, entries6, step6, 3, all);
+            rho_ddot[0] = all[0];
+            rho_ddot[1] = all[1];
+            rho_ddot[2] = all[2];
+        }
         const floats t1 = Q[0] * rho[0] + Q[1] * rho[1] + Q[2] * rho[2];
         const floats t2 = Q[3] * rho[0] + Q[4] * rho[1] + Q[5] * rho[2];
         const floats t3 = Q[6] * rho[0] + Q[7] * rho[1] + Q[8] * rho[2];
@@ -340,7 +703,16 @@ void CHASLES_LEVELED(chasles_moving_frame_acceleration_blockf)(
         const floats p_ddot2 = t12 + (omega[0] * t7 - omega[1] * t5) + t15;
         char *const item7 = at7 + g * LANESF * step7;
         prefetch_to_write(item7, 3);
-        give_3f(item7, 0, 3, down7, across7, step7, p_ddot0, p_ddot1, p_ddot2);
+        if (dense7) {
+            store_3f(item7 + 0 * sizeof(float), step7, p_ddot0, p_ddot1, p_ddot2);
+        } else if (step7 == sizeof(float)) {
+            PACKEDF(item7 + entries7[0], 0) = p_ddot0;
+            PACKEDF(item7 + entries7[1], 0) = p_ddot1;
+            PACKEDF(item7 + entries7[2], 0) = p_ddot2;
+        } else {
+            const floats all[] = {p_ddot0, p_ddot1, p_ddot2};
+            give_eachf(item7, entries7, step7, 3, all);
+        }
         stream_lines(&copied);
     }
 }

@@ -23,20 +23,20 @@ void CHASLES_LEVELED(chasles_wrench_axis_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(7, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(8, 1 * sizeof(double));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step1, steps + 7, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 1 * sizeof(double));
     chasles_stream copied = *stream;
@@ -44,15 +44,51 @@ void CHASLES_LEVELED(chasles_wrench_axis_block)(
         doubles f[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, f);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &f[0]);
+        } else if (step0 == sizeof(double)) {
+            f[0] = PACKED_IN(item0 + entries0[0], 0);
+            f[1] = PACKED_IN(item0 + entries0[1], 0);
+            f[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            f[0] = all[0];
+            f[1] = all[1];
+            f[2] = all[2];
+        }
         doubles n_A[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        take_3(item1, 0, 3, down1, across1, step1, n_A);
+        if (dense1) {
+            load_3(item1 + 0 * sizeof(double), step1, &n_A[0]);
+        } else if (step1 == sizeof(double)) {
+            n_A[0] = PACKED_IN(item1 + entries1[0], 0);
+            n_A[1] = PACKED_IN(item1 + entries1[1], 0);
+            n_A[2] = PACKED_IN(item1 + entries1[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item1, entries1, step1, 3, all);
+            n_A[0] = all[0];
+            n_A[1] = all[1];
+            n_A[2] = all[2];
+        }
         doubles a[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        take_3(item2, 0, 3, down2, across2, step2, a);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &a[0]);
+        } else if (step2 == sizeof(double)) {
+            a[0] = PACKED_IN(item2 + entries2[0], 0);
+            a[1] = PACKED_IN(item2 + entries2[1], 0);
+            a[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item2, entries2, step2, 3, all);
+            a[0] = all[0];
+            a[1] = all[1];
+            a[2] = all[2];
+        }
         const doubles t1 = choose(less(f[0], spread(0.0)), -f[0], f[0]);
         const doubles t2 = choose(less(f[1], spread(0.0)), -f[1], f[1]);
         const doubles t3 = choose(less(t1, t2), t2, t1);
@@ -80,8 +116,20 @@ void CHASLES_LEVELED(chasles_wrench_axis_block)(
         const doubles pitch_value = (axis0 * t13 + axis1 * t14 + axis2 * t15) / t6;
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 6);
-        give_4(item3, 0, 6, down3, across3, step3, axis0, axis1, axis2, axis3);
-        give_2(item3, 4, 6, down3, across3, step3, axis4, axis5);
+        if (dense3) {
+            store_4(item3 + 0 * sizeof(double), step3, axis0, axis1, axis2, axis3);
+            store_2(item3 + 4 * sizeof(double), step3, axis4, axis5);
+        } else if (step3 == sizeof(double)) {
+            PACKED(item3 + entries3[0], 0) = axis0;
+            PACKED(item3 + entries3[1], 0) = axis1;
+            PACKED(item3 + entries3[2], 0) = axis2;
+            PACKED(item3 + entries3[3], 0) = axis3;
+            PACKED(item3 + entries3[4], 0) = axis4;
+            PACKED(item3 + entries3[5], 0) = axis5;
+        } else {
+            const doubles all[] = {axis0, axis1, axis2, axis3, axis4, axis5};
+            give_each(item3, entries3, step3, 6, all);
+        }
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 1);
         store_1(item4, step4, pitch_value);
@@ -97,20 +145,20 @@ void CHASLES_LEVELED(chasles_wrench_axis_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(7, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(8, 1 * sizeof(float));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step1, steps + 7, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 1 * sizeof(float));
     chasles_stream copied = *stream;
@@ -118,15 +166,51 @@ void CHASLES_LEVELED(chasles_wrench_axis_blockf)(
         floats f[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, f);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &f[0]);
+        } else if (step0 == sizeof(float)) {
+            f[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            f[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            f[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            f[0] = all[0];
+            f[1] = all[1];
+            f[2] = all[2];
+        }
         floats n_A[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        take_3f(item1, 0, 3, down1, across1, step1, n_A);
+        if (dense1) {
+            load_3f(item1 + 0 * sizeof(float), step1, &n_A[0]);
+        } else if (step1 == sizeof(float)) {
+            n_A[0] = PACKEDF_IN(item1 + entries1[0], 0);
+            n_A[1] = PACKEDF_IN(item1 + entries1[1], 0);
+            n_A[2] = PACKEDF_IN(item1 + entries1[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item1, entries1, step1, 3, all);
+            n_A[0] = all[0];
+            n_A[1] = all[1];
+            n_A[2] = all[2];
+        }
         floats a[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        take_3f(item2, 0, 3, down2, across2, step2, a);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &a[0]);
+        } else if (step2 == sizeof(float)) {
+            a[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            a[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            a[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item2, entries2, step2, 3, all);
+            a[0] = all[0];
+            a[1] = all[1];
+            a[2] = all[2];
+        }
         const floats t1 = choosef(lessf(f[0], spreadf(0.0f)), -f[0], f[0]);
         const floats t2 = choosef(lessf(f[1], spreadf(0.0f)), -f[1], f[1]);
         const floats t3 = choosef(lessf(t1, t2), t2, t1);
@@ -154,8 +238,20 @@ void CHASLES_LEVELED(chasles_wrench_axis_blockf)(
         const floats pitch_value = (axis0 * t13 + axis1 * t14 + axis2 * t15) / t6;
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 6);
-        give_4f(item3, 0, 6, down3, across3, step3, axis0, axis1, axis2, axis3);
-        give_2f(item3, 4, 6, down3, across3, step3, axis4, axis5);
+        if (dense3) {
+            store_4f(item3 + 0 * sizeof(float), step3, axis0, axis1, axis2, axis3);
+            store_2f(item3 + 4 * sizeof(float), step3, axis4, axis5);
+        } else if (step3 == sizeof(float)) {
+            PACKEDF(item3 + entries3[0], 0) = axis0;
+            PACKEDF(item3 + entries3[1], 0) = axis1;
+            PACKEDF(item3 + entries3[2], 0) = axis2;
+            PACKEDF(item3 + entries3[3], 0) = axis3;
+            PACKEDF(item3 + entries3[4], 0) = axis4;
+            PACKEDF(item3 + entries3[5], 0) = axis5;
+        } else {
+            const floats all[] = {axis0, axis1, axis2, axis3, axis4, axis5};
+            give_eachf(item3, entries3, step3, 6, all);
+        }
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 1);
         store_1f(item4, step4, pitch_value);
@@ -171,12 +267,12 @@ void CHASLES_LEVELED(chasles_power_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 6 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[6];
+    const int dense0 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 6 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 6 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries1[6];
+    const int dense1 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(double));
     chasles_stream copied = *stream;
@@ -184,13 +280,49 @@ void CHASLES_LEVELED(chasles_power_block)(
         doubles t[6];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 6);
-        take_4(item0, 0, 6, down0, across0, step0, t);
-        take_2(item0, 4, 6, down0, across0, step0, &t[4]);
+        if (dense0) {
+            load_4(item0 + 0 * sizeof(double), step0, &t[0]);
+            load_2(item0 + 4 * sizeof(double), step0, &t[4]);
+        } else if (step0 == sizeof(double)) {
+            t[0] = PACKED_IN(item0 + entries0[0], 0);
+            t[1] = PACKED_IN(item0 + entries0[1], 0);
+            t[2] = PACKED_IN(item0 + entries0[2], 0);
+            t[3] = PACKED_IN(item0 + entries0[3], 0);
+            t[4] = PACKED_IN(item0 + entries0[4], 0);
+            t[5] = PACKED_IN(item0 + entries0[5], 0);
+        } else {
+            doubles all[6];
+            take_each(item0, entries0, step0, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+            t[3] = all[3];
+            t[4] = all[4];
+            t[5] = all[5];
+        }
         doubles w[6];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 6);
-        take_4(item1, 0, 6, down1, across1, step1, w);
-        take_2(item1, 4, 6, down1, across1, step1, &w[4]);
+        if (dense1) {
+            load_4(item1 + 0 * sizeof(double), step1, &w[0]);
+            load_2(item1 + 4 * sizeof(double), step1, &w[4]);
+        } else if (step1 == sizeof(double)) {
+            w[0] = PACKED_IN(item1 + entries1[0], 0);
+            w[1] = PACKED_IN(item1 + entries1[1], 0);
+            w[2] = PACKED_IN(item1 + entries1[2], 0);
+            w[3] = PACKED_IN(item1 + entries1[3], 0);
+            w[4] = PACKED_IN(item1 + entries1[4], 0);
+            w[5] = PACKED_IN(item1 + entries1[5], 0);
+        } else {
+            doubles all[6];
+            take_each(item1, entries1, step1, 6, all);
+            w[0] = all[0];
+            w[1] = all[1];
+            w[2] = all[2];
+            w[3] = all[3];
+            w[4] = all[4];
+            w[5] = all[5];
+        }
         const doubles t1 = t[0] * w[0] + t[1] * w[1] + t[2] * w[2] + t[3] * w[3] + t[4] * w[4];
         const doubles Pi_value = t1 + t[5] * w[5];
         char *const item2 = at2 + g * LANES * step2;
@@ -208,12 +340,12 @@ void CHASLES_LEVELED(chasles_power_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 6 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[6];
+    const int dense0 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 6 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 6 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries1[6];
+    const int dense1 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(float));
     chasles_stream copied = *stream;
@@ -221,13 +353,49 @@ void CHASLES_LEVELED(chasles_power_blockf)(
         floats t[6];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 6);
-        take_4f(item0, 0, 6, down0, across0, step0, t);
-        take_2f(item0, 4, 6, down0, across0, step0, &t[4]);
+        if (dense0) {
+            load_4f(item0 + 0 * sizeof(float), step0, &t[0]);
+            load_2f(item0 + 4 * sizeof(float), step0, &t[4]);
+        } else if (step0 == sizeof(float)) {
+            t[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            t[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            t[2] = PACKEDF_IN(item0 + entries0[2], 0);
+            t[3] = PACKEDF_IN(item0 + entries0[3], 0);
+            t[4] = PACKEDF_IN(item0 + entries0[4], 0);
+            t[5] = PACKEDF_IN(item0 + entries0[5], 0);
+        } else {
+            floats all[6];
+            take_eachf(item0, entries0, step0, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+            t[3] = all[3];
+            t[4] = all[4];
+            t[5] = all[5];
+        }
         floats w[6];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 6);
-        take_4f(item1, 0, 6, down1, across1, step1, w);
-        take_2f(item1, 4, 6, down1, across1, step1, &w[4]);
+        if (dense1) {
+            load_4f(item1 + 0 * sizeof(float), step1, &w[0]);
+            load_2f(item1 + 4 * sizeof(float), step1, &w[4]);
+        } else if (step1 == sizeof(float)) {
+            w[0] = PACKEDF_IN(item1 + entries1[0], 0);
+            w[1] = PACKEDF_IN(item1 + entries1[1], 0);
+            w[2] = PACKEDF_IN(item1 + entries1[2], 0);
+            w[3] = PACKEDF_IN(item1 + entries1[3], 0);
+            w[4] = PACKEDF_IN(item1 + entries1[4], 0);
+            w[5] = PACKEDF_IN(item1 + entries1[5], 0);
+        } else {
+            floats all[6];
+            take_eachf(item1, entries1, step1, 6, all);
+            w[0] = all[0];
+            w[1] = all[1];
+            w[2] = all[2];
+            w[3] = all[3];
+            w[4] = all[4];
+            w[5] = all[5];
+        }
         const floats t1 = t[0] * w[0] + t[1] * w[1] + t[2] * w[2] + t[3] * w[3] + t[4] * w[4];
         const floats Pi_value = t1 + t[5] * w[5];
         char *const item2 = at2 + g * LANESF * step2;
@@ -245,12 +413,12 @@ void CHASLES_LEVELED(chasles_reciprocal_product_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 6 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[6];
+    const int dense0 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 6 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 6 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries1[6];
+    const int dense1 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(double));
     chasles_stream copied = *stream;
@@ -258,13 +426,49 @@ void CHASLES_LEVELED(chasles_reciprocal_product_block)(
         doubles s_w[6];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 6);
-        take_4(item0, 0, 6, down0, across0, step0, s_w);
-        take_2(item0, 4, 6, down0, across0, step0, &s_w[4]);
+        if (dense0) {
+            load_4(item0 + 0 * sizeof(double), step0, &s_w[0]);
+            load_2(item0 + 4 * sizeof(double), step0, &s_w[4]);
+        } else if (step0 == sizeof(double)) {
+            s_w[0] = PACKED_IN(item0 + entries0[0], 0);
+            s_w[1] = PACKED_IN(item0 + entries0[1], 0);
+            s_w[2] = PACKED_IN(item0 + entries0[2], 0);
+            s_w[3] = PACKED_IN(item0 + entries0[3], 0);
+            s_w[4] = PACKED_IN(item0 + entries0[4], 0);
+            s_w[5] = PACKED_IN(item0 + entries0[5], 0);
+        } else {
+            doubles all[6];
+            take_each(item0, entries0, step0, 6, all);
+            s_w[0] = all[0];
+            s_w[1] = all[1];
+            s_w[2] = all[2];
+            s_w[3] = all[3];
+            s_w[4] = all[4];
+            s_w[5] = all[5];
+        }
         doubles s_t[6];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 6);
-        take_4(item1, 0, 6, down1, across1, step1, s_t);
-        take_2(item1, 4, 6, down1, across1, step1, &s_t[4]);
+        if (dense1) {
+            load_4(item1 + 0 * sizeof(double), step1, &s_t[0]);
+            load_2(item1 + 4 * sizeof(double), step1, &s_t[4]);
+        } else if (step1 == sizeof(double)) {
+            s_t[0] = PACKED_IN(item1 + entries1[0], 0);
+            s_t[1] = PACKED_IN(item1 + entries1[1], 0);
+            s_t[2] = PACKED_IN(item1 + entries1[2], 0);
+            s_t[3] = PACKED_IN(item1 + entries1[3], 0);
+            s_t[4] = PACKED_IN(item1 + entries1[4], 0);
+            s_t[5] = PACKED_IN(item1 + entries1[5], 0);
+        } else {
+            doubles all[6];
+            take_each(item1, entries1, step1, 6, all);
+            s_t[0] = all[0];
+            s_t[1] = all[1];
+            s_t[2] = all[2];
+            s_t[3] = all[3];
+            s_t[4] = all[4];
+            s_t[5] = all[5];
+        }
         const doubles t1 = s_w[0] * s_t[3] + s_w[1] * s_t[4] + s_w[2] * s_t[5] + s_w[3] * s_t[0];
         const doubles product_value = t1 + s_w[4] * s_t[1] + s_w[5] * s_t[2];
         char *const item2 = at2 + g * LANES * step2;
@@ -282,12 +486,12 @@ void CHASLES_LEVELED(chasles_reciprocal_product_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 6 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[6];
+    const int dense0 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 6 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 6 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries1[6];
+    const int dense1 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 1 * sizeof(float));
     chasles_stream copied = *stream;
@@ -295,13 +499,49 @@ void CHASLES_LEVELED(chasles_reciprocal_product_blockf)(
         floats s_w[6];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 6);
-        take_4f(item0, 0, 6, down0, across0, step0, s_w);
-        take_2f(item0, 4, 6, down0, across0, step0, &s_w[4]);
+        if (dense0) {
+            load_4f(item0 + 0 * sizeof(float), step0, &s_w[0]);
+            load_2f(item0 + 4 * sizeof(float), step0, &s_w[4]);
+        } else if (step0 == sizeof(float)) {
+            s_w[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            s_w[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            s_w[2] = PACKEDF_IN(item0 + entries0[2], 0);
+            s_w[3] = PACKEDF_IN(item0 + entries0[3], 0);
+            s_w[4] = PACKEDF_IN(item0 + entries0[4], 0);
+            s_w[5] = PACKEDF_IN(item0 + entries0[5], 0);
+        } else {
+            floats all[6];
+            take_eachf(item0, entries0, step0, 6, all);
+            s_w[0] = all[0];
+            s_w[1] = all[1];
+            s_w[2] = all[2];
+            s_w[3] = all[3];
+            s_w[4] = all[4];
+            s_w[5] = all[5];
+        }
         floats s_t[6];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 6);
-        take_4f(item1, 0, 6, down1, across1, step1, s_t);
-        take_2f(item1, 4, 6, down1, across1, step1, &s_t[4]);
+        if (dense1) {
+            load_4f(item1 + 0 * sizeof(float), step1, &s_t[0]);
+            load_2f(item1 + 4 * sizeof(float), step1, &s_t[4]);
+        } else if (step1 == sizeof(float)) {
+            s_t[0] = PACKEDF_IN(item1 + entries1[0], 0);
+            s_t[1] = PACKEDF_IN(item1 + entries1[1], 0);
+            s_t[2] = PACKEDF_IN(item1 + entries1[2], 0);
+            s_t[3] = PACKEDF_IN(item1 + entries1[3], 0);
+            s_t[4] = PACKEDF_IN(item1 + entries1[4], 0);
+            s_t[5] = PACKEDF_IN(item1 + entries1[5], 0);
+        } else {
+            floats all[6];
+            take_eachf(item1, entries1, step1, 6, all);
+            s_t[0] = all[0];
+            s_t[1] = all[1];
+            s_t[2] = all[2];
+            s_t[3] = all[3];
+            s_t[4] = all[4];
+            s_t[5] = all[5];
+        }
         const floats t1 = s_w[0] * s_t[3] + s_w[1] * s_t[4] + s_w[2] * s_t[5] + s_w[3] * s_t[0];
         const floats product_value = t1 + s_w[4] * s_t[1] + s_w[5] * s_t[2];
         char *const item2 = at2 + g * LANESF * step2;
@@ -319,35 +559,77 @@ void CHASLES_LEVELED(chasles_wrench_transfer_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 6 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries0[6];
+    const int dense0 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(6, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(7, 1 * sizeof(double));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step1, steps + 6, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles w_A[6];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 6);
-        take_4(item0, 0, 6, down0, across0, step0, w_A);
-        take_2(item0, 4, 6, down0, across0, step0, &w_A[4]);
+        if (dense0) {
+            load_4(item0 + 0 * sizeof(double), step0, &w_A[0]);
+            load_2(item0 + 4 * sizeof(double), step0, &w_A[4]);
+        } else if (step0 == sizeof(double)) {
+            w_A[0] = PACKED_IN(item0 + entries0[0], 0);
+            w_A[1] = PACKED_IN(item0 + entries0[1], 0);
+            w_A[2] = PACKED_IN(item0 + entries0[2], 0);
+            w_A[3] = PACKED_IN(item0 + entries0[3], 0);
+            w_A[4] = PACKED_IN(item0 + entries0[4], 0);
+            w_A[5] = PACKED_IN(item0 + entries0[5], 0);
+        } else {
+            doubles all[6];
+            take_each(item0, entries0, step0, 6, all);
+            w_A[0] = all[0];
+            w_A[1] = all[1];
+            w_A[2] = all[2];
+            w_A[3] = all[3];
+            w_A[4] = all[4];
+            w_A[5] = all[5];
+        }
         doubles a[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        take_3(item1, 0, 3, down1, across1, step1, a);
+        if (dense1) {
+            load_3(item1 + 0 * sizeof(double), step1, &a[0]);
+        } else if (step1 == sizeof(double)) {
+            a[0] = PACKED_IN(item1 + entries1[0], 0);
+            a[1] = PACKED_IN(item1 + entries1[1], 0);
+            a[2] = PACKED_IN(item1 + entries1[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item1, entries1, step1, 3, all);
+            a[0] = all[0];
+            a[1] = all[1];
+            a[2] = all[2];
+        }
         doubles p[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        take_3(item2, 0, 3, down2, across2, step2, p);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &p[0]);
+        } else if (step2 == sizeof(double)) {
+            p[0] = PACKED_IN(item2 + entries2[0], 0);
+            p[1] = PACKED_IN(item2 + entries2[1], 0);
+            p[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item2, entries2, step2, 3, all);
+            p[0] = all[0];
+            p[1] = all[1];
+            p[2] = all[2];
+        }
         const doubles w_P3 = w_A[3];
         const doubles w_P4 = w_A[4];
         const doubles w_P5 = w_A[5];
@@ -359,8 +641,20 @@ void CHASLES_LEVELED(chasles_wrench_transfer_block)(
         const doubles w_P2 = w_A[2] + (w_P4 * t1 - w_P3 * t2);
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 6);
-        give_4(item3, 0, 6, down3, across3, step3, w_P0, w_P1, w_P2, w_P3);
-        give_2(item3, 4, 6, down3, across3, step3, w_P4, w_P5);
+        if (dense3) {
+            store_4(item3 + 0 * sizeof(double), step3, w_P0, w_P1, w_P2, w_P3);
+            store_2(item3 + 4 * sizeof(double), step3, w_P4, w_P5);
+        } else if (step3 == sizeof(double)) {
+            PACKED(item3 + entries3[0], 0) = w_P0;
+            PACKED(item3 + entries3[1], 0) = w_P1;
+            PACKED(item3 + entries3[2], 0) = w_P2;
+            PACKED(item3 + entries3[3], 0) = w_P3;
+            PACKED(item3 + entries3[4], 0) = w_P4;
+            PACKED(item3 + entries3[5], 0) = w_P5;
+        } else {
+            const doubles all[] = {w_P0, w_P1, w_P2, w_P3, w_P4, w_P5};
+            give_each(item3, entries3, step3, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -373,35 +667,77 @@ void CHASLES_LEVELED(chasles_wrench_transfer_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 6 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries0[6];
+    const int dense0 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(6, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(7, 1 * sizeof(float));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step1, steps + 6, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats w_A[6];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 6);
-        take_4f(item0, 0, 6, down0, across0, step0, w_A);
-        take_2f(item0, 4, 6, down0, across0, step0, &w_A[4]);
+        if (dense0) {
+            load_4f(item0 + 0 * sizeof(float), step0, &w_A[0]);
+            load_2f(item0 + 4 * sizeof(float), step0, &w_A[4]);
+        } else if (step0 == sizeof(float)) {
+            w_A[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            w_A[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            w_A[2] = PACKEDF_IN(item0 + entries0[2], 0);
+            w_A[3] = PACKEDF_IN(item0 + entries0[3], 0);
+            w_A[4] = PACKEDF_IN(item0 + entries0[4], 0);
+            w_A[5] = PACKEDF_IN(item0 + entries0[5], 0);
+        } else {
+            floats all[6];
+            take_eachf(item0, entries0, step0, 6, all);
+            w_A[0] = all[0];
+            w_A[1] = all[1];
+            w_A[2] = all[2];
+            w_A[3] = all[3];
+            w_A[4] = all[4];
+            w_A[5] = all[5];
+        }
         floats a[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        take_3f(item1, 0, 3, down1, across1, step1, a);
+        if (dense1) {
+            load_3f(item1 + 0 * sizeof(float), step1, &a[0]);
+        } else if (step1 == sizeof(float)) {
+            a[0] = PACKEDF_IN(item1 + entries1[0], 0);
+            a[1] = PACKEDF_IN(item1 + entries1[1], 0);
+            a[2] = PACKEDF_IN(item1 + entries1[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item1, entries1, step1, 3, all);
+            a[0] = all[0];
+            a[1] = all[1];
+            a[2] = all[2];
+        }
         floats p[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        take_3f(item2, 0, 3, down2, across2, step2, p);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &p[0]);
+        } else if (step2 == sizeof(float)) {
+            p[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            p[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            p[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item2, entries2, step2, 3, all);
+            p[0] = all[0];
+            p[1] = all[1];
+            p[2] = all[2];
+        }
         const floats w_P3 = w_A[3];
         const floats w_P4 = w_A[4];
         const floats w_P5 = w_A[5];
@@ -413,8 +749,20 @@ void CHASLES_LEVELED(chasles_wrench_transfer_blockf)(
         const floats w_P2 = w_A[2] + (w_P4 * t1 - w_P3 * t2);
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 6);
-        give_4f(item3, 0, 6, down3, across3, step3, w_P0, w_P1, w_P2, w_P3);
-        give_2f(item3, 4, 6, down3, across3, step3, w_P4, w_P5);
+        if (dense3) {
+            store_4f(item3 + 0 * sizeof(float), step3, w_P0, w_P1, w_P2, w_P3);
+            store_2f(item3 + 4 * sizeof(float), step3, w_P4, w_P5);
+        } else if (step3 == sizeof(float)) {
+            PACKEDF(item3 + entries3[0], 0) = w_P0;
+            PACKEDF(item3 + entries3[1], 0) = w_P1;
+            PACKEDF(item3 + entries3[2], 0) = w_P2;
+            PACKEDF(item3 + entries3[3], 0) = w_P3;
+            PACKEDF(item3 + entries3[4], 0) = w_P4;
+            PACKEDF(item3 + entries3[5], 0) = w_P5;
+        } else {
+            const floats all[] = {w_P0, w_P1, w_P2, w_P3, w_P4, w_P5};
+            give_eachf(item3, entries3, step3, 6, all);
+        }
         stream_lines(&copied);
     }
 }

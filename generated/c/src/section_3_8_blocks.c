@@ -23,30 +23,54 @@ void CHASLES_LEVELED(chasles_inertia_about_point_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries0[9];
+    const int dense0 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 3 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
+    ptrdiff_t entries3[3];
+    const int dense3 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 9 * sizeof(double));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 3 * sizeof(double));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
+    ptrdiff_t entries4[9];
+    const int dense4 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 9);
-        take_4(item0, 0, 3, down0, across0, step0, I_C);
-        take_4(item0, 4, 3, down0, across0, step0, &I_C[4]);
-        take_1(item0, 8, 3, down0, across0, step0, &I_C[8]);
+        if (dense0) {
+            load_4(item0 + 0 * sizeof(double), step0, &I_C[0]);
+            load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
+            load_1(item0 + 8 * sizeof(double), step0, &I_C[8]);
+        } else if (step0 == sizeof(double)) {
+            I_C[0] = PACKED_IN(item0 + entries0[0], 0);
+            I_C[1] = PACKED_IN(item0 + entries0[1], 0);
+            I_C[2] = PACKED_IN(item0 + entries0[2], 0);
+            I_C[3] = PACKED_IN(item0 + entries0[3], 0);
+            I_C[4] = PACKED_IN(item0 + entries0[4], 0);
+            I_C[5] = PACKED_IN(item0 + entries0[5], 0);
+            I_C[6] = PACKED_IN(item0 + entries0[6], 0);
+            I_C[7] = PACKED_IN(item0 + entries0[7], 0);
+            I_C[8] = PACKED_IN(item0 + entries0[8], 0);
+        } else {
+            doubles all[9];
+            take_each(item0, entries0, step0, 9, all);
+            I_C[0] = all[0];
+            I_C[1] = all[1];
+            I_C[2] = all[2];
+            I_C[3] = all[3];
+            I_C[4] = all[4];
+            I_C[5] = all[5];
+            I_C[6] = all[6];
+            I_C[7] = all[7];
+            I_C[8] = all[8];
+        }
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -54,11 +78,35 @@ void CHASLES_LEVELED(chasles_inertia_about_point_block)(
         doubles c[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        take_3(item2, 0, 3, down2, across2, step2, c);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &c[0]);
+        } else if (step2 == sizeof(double)) {
+            c[0] = PACKED_IN(item2 + entries2[0], 0);
+            c[1] = PACKED_IN(item2 + entries2[1], 0);
+            c[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item2, entries2, step2, 3, all);
+            c[0] = all[0];
+            c[1] = all[1];
+            c[2] = all[2];
+        }
         doubles a[3];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 3);
-        take_3(item3, 0, 3, down3, across3, step3, a);
+        if (dense3) {
+            load_3(item3 + 0 * sizeof(double), step3, &a[0]);
+        } else if (step3 == sizeof(double)) {
+            a[0] = PACKED_IN(item3 + entries3[0], 0);
+            a[1] = PACKED_IN(item3 + entries3[1], 0);
+            a[2] = PACKED_IN(item3 + entries3[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item3, entries3, step3, 3, all);
+            a[0] = all[0];
+            a[1] = all[1];
+            a[2] = all[2];
+        }
         const doubles t1 = a[0] - c[0];
         const doubles t2 = a[1] - c[1];
         const doubles t3 = a[2] - c[2];
@@ -81,9 +129,24 @@ void CHASLES_LEVELED(chasles_inertia_about_point_block)(
         const doubles I_A8 = I_C[8] + (t6 + t9);
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 9);
-        give_4(item4, 0, 3, down4, across4, step4, I_A0, I_A1, I_A2, I_A3);
-        give_4(item4, 4, 3, down4, across4, step4, I_A4, I_A5, I_A6, I_A7);
-        give_1(item4, 8, 3, down4, across4, step4, I_A8);
+        if (dense4) {
+            store_4(item4 + 0 * sizeof(double), step4, I_A0, I_A1, I_A2, I_A3);
+            store_4(item4 + 4 * sizeof(double), step4, I_A4, I_A5, I_A6, I_A7);
+            store_1(item4 + 8 * sizeof(double), step4, I_A8);
+        } else if (step4 == sizeof(double)) {
+            PACKED(item4 + entries4[0], 0) = I_A0;
+            PACKED(item4 + entries4[1], 0) = I_A1;
+            PACKED(item4 + entries4[2], 0) = I_A2;
+            PACKED(item4 + entries4[3], 0) = I_A3;
+            PACKED(item4 + entries4[4], 0) = I_A4;
+            PACKED(item4 + entries4[5], 0) = I_A5;
+            PACKED(item4 + entries4[6], 0) = I_A6;
+            PACKED(item4 + entries4[7], 0) = I_A7;
+            PACKED(item4 + entries4[8], 0) = I_A8;
+        } else {
+            const doubles all[] = {I_A0, I_A1, I_A2, I_A3, I_A4, I_A5, I_A6, I_A7, I_A8};
+            give_each(item4, entries4, step4, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -96,30 +159,54 @@ void CHASLES_LEVELED(chasles_inertia_about_point_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries0[9];
+    const int dense0 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 3 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
+    ptrdiff_t entries3[3];
+    const int dense3 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 9 * sizeof(float));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 3 * sizeof(float));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
+    ptrdiff_t entries4[9];
+    const int dense4 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 9);
-        take_4f(item0, 0, 3, down0, across0, step0, I_C);
-        take_4f(item0, 4, 3, down0, across0, step0, &I_C[4]);
-        take_1f(item0, 8, 3, down0, across0, step0, &I_C[8]);
+        if (dense0) {
+            load_4f(item0 + 0 * sizeof(float), step0, &I_C[0]);
+            load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
+            load_1f(item0 + 8 * sizeof(float), step0, &I_C[8]);
+        } else if (step0 == sizeof(float)) {
+            I_C[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            I_C[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            I_C[2] = PACKEDF_IN(item0 + entries0[2], 0);
+            I_C[3] = PACKEDF_IN(item0 + entries0[3], 0);
+            I_C[4] = PACKEDF_IN(item0 + entries0[4], 0);
+            I_C[5] = PACKEDF_IN(item0 + entries0[5], 0);
+            I_C[6] = PACKEDF_IN(item0 + entries0[6], 0);
+            I_C[7] = PACKEDF_IN(item0 + entries0[7], 0);
+            I_C[8] = PACKEDF_IN(item0 + entries0[8], 0);
+        } else {
+            floats all[9];
+            take_eachf(item0, entries0, step0, 9, all);
+            I_C[0] = all[0];
+            I_C[1] = all[1];
+            I_C[2] = all[2];
+            I_C[3] = all[3];
+            I_C[4] = all[4];
+            I_C[5] = all[5];
+            I_C[6] = all[6];
+            I_C[7] = all[7];
+            I_C[8] = all[8];
+        }
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -127,11 +214,35 @@ void CHASLES_LEVELED(chasles_inertia_about_point_blockf)(
         floats c[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        take_3f(item2, 0, 3, down2, across2, step2, c);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &c[0]);
+        } else if (step2 == sizeof(float)) {
+            c[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            c[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            c[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item2, entries2, step2, 3, all);
+            c[0] = all[0];
+            c[1] = all[1];
+            c[2] = all[2];
+        }
         floats a[3];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 3);
-        take_3f(item3, 0, 3, down3, across3, step3, a);
+        if (dense3) {
+            load_3f(item3 + 0 * sizeof(float), step3, &a[0]);
+        } else if (step3 == sizeof(float)) {
+            a[0] = PACKEDF_IN(item3 + entries3[0], 0);
+            a[1] = PACKEDF_IN(item3 + entries3[1], 0);
+            a[2] = PACKEDF_IN(item3 + entries3[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item3, entries3, step3, 3, all);
+            a[0] = all[0];
+            a[1] = all[1];
+            a[2] = all[2];
+        }
         const floats t1 = a[0] - c[0];
         const floats t2 = a[1] - c[1];
         const floats t3 = a[2] - c[2];
@@ -154,9 +265,24 @@ void CHASLES_LEVELED(chasles_inertia_about_point_blockf)(
         const floats I_A8 = I_C[8] + (t6 + t9);
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 9);
-        give_4f(item4, 0, 3, down4, across4, step4, I_A0, I_A1, I_A2, I_A3);
-        give_4f(item4, 4, 3, down4, across4, step4, I_A4, I_A5, I_A6, I_A7);
-        give_1f(item4, 8, 3, down4, across4, step4, I_A8);
+        if (dense4) {
+            store_4f(item4 + 0 * sizeof(float), step4, I_A0, I_A1, I_A2, I_A3);
+            store_4f(item4 + 4 * sizeof(float), step4, I_A4, I_A5, I_A6, I_A7);
+            store_1f(item4 + 8 * sizeof(float), step4, I_A8);
+        } else if (step4 == sizeof(float)) {
+            PACKEDF(item4 + entries4[0], 0) = I_A0;
+            PACKEDF(item4 + entries4[1], 0) = I_A1;
+            PACKEDF(item4 + entries4[2], 0) = I_A2;
+            PACKEDF(item4 + entries4[3], 0) = I_A3;
+            PACKEDF(item4 + entries4[4], 0) = I_A4;
+            PACKEDF(item4 + entries4[5], 0) = I_A5;
+            PACKEDF(item4 + entries4[6], 0) = I_A6;
+            PACKEDF(item4 + entries4[7], 0) = I_A7;
+            PACKEDF(item4 + entries4[8], 0) = I_A8;
+        } else {
+            const floats all[] = {I_A0, I_A1, I_A2, I_A3, I_A4, I_A5, I_A6, I_A7, I_A8};
+            give_eachf(item4, entries4, step4, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -169,29 +295,47 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 6 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries0[6];
+    const int dense0 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 3 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
+    ptrdiff_t entries3[3];
+    const int dense3 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(double));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
+    ptrdiff_t entries4[6];
+    const int dense4 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 6);
-        take_4(item0, 0, 6, down0, across0, step0, I_C);
-        take_2(item0, 4, 6, down0, across0, step0, &I_C[4]);
+        if (dense0) {
+            load_4(item0 + 0 * sizeof(double), step0, &I_C[0]);
+            load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
+        } else if (step0 == sizeof(double)) {
+            I_C[0] = PACKED_IN(item0 + entries0[0], 0);
+            I_C[1] = PACKED_IN(item0 + entries0[1], 0);
+            I_C[2] = PACKED_IN(item0 + entries0[2], 0);
+            I_C[3] = PACKED_IN(item0 + entries0[3], 0);
+            I_C[4] = PACKED_IN(item0 + entries0[4], 0);
+            I_C[5] = PACKED_IN(item0 + entries0[5], 0);
+        } else {
+            doubles all[6];
+            take_each(item0, entries0, step0, 6, all);
+            I_C[0] = all[0];
+            I_C[1] = all[1];
+            I_C[2] = all[2];
+            I_C[3] = all[3];
+            I_C[4] = all[4];
+            I_C[5] = all[5];
+        }
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -199,11 +343,35 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_block)(
         doubles c[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        take_3(item2, 0, 3, down2, across2, step2, c);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &c[0]);
+        } else if (step2 == sizeof(double)) {
+            c[0] = PACKED_IN(item2 + entries2[0], 0);
+            c[1] = PACKED_IN(item2 + entries2[1], 0);
+            c[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item2, entries2, step2, 3, all);
+            c[0] = all[0];
+            c[1] = all[1];
+            c[2] = all[2];
+        }
         doubles a[3];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 3);
-        take_3(item3, 0, 3, down3, across3, step3, a);
+        if (dense3) {
+            load_3(item3 + 0 * sizeof(double), step3, &a[0]);
+        } else if (step3 == sizeof(double)) {
+            a[0] = PACKED_IN(item3 + entries3[0], 0);
+            a[1] = PACKED_IN(item3 + entries3[1], 0);
+            a[2] = PACKED_IN(item3 + entries3[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item3, entries3, step3, 3, all);
+            a[0] = all[0];
+            a[1] = all[1];
+            a[2] = all[2];
+        }
         const doubles t1 = a[0] - c[0];
         const doubles t2 = a[1] - c[1];
         const doubles t3 = a[2] - c[2];
@@ -220,8 +388,20 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_block)(
         const doubles I_A5 = I_C[5] + (t6 + t7);
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 6);
-        give_4(item4, 0, 6, down4, across4, step4, I_A0, I_A1, I_A2, I_A3);
-        give_2(item4, 4, 6, down4, across4, step4, I_A4, I_A5);
+        if (dense4) {
+            store_4(item4 + 0 * sizeof(double), step4, I_A0, I_A1, I_A2, I_A3);
+            store_2(item4 + 4 * sizeof(double), step4, I_A4, I_A5);
+        } else if (step4 == sizeof(double)) {
+            PACKED(item4 + entries4[0], 0) = I_A0;
+            PACKED(item4 + entries4[1], 0) = I_A1;
+            PACKED(item4 + entries4[2], 0) = I_A2;
+            PACKED(item4 + entries4[3], 0) = I_A3;
+            PACKED(item4 + entries4[4], 0) = I_A4;
+            PACKED(item4 + entries4[5], 0) = I_A5;
+        } else {
+            const doubles all[] = {I_A0, I_A1, I_A2, I_A3, I_A4, I_A5};
+            give_each(item4, entries4, step4, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -234,29 +414,47 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 6 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries0[6];
+    const int dense0 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 3 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
+    ptrdiff_t entries3[3];
+    const int dense3 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(float));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
+    ptrdiff_t entries4[6];
+    const int dense4 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 6);
-        take_4f(item0, 0, 6, down0, across0, step0, I_C);
-        take_2f(item0, 4, 6, down0, across0, step0, &I_C[4]);
+        if (dense0) {
+            load_4f(item0 + 0 * sizeof(float), step0, &I_C[0]);
+            load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
+        } else if (step0 == sizeof(float)) {
+            I_C[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            I_C[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            I_C[2] = PACKEDF_IN(item0 + entries0[2], 0);
+            I_C[3] = PACKEDF_IN(item0 + entries0[3], 0);
+            I_C[4] = PACKEDF_IN(item0 + entries0[4], 0);
+            I_C[5] = PACKEDF_IN(item0 + entries0[5], 0);
+        } else {
+            floats all[6];
+            take_eachf(item0, entries0, step0, 6, all);
+            I_C[0] = all[0];
+            I_C[1] = all[1];
+            I_C[2] = all[2];
+            I_C[3] = all[3];
+            I_C[4] = all[4];
+            I_C[5] = all[5];
+        }
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -264,11 +462,35 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_blockf)(
         floats c[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        take_3f(item2, 0, 3, down2, across2, step2, c);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &c[0]);
+        } else if (step2 == sizeof(float)) {
+            c[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            c[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            c[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item2, entries2, step2, 3, all);
+            c[0] = all[0];
+            c[1] = all[1];
+            c[2] = all[2];
+        }
         floats a[3];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 3);
-        take_3f(item3, 0, 3, down3, across3, step3, a);
+        if (dense3) {
+            load_3f(item3 + 0 * sizeof(float), step3, &a[0]);
+        } else if (step3 == sizeof(float)) {
+            a[0] = PACKEDF_IN(item3 + entries3[0], 0);
+            a[1] = PACKEDF_IN(item3 + entries3[1], 0);
+            a[2] = PACKEDF_IN(item3 + entries3[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item3, entries3, step3, 3, all);
+            a[0] = all[0];
+            a[1] = all[1];
+            a[2] = all[2];
+        }
         const floats t1 = a[0] - c[0];
         const floats t2 = a[1] - c[1];
         const floats t3 = a[2] - c[2];
@@ -285,8 +507,20 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_blockf)(
         const floats I_A5 = I_C[5] + (t6 + t7);
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 6);
-        give_4f(item4, 0, 6, down4, across4, step4, I_A0, I_A1, I_A2, I_A3);
-        give_2f(item4, 4, 6, down4, across4, step4, I_A4, I_A5);
+        if (dense4) {
+            store_4f(item4 + 0 * sizeof(float), step4, I_A0, I_A1, I_A2, I_A3);
+            store_2f(item4 + 4 * sizeof(float), step4, I_A4, I_A5);
+        } else if (step4 == sizeof(float)) {
+            PACKEDF(item4 + entries4[0], 0) = I_A0;
+            PACKEDF(item4 + entries4[1], 0) = I_A1;
+            PACKEDF(item4 + entries4[2], 0) = I_A2;
+            PACKEDF(item4 + entries4[3], 0) = I_A3;
+            PACKEDF(item4 + entries4[4], 0) = I_A4;
+            PACKEDF(item4 + entries4[5], 0) = I_A5;
+        } else {
+            const floats all[] = {I_A0, I_A1, I_A2, I_A3, I_A4, I_A5};
+            give_eachf(item4, entries4, step4, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -299,26 +533,50 @@ void CHASLES_LEVELED(chasles_momentum_screw_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries0[9];
+    const int dense0 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 6 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 9);
-        take_4(item0, 0, 3, down0, across0, step0, I_C);
-        take_4(item0, 4, 3, down0, across0, step0, &I_C[4]);
-        take_1(item0, 8, 3, down0, across0, step0, &I_C[8]);
+        if (dense0) {
+            load_4(item0 + 0 * sizeof(double), step0, &I_C[0]);
+            load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
+            load_1(item0 + 8 * sizeof(double), step0, &I_C[8]);
+        } else if (step0 == sizeof(double)) {
+            I_C[0] = PACKED_IN(item0 + entries0[0], 0);
+            I_C[1] = PACKED_IN(item0 + entries0[1], 0);
+            I_C[2] = PACKED_IN(item0 + entries0[2], 0);
+            I_C[3] = PACKED_IN(item0 + entries0[3], 0);
+            I_C[4] = PACKED_IN(item0 + entries0[4], 0);
+            I_C[5] = PACKED_IN(item0 + entries0[5], 0);
+            I_C[6] = PACKED_IN(item0 + entries0[6], 0);
+            I_C[7] = PACKED_IN(item0 + entries0[7], 0);
+            I_C[8] = PACKED_IN(item0 + entries0[8], 0);
+        } else {
+            doubles all[9];
+            take_each(item0, entries0, step0, 9, all);
+            I_C[0] = all[0];
+            I_C[1] = all[1];
+            I_C[2] = all[2];
+            I_C[3] = all[3];
+            I_C[4] = all[4];
+            I_C[5] = all[5];
+            I_C[6] = all[6];
+            I_C[7] = all[7];
+            I_C[8] = all[8];
+        }
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -326,8 +584,26 @@ void CHASLES_LEVELED(chasles_momentum_screw_block)(
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
-        take_4(item2, 0, 6, down2, across2, step2, t);
-        take_2(item2, 4, 6, down2, across2, step2, &t[4]);
+        if (dense2) {
+            load_4(item2 + 0 * sizeof(double), step2, &t[0]);
+            load_2(item2 + 4 * sizeof(double), step2, &t[4]);
+        } else if (step2 == sizeof(double)) {
+            t[0] = PACKED_IN(item2 + entries2[0], 0);
+            t[1] = PACKED_IN(item2 + entries2[1], 0);
+            t[2] = PACKED_IN(item2 + entries2[2], 0);
+            t[3] = PACKED_IN(item2 + entries2[3], 0);
+            t[4] = PACKED_IN(item2 + entries2[4], 0);
+            t[5] = PACKED_IN(item2 + entries2[5], 0);
+        } else {
+            doubles all[6];
+            take_each(item2, entries2, step2, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+            t[3] = all[3];
+            t[4] = all[4];
+            t[5] = all[5];
+        }
         const doubles mu0 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2];
         const doubles mu1 = I_C[3] * t[0] + I_C[4] * t[1] + I_C[5] * t[2];
         const doubles mu2 = I_C[6] * t[0] + I_C[7] * t[1] + I_C[8] * t[2];
@@ -336,8 +612,20 @@ void CHASLES_LEVELED(chasles_momentum_screw_block)(
         const doubles mu5 = m * t[5];
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 6);
-        give_4(item3, 0, 6, down3, across3, step3, mu0, mu1, mu2, mu3);
-        give_2(item3, 4, 6, down3, across3, step3, mu4, mu5);
+        if (dense3) {
+            store_4(item3 + 0 * sizeof(double), step3, mu0, mu1, mu2, mu3);
+            store_2(item3 + 4 * sizeof(double), step3, mu4, mu5);
+        } else if (step3 == sizeof(double)) {
+            PACKED(item3 + entries3[0], 0) = mu0;
+            PACKED(item3 + entries3[1], 0) = mu1;
+            PACKED(item3 + entries3[2], 0) = mu2;
+            PACKED(item3 + entries3[3], 0) = mu3;
+            PACKED(item3 + entries3[4], 0) = mu4;
+            PACKED(item3 + entries3[5], 0) = mu5;
+        } else {
+            const doubles all[] = {mu0, mu1, mu2, mu3, mu4, mu5};
+            give_each(item3, entries3, step3, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -350,26 +638,50 @@ void CHASLES_LEVELED(chasles_momentum_screw_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries0[9];
+    const int dense0 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 6 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 9);
-        take_4f(item0, 0, 3, down0, across0, step0, I_C);
-        take_4f(item0, 4, 3, down0, across0, step0, &I_C[4]);
-        take_1f(item0, 8, 3, down0, across0, step0, &I_C[8]);
+        if (dense0) {
+            load_4f(item0 + 0 * sizeof(float), step0, &I_C[0]);
+            load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
+            load_1f(item0 + 8 * sizeof(float), step0, &I_C[8]);
+        } else if (step0 == sizeof(float)) {
+            I_C[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            I_C[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            I_C[2] = PACKEDF_IN(item0 + entries0[2], 0);
+            I_C[3] = PACKEDF_IN(item0 + entries0[3], 0);
+            I_C[4] = PACKEDF_IN(item0 + entries0[4], 0);
+            I_C[5] = PACKEDF_IN(item0 + entries0[5], 0);
+            I_C[6] = PACKEDF_IN(item0 + entries0[6], 0);
+            I_C[7] = PACKEDF_IN(item0 + entries0[7], 0);
+            I_C[8] = PACKEDF_IN(item0 + entries0[8], 0);
+        } else {
+            floats all[9];
+            take_eachf(item0, entries0, step0, 9, all);
+            I_C[0] = all[0];
+            I_C[1] = all[1];
+            I_C[2] = all[2];
+            I_C[3] = all[3];
+            I_C[4] = all[4];
+            I_C[5] = all[5];
+            I_C[6] = all[6];
+            I_C[7] = all[7];
+            I_C[8] = all[8];
+        }
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -377,8 +689,26 @@ void CHASLES_LEVELED(chasles_momentum_screw_blockf)(
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
-        take_4f(item2, 0, 6, down2, across2, step2, t);
-        take_2f(item2, 4, 6, down2, across2, step2, &t[4]);
+        if (dense2) {
+            load_4f(item2 + 0 * sizeof(float), step2, &t[0]);
+            load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
+        } else if (step2 == sizeof(float)) {
+            t[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            t[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            t[2] = PACKEDF_IN(item2 + entries2[2], 0);
+            t[3] = PACKEDF_IN(item2 + entries2[3], 0);
+            t[4] = PACKEDF_IN(item2 + entries2[4], 0);
+            t[5] = PACKEDF_IN(item2 + entries2[5], 0);
+        } else {
+            floats all[6];
+            take_eachf(item2, entries2, step2, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+            t[3] = all[3];
+            t[4] = all[4];
+            t[5] = all[5];
+        }
         const floats mu0 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2];
         const floats mu1 = I_C[3] * t[0] + I_C[4] * t[1] + I_C[5] * t[2];
         const floats mu2 = I_C[6] * t[0] + I_C[7] * t[1] + I_C[8] * t[2];
@@ -387,8 +717,20 @@ void CHASLES_LEVELED(chasles_momentum_screw_blockf)(
         const floats mu5 = m * t[5];
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 6);
-        give_4f(item3, 0, 6, down3, across3, step3, mu0, mu1, mu2, mu3);
-        give_2f(item3, 4, 6, down3, across3, step3, mu4, mu5);
+        if (dense3) {
+            store_4f(item3 + 0 * sizeof(float), step3, mu0, mu1, mu2, mu3);
+            store_2f(item3 + 4 * sizeof(float), step3, mu4, mu5);
+        } else if (step3 == sizeof(float)) {
+            PACKEDF(item3 + entries3[0], 0) = mu0;
+            PACKEDF(item3 + entries3[1], 0) = mu1;
+            PACKEDF(item3 + entries3[2], 0) = mu2;
+            PACKEDF(item3 + entries3[3], 0) = mu3;
+            PACKEDF(item3 + entries3[4], 0) = mu4;
+            PACKEDF(item3 + entries3[5], 0) = mu5;
+        } else {
+            const floats all[] = {mu0, mu1, mu2, mu3, mu4, mu5};
+            give_eachf(item3, entries3, step3, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -401,25 +743,43 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 6 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries0[6];
+    const int dense0 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 6 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(double));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 6);
-        take_4(item0, 0, 6, down0, across0, step0, I_C);
-        take_2(item0, 4, 6, down0, across0, step0, &I_C[4]);
+        if (dense0) {
+            load_4(item0 + 0 * sizeof(double), step0, &I_C[0]);
+            load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
+        } else if (step0 == sizeof(double)) {
+            I_C[0] = PACKED_IN(item0 + entries0[0], 0);
+            I_C[1] = PACKED_IN(item0 + entries0[1], 0);
+            I_C[2] = PACKED_IN(item0 + entries0[2], 0);
+            I_C[3] = PACKED_IN(item0 + entries0[3], 0);
+            I_C[4] = PACKED_IN(item0 + entries0[4], 0);
+            I_C[5] = PACKED_IN(item0 + entries0[5], 0);
+        } else {
+            doubles all[6];
+            take_each(item0, entries0, step0, 6, all);
+            I_C[0] = all[0];
+            I_C[1] = all[1];
+            I_C[2] = all[2];
+            I_C[3] = all[3];
+            I_C[4] = all[4];
+            I_C[5] = all[5];
+        }
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -427,8 +787,26 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_block)(
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
-        take_4(item2, 0, 6, down2, across2, step2, t);
-        take_2(item2, 4, 6, down2, across2, step2, &t[4]);
+        if (dense2) {
+            load_4(item2 + 0 * sizeof(double), step2, &t[0]);
+            load_2(item2 + 4 * sizeof(double), step2, &t[4]);
+        } else if (step2 == sizeof(double)) {
+            t[0] = PACKED_IN(item2 + entries2[0], 0);
+            t[1] = PACKED_IN(item2 + entries2[1], 0);
+            t[2] = PACKED_IN(item2 + entries2[2], 0);
+            t[3] = PACKED_IN(item2 + entries2[3], 0);
+            t[4] = PACKED_IN(item2 + entries2[4], 0);
+            t[5] = PACKED_IN(item2 + entries2[5], 0);
+        } else {
+            doubles all[6];
+            take_each(item2, entries2, step2, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+            t[3] = all[3];
+            t[4] = all[4];
+            t[5] = all[5];
+        }
         const doubles mu0 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2];
         const doubles mu1 = I_C[1] * t[0] + I_C[3] * t[1] + I_C[4] * t[2];
         const doubles mu2 = I_C[2] * t[0] + I_C[4] * t[1] + I_C[5] * t[2];
@@ -437,8 +815,20 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_block)(
         const doubles mu5 = m * t[5];
         char *const item3 = at3 + g * LANES * step3;
         prefetch_to_write(item3, 6);
-        give_4(item3, 0, 6, down3, across3, step3, mu0, mu1, mu2, mu3);
-        give_2(item3, 4, 6, down3, across3, step3, mu4, mu5);
+        if (dense3) {
+            store_4(item3 + 0 * sizeof(double), step3, mu0, mu1, mu2, mu3);
+            store_2(item3 + 4 * sizeof(double), step3, mu4, mu5);
+        } else if (step3 == sizeof(double)) {
+            PACKED(item3 + entries3[0], 0) = mu0;
+            PACKED(item3 + entries3[1], 0) = mu1;
+            PACKED(item3 + entries3[2], 0) = mu2;
+            PACKED(item3 + entries3[3], 0) = mu3;
+            PACKED(item3 + entries3[4], 0) = mu4;
+            PACKED(item3 + entries3[5], 0) = mu5;
+        } else {
+            const doubles all[] = {mu0, mu1, mu2, mu3, mu4, mu5};
+            give_each(item3, entries3, step3, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -451,25 +841,43 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 6 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries0[6];
+    const int dense0 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 6 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(10, 6 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(11, 1 * sizeof(float));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step3, steps + 10, entries3));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 6);
-        take_4f(item0, 0, 6, down0, across0, step0, I_C);
-        take_2f(item0, 4, 6, down0, across0, step0, &I_C[4]);
+        if (dense0) {
+            load_4f(item0 + 0 * sizeof(float), step0, &I_C[0]);
+            load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
+        } else if (step0 == sizeof(float)) {
+            I_C[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            I_C[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            I_C[2] = PACKEDF_IN(item0 + entries0[2], 0);
+            I_C[3] = PACKEDF_IN(item0 + entries0[3], 0);
+            I_C[4] = PACKEDF_IN(item0 + entries0[4], 0);
+            I_C[5] = PACKEDF_IN(item0 + entries0[5], 0);
+        } else {
+            floats all[6];
+            take_eachf(item0, entries0, step0, 6, all);
+            I_C[0] = all[0];
+            I_C[1] = all[1];
+            I_C[2] = all[2];
+            I_C[3] = all[3];
+            I_C[4] = all[4];
+            I_C[5] = all[5];
+        }
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -477,8 +885,26 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_blockf)(
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
-        take_4f(item2, 0, 6, down2, across2, step2, t);
-        take_2f(item2, 4, 6, down2, across2, step2, &t[4]);
+        if (dense2) {
+            load_4f(item2 + 0 * sizeof(float), step2, &t[0]);
+            load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
+        } else if (step2 == sizeof(float)) {
+            t[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            t[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            t[2] = PACKEDF_IN(item2 + entries2[2], 0);
+            t[3] = PACKEDF_IN(item2 + entries2[3], 0);
+            t[4] = PACKEDF_IN(item2 + entries2[4], 0);
+            t[5] = PACKEDF_IN(item2 + entries2[5], 0);
+        } else {
+            floats all[6];
+            take_eachf(item2, entries2, step2, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+            t[3] = all[3];
+            t[4] = all[4];
+            t[5] = all[5];
+        }
         const floats mu0 = I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2];
         const floats mu1 = I_C[1] * t[0] + I_C[3] * t[1] + I_C[4] * t[2];
         const floats mu2 = I_C[2] * t[0] + I_C[4] * t[1] + I_C[5] * t[2];
@@ -487,8 +913,20 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_blockf)(
         const floats mu5 = m * t[5];
         char *const item3 = at3 + g * LANESF * step3;
         prefetch_to_write(item3, 6);
-        give_4f(item3, 0, 6, down3, across3, step3, mu0, mu1, mu2, mu3);
-        give_2f(item3, 4, 6, down3, across3, step3, mu4, mu5);
+        if (dense3) {
+            store_4f(item3 + 0 * sizeof(float), step3, mu0, mu1, mu2, mu3);
+            store_2f(item3 + 4 * sizeof(float), step3, mu4, mu5);
+        } else if (step3 == sizeof(float)) {
+            PACKEDF(item3 + entries3[0], 0) = mu0;
+            PACKEDF(item3 + entries3[1], 0) = mu1;
+            PACKEDF(item3 + entries3[2], 0) = mu2;
+            PACKEDF(item3 + entries3[3], 0) = mu3;
+            PACKEDF(item3 + entries3[4], 0) = mu4;
+            PACKEDF(item3 + entries3[5], 0) = mu5;
+        } else {
+            const floats all[] = {mu0, mu1, mu2, mu3, mu4, mu5};
+            give_eachf(item3, entries3, step3, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -501,14 +939,14 @@ void CHASLES_LEVELED(chasles_kinetic_energy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries0[9];
+    const int dense0 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 6 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 1 * sizeof(double));
     chasles_stream copied = *stream;
@@ -516,9 +954,33 @@ void CHASLES_LEVELED(chasles_kinetic_energy_block)(
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 9);
-        take_4(item0, 0, 3, down0, across0, step0, I_C);
-        take_4(item0, 4, 3, down0, across0, step0, &I_C[4]);
-        take_1(item0, 8, 3, down0, across0, step0, &I_C[8]);
+        if (dense0) {
+            load_4(item0 + 0 * sizeof(double), step0, &I_C[0]);
+            load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
+            load_1(item0 + 8 * sizeof(double), step0, &I_C[8]);
+        } else if (step0 == sizeof(double)) {
+            I_C[0] = PACKED_IN(item0 + entries0[0], 0);
+            I_C[1] = PACKED_IN(item0 + entries0[1], 0);
+            I_C[2] = PACKED_IN(item0 + entries0[2], 0);
+            I_C[3] = PACKED_IN(item0 + entries0[3], 0);
+            I_C[4] = PACKED_IN(item0 + entries0[4], 0);
+            I_C[5] = PACKED_IN(item0 + entries0[5], 0);
+            I_C[6] = PACKED_IN(item0 + entries0[6], 0);
+            I_C[7] = PACKED_IN(item0 + entries0[7], 0);
+            I_C[8] = PACKED_IN(item0 + entries0[8], 0);
+        } else {
+            doubles all[9];
+            take_each(item0, entries0, step0, 9, all);
+            I_C[0] = all[0];
+            I_C[1] = all[1];
+            I_C[2] = all[2];
+            I_C[3] = all[3];
+            I_C[4] = all[4];
+            I_C[5] = all[5];
+            I_C[6] = all[6];
+            I_C[7] = all[7];
+            I_C[8] = all[8];
+        }
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -526,8 +988,26 @@ void CHASLES_LEVELED(chasles_kinetic_energy_block)(
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
-        take_4(item2, 0, 6, down2, across2, step2, t);
-        take_2(item2, 4, 6, down2, across2, step2, &t[4]);
+        if (dense2) {
+            load_4(item2 + 0 * sizeof(double), step2, &t[0]);
+            load_2(item2 + 4 * sizeof(double), step2, &t[4]);
+        } else if (step2 == sizeof(double)) {
+            t[0] = PACKED_IN(item2 + entries2[0], 0);
+            t[1] = PACKED_IN(item2 + entries2[1], 0);
+            t[2] = PACKED_IN(item2 + entries2[2], 0);
+            t[3] = PACKED_IN(item2 + entries2[3], 0);
+            t[4] = PACKED_IN(item2 + entries2[4], 0);
+            t[5] = PACKED_IN(item2 + entries2[5], 0);
+        } else {
+            doubles all[6];
+            take_each(item2, entries2, step2, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+            t[3] = all[3];
+            t[4] = all[4];
+            t[5] = all[5];
+        }
         const doubles t1 = (I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2]) * (0.5 * t[0]);
         const doubles t2 = t1 + (I_C[3] * t[0] + I_C[4] * t[1] + I_C[5] * t[2]) * (0.5 * t[1]);
         const doubles t3 = t2 + (I_C[6] * t[0] + I_C[7] * t[1] + I_C[8] * t[2]) * (0.5 * t[2]);
@@ -548,14 +1028,14 @@ void CHASLES_LEVELED(chasles_kinetic_energy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries0[9];
+    const int dense0 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 6 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 1 * sizeof(float));
     chasles_stream copied = *stream;
@@ -563,9 +1043,33 @@ void CHASLES_LEVELED(chasles_kinetic_energy_blockf)(
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 9);
-        take_4f(item0, 0, 3, down0, across0, step0, I_C);
-        take_4f(item0, 4, 3, down0, across0, step0, &I_C[4]);
-        take_1f(item0, 8, 3, down0, across0, step0, &I_C[8]);
+        if (dense0) {
+            load_4f(item0 + 0 * sizeof(float), step0, &I_C[0]);
+            load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
+            load_1f(item0 + 8 * sizeof(float), step0, &I_C[8]);
+        } else if (step0 == sizeof(float)) {
+            I_C[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            I_C[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            I_C[2] = PACKEDF_IN(item0 + entries0[2], 0);
+            I_C[3] = PACKEDF_IN(item0 + entries0[3], 0);
+            I_C[4] = PACKEDF_IN(item0 + entries0[4], 0);
+            I_C[5] = PACKEDF_IN(item0 + entries0[5], 0);
+            I_C[6] = PACKEDF_IN(item0 + entries0[6], 0);
+            I_C[7] = PACKEDF_IN(item0 + entries0[7], 0);
+            I_C[8] = PACKEDF_IN(item0 + entries0[8], 0);
+        } else {
+            floats all[9];
+            take_eachf(item0, entries0, step0, 9, all);
+            I_C[0] = all[0];
+            I_C[1] = all[1];
+            I_C[2] = all[2];
+            I_C[3] = all[3];
+            I_C[4] = all[4];
+            I_C[5] = all[5];
+            I_C[6] = all[6];
+            I_C[7] = all[7];
+            I_C[8] = all[8];
+        }
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -573,8 +1077,26 @@ void CHASLES_LEVELED(chasles_kinetic_energy_blockf)(
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
-        take_4f(item2, 0, 6, down2, across2, step2, t);
-        take_2f(item2, 4, 6, down2, across2, step2, &t[4]);
+        if (dense2) {
+            load_4f(item2 + 0 * sizeof(float), step2, &t[0]);
+            load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
+        } else if (step2 == sizeof(float)) {
+            t[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            t[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            t[2] = PACKEDF_IN(item2 + entries2[2], 0);
+            t[3] = PACKEDF_IN(item2 + entries2[3], 0);
+            t[4] = PACKEDF_IN(item2 + entries2[4], 0);
+            t[5] = PACKEDF_IN(item2 + entries2[5], 0);
+        } else {
+            floats all[6];
+            take_eachf(item2, entries2, step2, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+            t[3] = all[3];
+            t[4] = all[4];
+            t[5] = all[5];
+        }
         const floats t1 = (I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2]) * (0.5f * t[0]);
         const floats t2 = t1 + (I_C[3] * t[0] + I_C[4] * t[1] + I_C[5] * t[2]) * (0.5f * t[1]);
         const floats t3 = t2 + (I_C[6] * t[0] + I_C[7] * t[1] + I_C[8] * t[2]) * (0.5f * t[2]);
@@ -595,14 +1117,14 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 6 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries0[6];
+    const int dense0 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 6 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(double));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 1 * sizeof(double));
     chasles_stream copied = *stream;
@@ -610,8 +1132,26 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_block)(
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 6);
-        take_4(item0, 0, 6, down0, across0, step0, I_C);
-        take_2(item0, 4, 6, down0, across0, step0, &I_C[4]);
+        if (dense0) {
+            load_4(item0 + 0 * sizeof(double), step0, &I_C[0]);
+            load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
+        } else if (step0 == sizeof(double)) {
+            I_C[0] = PACKED_IN(item0 + entries0[0], 0);
+            I_C[1] = PACKED_IN(item0 + entries0[1], 0);
+            I_C[2] = PACKED_IN(item0 + entries0[2], 0);
+            I_C[3] = PACKED_IN(item0 + entries0[3], 0);
+            I_C[4] = PACKED_IN(item0 + entries0[4], 0);
+            I_C[5] = PACKED_IN(item0 + entries0[5], 0);
+        } else {
+            doubles all[6];
+            take_each(item0, entries0, step0, 6, all);
+            I_C[0] = all[0];
+            I_C[1] = all[1];
+            I_C[2] = all[2];
+            I_C[3] = all[3];
+            I_C[4] = all[4];
+            I_C[5] = all[5];
+        }
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -619,8 +1159,26 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_block)(
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
-        take_4(item2, 0, 6, down2, across2, step2, t);
-        take_2(item2, 4, 6, down2, across2, step2, &t[4]);
+        if (dense2) {
+            load_4(item2 + 0 * sizeof(double), step2, &t[0]);
+            load_2(item2 + 4 * sizeof(double), step2, &t[4]);
+        } else if (step2 == sizeof(double)) {
+            t[0] = PACKED_IN(item2 + entries2[0], 0);
+            t[1] = PACKED_IN(item2 + entries2[1], 0);
+            t[2] = PACKED_IN(item2 + entries2[2], 0);
+            t[3] = PACKED_IN(item2 + entries2[3], 0);
+            t[4] = PACKED_IN(item2 + entries2[4], 0);
+            t[5] = PACKED_IN(item2 + entries2[5], 0);
+        } else {
+            doubles all[6];
+            take_each(item2, entries2, step2, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+            t[3] = all[3];
+            t[4] = all[4];
+            t[5] = all[5];
+        }
         const doubles t1 = (I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2]) * (0.5 * t[0]);
         const doubles t2 = t1 + (I_C[1] * t[0] + I_C[3] * t[1] + I_C[4] * t[2]) * (0.5 * t[1]);
         const doubles t3 = t2 + (I_C[2] * t[0] + I_C[4] * t[1] + I_C[5] * t[2]) * (0.5 * t[2]);
@@ -641,14 +1199,14 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(4, 6 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries0[6];
+    const int dense0 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step0, steps + 4, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(8, 6 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(9, 1 * sizeof(float));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step2, steps + 8, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 1 * sizeof(float));
     chasles_stream copied = *stream;
@@ -656,8 +1214,26 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_blockf)(
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 6);
-        take_4f(item0, 0, 6, down0, across0, step0, I_C);
-        take_2f(item0, 4, 6, down0, across0, step0, &I_C[4]);
+        if (dense0) {
+            load_4f(item0 + 0 * sizeof(float), step0, &I_C[0]);
+            load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
+        } else if (step0 == sizeof(float)) {
+            I_C[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            I_C[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            I_C[2] = PACKEDF_IN(item0 + entries0[2], 0);
+            I_C[3] = PACKEDF_IN(item0 + entries0[3], 0);
+            I_C[4] = PACKEDF_IN(item0 + entries0[4], 0);
+            I_C[5] = PACKEDF_IN(item0 + entries0[5], 0);
+        } else {
+            floats all[6];
+            take_eachf(item0, entries0, step0, 6, all);
+            I_C[0] = all[0];
+            I_C[1] = all[1];
+            I_C[2] = all[2];
+            I_C[3] = all[3];
+            I_C[4] = all[4];
+            I_C[5] = all[5];
+        }
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -665,8 +1241,26 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_blockf)(
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
-        take_4f(item2, 0, 6, down2, across2, step2, t);
-        take_2f(item2, 4, 6, down2, across2, step2, &t[4]);
+        if (dense2) {
+            load_4f(item2 + 0 * sizeof(float), step2, &t[0]);
+            load_2f(item2 + 4 * sizeof(float), step2, &t[4]);
+        } else if (step2 == sizeof(float)) {
+            t[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            t[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            t[2] = PACKEDF_IN(item2 + entries2[2], 0);
+            t[3] = PACKEDF_IN(item2 + entries2[3], 0);
+            t[4] = PACKEDF_IN(item2 + entries2[4], 0);
+            t[5] = PACKEDF_IN(item2 + entries2[5], 0);
+        } else {
+            floats all[6];
+            take_eachf(item2, entries2, step2, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+            t[3] = all[3];
+            t[4] = all[4];
+            t[5] = all[5];
+        }
         const floats t1 = (I_C[0] * t[0] + I_C[1] * t[1] + I_C[2] * t[2]) * (0.5f * t[0]);
         const floats t2 = t1 + (I_C[1] * t[0] + I_C[3] * t[1] + I_C[4] * t[2]) * (0.5f * t[1]);
         const floats t3 = t2 + (I_C[2] * t[0] + I_C[4] * t[1] + I_C[5] * t[2]) * (0.5f * t[2]);
@@ -687,30 +1281,54 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries0[9];
+    const int dense0 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 6 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(double));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
+    ptrdiff_t entries4[6];
+    const int dense4 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 9);
-        take_4(item0, 0, 3, down0, across0, step0, I_C);
-        take_4(item0, 4, 3, down0, across0, step0, &I_C[4]);
-        take_1(item0, 8, 3, down0, across0, step0, &I_C[8]);
+        if (dense0) {
+            load_4(item0 + 0 * sizeof(double), step0, &I_C[0]);
+            load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
+            load_1(item0 + 8 * sizeof(double), step0, &I_C[8]);
+        } else if (step0 == sizeof(double)) {
+            I_C[0] = PACKED_IN(item0 + entries0[0], 0);
+            I_C[1] = PACKED_IN(item0 + entries0[1], 0);
+            I_C[2] = PACKED_IN(item0 + entries0[2], 0);
+            I_C[3] = PACKED_IN(item0 + entries0[3], 0);
+            I_C[4] = PACKED_IN(item0 + entries0[4], 0);
+            I_C[5] = PACKED_IN(item0 + entries0[5], 0);
+            I_C[6] = PACKED_IN(item0 + entries0[6], 0);
+            I_C[7] = PACKED_IN(item0 + entries0[7], 0);
+            I_C[8] = PACKED_IN(item0 + entries0[8], 0);
+        } else {
+            doubles all[9];
+            take_each(item0, entries0, step0, 9, all);
+            I_C[0] = all[0];
+            I_C[1] = all[1];
+            I_C[2] = all[2];
+            I_C[3] = all[3];
+            I_C[4] = all[4];
+            I_C[5] = all[5];
+            I_C[6] = all[6];
+            I_C[7] = all[7];
+            I_C[8] = all[8];
+        }
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -718,12 +1336,42 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_block)(
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
-        take_3(item2, 0, 6, down2, across2, step2, t);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &t[0]);
+        } else if (step2 == sizeof(double)) {
+            t[0] = PACKED_IN(item2 + entries2[0], 0);
+            t[1] = PACKED_IN(item2 + entries2[1], 0);
+            t[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[6];
+            take_each(item2, entries2, step2, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+        }
         doubles t_dot[6];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 6);
-        take_4(item3, 0, 6, down3, across3, step3, t_dot);
-        take_2(item3, 4, 6, down3, across3, step3, &t_dot[4]);
+        if (dense3) {
+            load_4(item3 + 0 * sizeof(double), step3, &t_dot[0]);
+            load_2(item3 + 4 * sizeof(double), step3, &t_dot[4]);
+        } else if (step3 == sizeof(double)) {
+            t_dot[0] = PACKED_IN(item3 + entries3[0], 0);
+            t_dot[1] = PACKED_IN(item3 + entries3[1], 0);
+            t_dot[2] = PACKED_IN(item3 + entries3[2], 0);
+            t_dot[3] = PACKED_IN(item3 + entries3[3], 0);
+            t_dot[4] = PACKED_IN(item3 + entries3[4], 0);
+            t_dot[5] = PACKED_IN(item3 + entries3[5], 0);
+        } else {
+            doubles all[6];
+            take_each(item3, entries3, step3, 6, all);
+            t_dot[0] = all[0];
+            t_dot[1] = all[1];
+            t_dot[2] = all[2];
+            t_dot[3] = all[3];
+            t_dot[4] = all[4];
+            t_dot[5] = all[5];
+        }
         const doubles w3 = m * t_dot[3];
         const doubles w4 = m * t_dot[4];
         const doubles w5 = m * t_dot[5];
@@ -738,8 +1386,20 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_block)(
         const doubles w2 = t6 + (t[0] * t2 - t[1] * t1);
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 6);
-        give_4(item4, 0, 6, down4, across4, step4, w0, w1, w2, w3);
-        give_2(item4, 4, 6, down4, across4, step4, w4, w5);
+        if (dense4) {
+            store_4(item4 + 0 * sizeof(double), step4, w0, w1, w2, w3);
+            store_2(item4 + 4 * sizeof(double), step4, w4, w5);
+        } else if (step4 == sizeof(double)) {
+            PACKED(item4 + entries4[0], 0) = w0;
+            PACKED(item4 + entries4[1], 0) = w1;
+            PACKED(item4 + entries4[2], 0) = w2;
+            PACKED(item4 + entries4[3], 0) = w3;
+            PACKED(item4 + entries4[4], 0) = w4;
+            PACKED(item4 + entries4[5], 0) = w5;
+        } else {
+            const doubles all[] = {w0, w1, w2, w3, w4, w5};
+            give_each(item4, entries4, step4, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -752,30 +1412,54 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries0[9];
+    const int dense0 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 6 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(float));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
+    ptrdiff_t entries4[6];
+    const int dense4 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 9);
-        take_4f(item0, 0, 3, down0, across0, step0, I_C);
-        take_4f(item0, 4, 3, down0, across0, step0, &I_C[4]);
-        take_1f(item0, 8, 3, down0, across0, step0, &I_C[8]);
+        if (dense0) {
+            load_4f(item0 + 0 * sizeof(float), step0, &I_C[0]);
+            load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
+            load_1f(item0 + 8 * sizeof(float), step0, &I_C[8]);
+        } else if (step0 == sizeof(float)) {
+            I_C[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            I_C[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            I_C[2] = PACKEDF_IN(item0 + entries0[2], 0);
+            I_C[3] = PACKEDF_IN(item0 + entries0[3], 0);
+            I_C[4] = PACKEDF_IN(item0 + entries0[4], 0);
+            I_C[5] = PACKEDF_IN(item0 + entries0[5], 0);
+            I_C[6] = PACKEDF_IN(item0 + entries0[6], 0);
+            I_C[7] = PACKEDF_IN(item0 + entries0[7], 0);
+            I_C[8] = PACKEDF_IN(item0 + entries0[8], 0);
+        } else {
+            floats all[9];
+            take_eachf(item0, entries0, step0, 9, all);
+            I_C[0] = all[0];
+            I_C[1] = all[1];
+            I_C[2] = all[2];
+            I_C[3] = all[3];
+            I_C[4] = all[4];
+            I_C[5] = all[5];
+            I_C[6] = all[6];
+            I_C[7] = all[7];
+            I_C[8] = all[8];
+        }
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -783,12 +1467,42 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_blockf)(
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
-        take_3f(item2, 0, 6, down2, across2, step2, t);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &t[0]);
+        } else if (step2 == sizeof(float)) {
+            t[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            t[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            t[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[6];
+            take_eachf(item2, entries2, step2, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+        }
         floats t_dot[6];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 6);
-        take_4f(item3, 0, 6, down3, across3, step3, t_dot);
-        take_2f(item3, 4, 6, down3, across3, step3, &t_dot[4]);
+        if (dense3) {
+            load_4f(item3 + 0 * sizeof(float), step3, &t_dot[0]);
+            load_2f(item3 + 4 * sizeof(float), step3, &t_dot[4]);
+        } else if (step3 == sizeof(float)) {
+            t_dot[0] = PACKEDF_IN(item3 + entries3[0], 0);
+            t_dot[1] = PACKEDF_IN(item3 + entries3[1], 0);
+            t_dot[2] = PACKEDF_IN(item3 + entries3[2], 0);
+            t_dot[3] = PACKEDF_IN(item3 + entries3[3], 0);
+            t_dot[4] = PACKEDF_IN(item3 + entries3[4], 0);
+            t_dot[5] = PACKEDF_IN(item3 + entries3[5], 0);
+        } else {
+            floats all[6];
+            take_eachf(item3, entries3, step3, 6, all);
+            t_dot[0] = all[0];
+            t_dot[1] = all[1];
+            t_dot[2] = all[2];
+            t_dot[3] = all[3];
+            t_dot[4] = all[4];
+            t_dot[5] = all[5];
+        }
         const floats w3 = m * t_dot[3];
         const floats w4 = m * t_dot[4];
         const floats w5 = m * t_dot[5];
@@ -803,8 +1517,20 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_blockf)(
         const floats w2 = t6 + (t[0] * t2 - t[1] * t1);
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 6);
-        give_4f(item4, 0, 6, down4, across4, step4, w0, w1, w2, w3);
-        give_2f(item4, 4, 6, down4, across4, step4, w4, w5);
+        if (dense4) {
+            store_4f(item4 + 0 * sizeof(float), step4, w0, w1, w2, w3);
+            store_2f(item4 + 4 * sizeof(float), step4, w4, w5);
+        } else if (step4 == sizeof(float)) {
+            PACKEDF(item4 + entries4[0], 0) = w0;
+            PACKEDF(item4 + entries4[1], 0) = w1;
+            PACKEDF(item4 + entries4[2], 0) = w2;
+            PACKEDF(item4 + entries4[3], 0) = w3;
+            PACKEDF(item4 + entries4[4], 0) = w4;
+            PACKEDF(item4 + entries4[5], 0) = w5;
+        } else {
+            const floats all[] = {w0, w1, w2, w3, w4, w5};
+            give_eachf(item4, entries4, step4, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -817,29 +1543,47 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 6 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries0[6];
+    const int dense0 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 6 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(double));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
+    ptrdiff_t entries4[6];
+    const int dense4 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 6);
-        take_4(item0, 0, 6, down0, across0, step0, I_C);
-        take_2(item0, 4, 6, down0, across0, step0, &I_C[4]);
+        if (dense0) {
+            load_4(item0 + 0 * sizeof(double), step0, &I_C[0]);
+            load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
+        } else if (step0 == sizeof(double)) {
+            I_C[0] = PACKED_IN(item0 + entries0[0], 0);
+            I_C[1] = PACKED_IN(item0 + entries0[1], 0);
+            I_C[2] = PACKED_IN(item0 + entries0[2], 0);
+            I_C[3] = PACKED_IN(item0 + entries0[3], 0);
+            I_C[4] = PACKED_IN(item0 + entries0[4], 0);
+            I_C[5] = PACKED_IN(item0 + entries0[5], 0);
+        } else {
+            doubles all[6];
+            take_each(item0, entries0, step0, 6, all);
+            I_C[0] = all[0];
+            I_C[1] = all[1];
+            I_C[2] = all[2];
+            I_C[3] = all[3];
+            I_C[4] = all[4];
+            I_C[5] = all[5];
+        }
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -847,12 +1591,42 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_block)(
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
-        take_3(item2, 0, 6, down2, across2, step2, t);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &t[0]);
+        } else if (step2 == sizeof(double)) {
+            t[0] = PACKED_IN(item2 + entries2[0], 0);
+            t[1] = PACKED_IN(item2 + entries2[1], 0);
+            t[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[6];
+            take_each(item2, entries2, step2, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+        }
         doubles t_dot[6];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 6);
-        take_4(item3, 0, 6, down3, across3, step3, t_dot);
-        take_2(item3, 4, 6, down3, across3, step3, &t_dot[4]);
+        if (dense3) {
+            load_4(item3 + 0 * sizeof(double), step3, &t_dot[0]);
+            load_2(item3 + 4 * sizeof(double), step3, &t_dot[4]);
+        } else if (step3 == sizeof(double)) {
+            t_dot[0] = PACKED_IN(item3 + entries3[0], 0);
+            t_dot[1] = PACKED_IN(item3 + entries3[1], 0);
+            t_dot[2] = PACKED_IN(item3 + entries3[2], 0);
+            t_dot[3] = PACKED_IN(item3 + entries3[3], 0);
+            t_dot[4] = PACKED_IN(item3 + entries3[4], 0);
+            t_dot[5] = PACKED_IN(item3 + entries3[5], 0);
+        } else {
+            doubles all[6];
+            take_each(item3, entries3, step3, 6, all);
+            t_dot[0] = all[0];
+            t_dot[1] = all[1];
+            t_dot[2] = all[2];
+            t_dot[3] = all[3];
+            t_dot[4] = all[4];
+            t_dot[5] = all[5];
+        }
         const doubles w3 = m * t_dot[3];
         const doubles w4 = m * t_dot[4];
         const doubles w5 = m * t_dot[5];
@@ -867,8 +1641,20 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_block)(
         const doubles w2 = t6 + (t[0] * t2 - t[1] * t1);
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 6);
-        give_4(item4, 0, 6, down4, across4, step4, w0, w1, w2, w3);
-        give_2(item4, 4, 6, down4, across4, step4, w4, w5);
+        if (dense4) {
+            store_4(item4 + 0 * sizeof(double), step4, w0, w1, w2, w3);
+            store_2(item4 + 4 * sizeof(double), step4, w4, w5);
+        } else if (step4 == sizeof(double)) {
+            PACKED(item4 + entries4[0], 0) = w0;
+            PACKED(item4 + entries4[1], 0) = w1;
+            PACKED(item4 + entries4[2], 0) = w2;
+            PACKED(item4 + entries4[3], 0) = w3;
+            PACKED(item4 + entries4[4], 0) = w4;
+            PACKED(item4 + entries4[5], 0) = w5;
+        } else {
+            const doubles all[] = {w0, w1, w2, w3, w4, w5};
+            give_each(item4, entries4, step4, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -881,29 +1667,47 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 6 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries0[6];
+    const int dense0 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 6 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(float));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
+    ptrdiff_t entries4[6];
+    const int dense4 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 6);
-        take_4f(item0, 0, 6, down0, across0, step0, I_C);
-        take_2f(item0, 4, 6, down0, across0, step0, &I_C[4]);
+        if (dense0) {
+            load_4f(item0 + 0 * sizeof(float), step0, &I_C[0]);
+            load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
+        } else if (step0 == sizeof(float)) {
+            I_C[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            I_C[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            I_C[2] = PACKEDF_IN(item0 + entries0[2], 0);
+            I_C[3] = PACKEDF_IN(item0 + entries0[3], 0);
+            I_C[4] = PACKEDF_IN(item0 + entries0[4], 0);
+            I_C[5] = PACKEDF_IN(item0 + entries0[5], 0);
+        } else {
+            floats all[6];
+            take_eachf(item0, entries0, step0, 6, all);
+            I_C[0] = all[0];
+            I_C[1] = all[1];
+            I_C[2] = all[2];
+            I_C[3] = all[3];
+            I_C[4] = all[4];
+            I_C[5] = all[5];
+        }
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -911,12 +1715,42 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_blockf)(
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
-        take_3f(item2, 0, 6, down2, across2, step2, t);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &t[0]);
+        } else if (step2 == sizeof(float)) {
+            t[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            t[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            t[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[6];
+            take_eachf(item2, entries2, step2, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+        }
         floats t_dot[6];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 6);
-        take_4f(item3, 0, 6, down3, across3, step3, t_dot);
-        take_2f(item3, 4, 6, down3, across3, step3, &t_dot[4]);
+        if (dense3) {
+            load_4f(item3 + 0 * sizeof(float), step3, &t_dot[0]);
+            load_2f(item3 + 4 * sizeof(float), step3, &t_dot[4]);
+        } else if (step3 == sizeof(float)) {
+            t_dot[0] = PACKEDF_IN(item3 + entries3[0], 0);
+            t_dot[1] = PACKEDF_IN(item3 + entries3[1], 0);
+            t_dot[2] = PACKEDF_IN(item3 + entries3[2], 0);
+            t_dot[3] = PACKEDF_IN(item3 + entries3[3], 0);
+            t_dot[4] = PACKEDF_IN(item3 + entries3[4], 0);
+            t_dot[5] = PACKEDF_IN(item3 + entries3[5], 0);
+        } else {
+            floats all[6];
+            take_eachf(item3, entries3, step3, 6, all);
+            t_dot[0] = all[0];
+            t_dot[1] = all[1];
+            t_dot[2] = all[2];
+            t_dot[3] = all[3];
+            t_dot[4] = all[4];
+            t_dot[5] = all[5];
+        }
         const floats w3 = m * t_dot[3];
         const floats w4 = m * t_dot[4];
         const floats w5 = m * t_dot[5];
@@ -931,8 +1765,20 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_blockf)(
         const floats w2 = t6 + (t[0] * t2 - t[1] * t1);
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 6);
-        give_4f(item4, 0, 6, down4, across4, step4, w0, w1, w2, w3);
-        give_2f(item4, 4, 6, down4, across4, step4, w4, w5);
+        if (dense4) {
+            store_4f(item4 + 0 * sizeof(float), step4, w0, w1, w2, w3);
+            store_2f(item4 + 4 * sizeof(float), step4, w4, w5);
+        } else if (step4 == sizeof(float)) {
+            PACKEDF(item4 + entries4[0], 0) = w0;
+            PACKEDF(item4 + entries4[1], 0) = w1;
+            PACKEDF(item4 + entries4[2], 0) = w2;
+            PACKEDF(item4 + entries4[3], 0) = w3;
+            PACKEDF(item4 + entries4[4], 0) = w4;
+            PACKEDF(item4 + entries4[5], 0) = w5;
+        } else {
+            const floats all[] = {w0, w1, w2, w3, w4, w5};
+            give_eachf(item4, entries4, step4, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -945,30 +1791,54 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries0[9];
+    const int dense0 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 6 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(double));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
+    ptrdiff_t entries4[6];
+    const int dense4 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 9);
-        take_4(item0, 0, 3, down0, across0, step0, I_C);
-        take_4(item0, 4, 3, down0, across0, step0, &I_C[4]);
-        take_1(item0, 8, 3, down0, across0, step0, &I_C[8]);
+        if (dense0) {
+            load_4(item0 + 0 * sizeof(double), step0, &I_C[0]);
+            load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
+            load_1(item0 + 8 * sizeof(double), step0, &I_C[8]);
+        } else if (step0 == sizeof(double)) {
+            I_C[0] = PACKED_IN(item0 + entries0[0], 0);
+            I_C[1] = PACKED_IN(item0 + entries0[1], 0);
+            I_C[2] = PACKED_IN(item0 + entries0[2], 0);
+            I_C[3] = PACKED_IN(item0 + entries0[3], 0);
+            I_C[4] = PACKED_IN(item0 + entries0[4], 0);
+            I_C[5] = PACKED_IN(item0 + entries0[5], 0);
+            I_C[6] = PACKED_IN(item0 + entries0[6], 0);
+            I_C[7] = PACKED_IN(item0 + entries0[7], 0);
+            I_C[8] = PACKED_IN(item0 + entries0[8], 0);
+        } else {
+            doubles all[9];
+            take_each(item0, entries0, step0, 9, all);
+            I_C[0] = all[0];
+            I_C[1] = all[1];
+            I_C[2] = all[2];
+            I_C[3] = all[3];
+            I_C[4] = all[4];
+            I_C[5] = all[5];
+            I_C[6] = all[6];
+            I_C[7] = all[7];
+            I_C[8] = all[8];
+        }
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -976,12 +1846,42 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_block)(
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
-        take_3(item2, 0, 6, down2, across2, step2, t);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &t[0]);
+        } else if (step2 == sizeof(double)) {
+            t[0] = PACKED_IN(item2 + entries2[0], 0);
+            t[1] = PACKED_IN(item2 + entries2[1], 0);
+            t[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[6];
+            take_each(item2, entries2, step2, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+        }
         doubles w[6];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 6);
-        take_4(item3, 0, 6, down3, across3, step3, w);
-        take_2(item3, 4, 6, down3, across3, step3, &w[4]);
+        if (dense3) {
+            load_4(item3 + 0 * sizeof(double), step3, &w[0]);
+            load_2(item3 + 4 * sizeof(double), step3, &w[4]);
+        } else if (step3 == sizeof(double)) {
+            w[0] = PACKED_IN(item3 + entries3[0], 0);
+            w[1] = PACKED_IN(item3 + entries3[1], 0);
+            w[2] = PACKED_IN(item3 + entries3[2], 0);
+            w[3] = PACKED_IN(item3 + entries3[3], 0);
+            w[4] = PACKED_IN(item3 + entries3[4], 0);
+            w[5] = PACKED_IN(item3 + entries3[5], 0);
+        } else {
+            doubles all[6];
+            take_each(item3, entries3, step3, 6, all);
+            w[0] = all[0];
+            w[1] = all[1];
+            w[2] = all[2];
+            w[3] = all[3];
+            w[4] = all[4];
+            w[5] = all[5];
+        }
         const doubles t1 = choose(less(I_C[0], spread(0.0)), -I_C[0], I_C[0]);
         const doubles t2 = choose(less(I_C[1], spread(0.0)), -I_C[1], I_C[1]);
         const doubles t3 = choose(less(t1, t2), t2, t1);
@@ -1035,8 +1935,20 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_block)(
         const doubles t_dot2 = t41 * (t44 + t33 * (t19 * t23 - t20 * t22)) / t18;
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 6);
-        give_4(item4, 0, 6, down4, across4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
-        give_2(item4, 4, 6, down4, across4, step4, t_dot4, t_dot5);
+        if (dense4) {
+            store_4(item4 + 0 * sizeof(double), step4, t_dot0, t_dot1, t_dot2, t_dot3);
+            store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
+        } else if (step4 == sizeof(double)) {
+            PACKED(item4 + entries4[0], 0) = t_dot0;
+            PACKED(item4 + entries4[1], 0) = t_dot1;
+            PACKED(item4 + entries4[2], 0) = t_dot2;
+            PACKED(item4 + entries4[3], 0) = t_dot3;
+            PACKED(item4 + entries4[4], 0) = t_dot4;
+            PACKED(item4 + entries4[5], 0) = t_dot5;
+        } else {
+            const doubles all[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
+            give_each(item4, entries4, step4, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1049,30 +1961,54 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries0[9];
+    const int dense0 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 6 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(float));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
+    ptrdiff_t entries4[6];
+    const int dense4 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 9);
-        take_4f(item0, 0, 3, down0, across0, step0, I_C);
-        take_4f(item0, 4, 3, down0, across0, step0, &I_C[4]);
-        take_1f(item0, 8, 3, down0, across0, step0, &I_C[8]);
+        if (dense0) {
+            load_4f(item0 + 0 * sizeof(float), step0, &I_C[0]);
+            load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
+            load_1f(item0 + 8 * sizeof(float), step0, &I_C[8]);
+        } else if (step0 == sizeof(float)) {
+            I_C[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            I_C[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            I_C[2] = PACKEDF_IN(item0 + entries0[2], 0);
+            I_C[3] = PACKEDF_IN(item0 + entries0[3], 0);
+            I_C[4] = PACKEDF_IN(item0 + entries0[4], 0);
+            I_C[5] = PACKEDF_IN(item0 + entries0[5], 0);
+            I_C[6] = PACKEDF_IN(item0 + entries0[6], 0);
+            I_C[7] = PACKEDF_IN(item0 + entries0[7], 0);
+            I_C[8] = PACKEDF_IN(item0 + entries0[8], 0);
+        } else {
+            floats all[9];
+            take_eachf(item0, entries0, step0, 9, all);
+            I_C[0] = all[0];
+            I_C[1] = all[1];
+            I_C[2] = all[2];
+            I_C[3] = all[3];
+            I_C[4] = all[4];
+            I_C[5] = all[5];
+            I_C[6] = all[6];
+            I_C[7] = all[7];
+            I_C[8] = all[8];
+        }
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -1080,12 +2016,42 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_blockf)(
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
-        take_3f(item2, 0, 6, down2, across2, step2, t);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &t[0]);
+        } else if (step2 == sizeof(float)) {
+            t[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            t[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            t[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[6];
+            take_eachf(item2, entries2, step2, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+        }
         floats w[6];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 6);
-        take_4f(item3, 0, 6, down3, across3, step3, w);
-        take_2f(item3, 4, 6, down3, across3, step3, &w[4]);
+        if (dense3) {
+            load_4f(item3 + 0 * sizeof(float), step3, &w[0]);
+            load_2f(item3 + 4 * sizeof(float), step3, &w[4]);
+        } else if (step3 == sizeof(float)) {
+            w[0] = PACKEDF_IN(item3 + entries3[0], 0);
+            w[1] = PACKEDF_IN(item3 + entries3[1], 0);
+            w[2] = PACKEDF_IN(item3 + entries3[2], 0);
+            w[3] = PACKEDF_IN(item3 + entries3[3], 0);
+            w[4] = PACKEDF_IN(item3 + entries3[4], 0);
+            w[5] = PACKEDF_IN(item3 + entries3[5], 0);
+        } else {
+            floats all[6];
+            take_eachf(item3, entries3, step3, 6, all);
+            w[0] = all[0];
+            w[1] = all[1];
+            w[2] = all[2];
+            w[3] = all[3];
+            w[4] = all[4];
+            w[5] = all[5];
+        }
         const floats t1 = choosef(lessf(I_C[0], spreadf(0.0f)), -I_C[0], I_C[0]);
         const floats t2 = choosef(lessf(I_C[1], spreadf(0.0f)), -I_C[1], I_C[1]);
         const floats t3 = choosef(lessf(t1, t2), t2, t1);
@@ -1140,8 +2106,20 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_blockf)(
         const floats t_dot2 = t42 * (t45 + t33 * (t19 * t23 - t20 * t22)) / t18;
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 6);
-        give_4f(item4, 0, 6, down4, across4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
-        give_2f(item4, 4, 6, down4, across4, step4, t_dot4, t_dot5);
+        if (dense4) {
+            store_4f(item4 + 0 * sizeof(float), step4, t_dot0, t_dot1, t_dot2, t_dot3);
+            store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
+        } else if (step4 == sizeof(float)) {
+            PACKEDF(item4 + entries4[0], 0) = t_dot0;
+            PACKEDF(item4 + entries4[1], 0) = t_dot1;
+            PACKEDF(item4 + entries4[2], 0) = t_dot2;
+            PACKEDF(item4 + entries4[3], 0) = t_dot3;
+            PACKEDF(item4 + entries4[4], 0) = t_dot4;
+            PACKEDF(item4 + entries4[5], 0) = t_dot5;
+        } else {
+            const floats all[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
+            give_eachf(item4, entries4, step4, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1154,29 +2132,47 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 6 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries0[6];
+    const int dense0 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 6 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(double));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(double));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
+    ptrdiff_t entries4[6];
+    const int dense4 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 6);
-        take_4(item0, 0, 6, down0, across0, step0, I_C);
-        take_2(item0, 4, 6, down0, across0, step0, &I_C[4]);
+        if (dense0) {
+            load_4(item0 + 0 * sizeof(double), step0, &I_C[0]);
+            load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
+        } else if (step0 == sizeof(double)) {
+            I_C[0] = PACKED_IN(item0 + entries0[0], 0);
+            I_C[1] = PACKED_IN(item0 + entries0[1], 0);
+            I_C[2] = PACKED_IN(item0 + entries0[2], 0);
+            I_C[3] = PACKED_IN(item0 + entries0[3], 0);
+            I_C[4] = PACKED_IN(item0 + entries0[4], 0);
+            I_C[5] = PACKED_IN(item0 + entries0[5], 0);
+        } else {
+            doubles all[6];
+            take_each(item0, entries0, step0, 6, all);
+            I_C[0] = all[0];
+            I_C[1] = all[1];
+            I_C[2] = all[2];
+            I_C[3] = all[3];
+            I_C[4] = all[4];
+            I_C[5] = all[5];
+        }
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -1184,12 +2180,42 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_block)(
         doubles t[6];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 6);
-        take_3(item2, 0, 6, down2, across2, step2, t);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &t[0]);
+        } else if (step2 == sizeof(double)) {
+            t[0] = PACKED_IN(item2 + entries2[0], 0);
+            t[1] = PACKED_IN(item2 + entries2[1], 0);
+            t[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[6];
+            take_each(item2, entries2, step2, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+        }
         doubles w[6];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 6);
-        take_4(item3, 0, 6, down3, across3, step3, w);
-        take_2(item3, 4, 6, down3, across3, step3, &w[4]);
+        if (dense3) {
+            load_4(item3 + 0 * sizeof(double), step3, &w[0]);
+            load_2(item3 + 4 * sizeof(double), step3, &w[4]);
+        } else if (step3 == sizeof(double)) {
+            w[0] = PACKED_IN(item3 + entries3[0], 0);
+            w[1] = PACKED_IN(item3 + entries3[1], 0);
+            w[2] = PACKED_IN(item3 + entries3[2], 0);
+            w[3] = PACKED_IN(item3 + entries3[3], 0);
+            w[4] = PACKED_IN(item3 + entries3[4], 0);
+            w[5] = PACKED_IN(item3 + entries3[5], 0);
+        } else {
+            doubles all[6];
+            take_each(item3, entries3, step3, 6, all);
+            w[0] = all[0];
+            w[1] = all[1];
+            w[2] = all[2];
+            w[3] = all[3];
+            w[4] = all[4];
+            w[5] = all[5];
+        }
         const doubles t1 = choose(less(I_C[0], spread(0.0)), -I_C[0], I_C[0]);
         const doubles t2 = choose(less(I_C[1], spread(0.0)), -I_C[1], I_C[1]);
         const doubles t3 = choose(less(t1, t2), t2, t1);
@@ -1232,8 +2258,20 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_block)(
         const doubles t_dot2 = t33 * (t22 * t27 + t23 * t28 + t24 * (t13 * t16 - t14 * t14)) / t12;
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 6);
-        give_4(item4, 0, 6, down4, across4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
-        give_2(item4, 4, 6, down4, across4, step4, t_dot4, t_dot5);
+        if (dense4) {
+            store_4(item4 + 0 * sizeof(double), step4, t_dot0, t_dot1, t_dot2, t_dot3);
+            store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
+        } else if (step4 == sizeof(double)) {
+            PACKED(item4 + entries4[0], 0) = t_dot0;
+            PACKED(item4 + entries4[1], 0) = t_dot1;
+            PACKED(item4 + entries4[2], 0) = t_dot2;
+            PACKED(item4 + entries4[3], 0) = t_dot3;
+            PACKED(item4 + entries4[4], 0) = t_dot4;
+            PACKED(item4 + entries4[5], 0) = t_dot5;
+        } else {
+            const doubles all[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
+            give_each(item4, entries4, step4, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1246,29 +2284,47 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 6 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries0[6];
+    const int dense0 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 6 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 6 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
+    ptrdiff_t entries2[6];
+    const int dense2 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 6 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 6 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
+    ptrdiff_t entries3[6];
+    const int dense3 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 6 * sizeof(float));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(float));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
+    ptrdiff_t entries4[6];
+    const int dense4 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 6);
-        take_4f(item0, 0, 6, down0, across0, step0, I_C);
-        take_2f(item0, 4, 6, down0, across0, step0, &I_C[4]);
+        if (dense0) {
+            load_4f(item0 + 0 * sizeof(float), step0, &I_C[0]);
+            load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
+        } else if (step0 == sizeof(float)) {
+            I_C[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            I_C[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            I_C[2] = PACKEDF_IN(item0 + entries0[2], 0);
+            I_C[3] = PACKEDF_IN(item0 + entries0[3], 0);
+            I_C[4] = PACKEDF_IN(item0 + entries0[4], 0);
+            I_C[5] = PACKEDF_IN(item0 + entries0[5], 0);
+        } else {
+            floats all[6];
+            take_eachf(item0, entries0, step0, 6, all);
+            I_C[0] = all[0];
+            I_C[1] = all[1];
+            I_C[2] = all[2];
+            I_C[3] = all[3];
+            I_C[4] = all[4];
+            I_C[5] = all[5];
+        }
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -1276,12 +2332,42 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_blockf)(
         floats t[6];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 6);
-        take_3f(item2, 0, 6, down2, across2, step2, t);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &t[0]);
+        } else if (step2 == sizeof(float)) {
+            t[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            t[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            t[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[6];
+            take_eachf(item2, entries2, step2, 6, all);
+            t[0] = all[0];
+            t[1] = all[1];
+            t[2] = all[2];
+        }
         floats w[6];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 6);
-        take_4f(item3, 0, 6, down3, across3, step3, w);
-        take_2f(item3, 4, 6, down3, across3, step3, &w[4]);
+        if (dense3) {
+            load_4f(item3 + 0 * sizeof(float), step3, &w[0]);
+            load_2f(item3 + 4 * sizeof(float), step3, &w[4]);
+        } else if (step3 == sizeof(float)) {
+            w[0] = PACKEDF_IN(item3 + entries3[0], 0);
+            w[1] = PACKEDF_IN(item3 + entries3[1], 0);
+            w[2] = PACKEDF_IN(item3 + entries3[2], 0);
+            w[3] = PACKEDF_IN(item3 + entries3[3], 0);
+            w[4] = PACKEDF_IN(item3 + entries3[4], 0);
+            w[5] = PACKEDF_IN(item3 + entries3[5], 0);
+        } else {
+            floats all[6];
+            take_eachf(item3, entries3, step3, 6, all);
+            w[0] = all[0];
+            w[1] = all[1];
+            w[2] = all[2];
+            w[3] = all[3];
+            w[4] = all[4];
+            w[5] = all[5];
+        }
         const floats t1 = choosef(lessf(I_C[0], spreadf(0.0f)), -I_C[0], I_C[0]);
         const floats t2 = choosef(lessf(I_C[1], spreadf(0.0f)), -I_C[1], I_C[1]);
         const floats t3 = choosef(lessf(t1, t2), t2, t1);
@@ -1325,8 +2411,20 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_blockf)(
         const floats t_dot2 = t34 * (t22 * t27 + t23 * t28 + t24 * (t13 * t16 - t14 * t14)) / t12;
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 6);
-        give_4f(item4, 0, 6, down4, across4, step4, t_dot0, t_dot1, t_dot2, t_dot3);
-        give_2f(item4, 4, 6, down4, across4, step4, t_dot4, t_dot5);
+        if (dense4) {
+            store_4f(item4 + 0 * sizeof(float), step4, t_dot0, t_dot1, t_dot2, t_dot3);
+            store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
+        } else if (step4 == sizeof(float)) {
+            PACKEDF(item4 + entries4[0], 0) = t_dot0;
+            PACKEDF(item4 + entries4[1], 0) = t_dot1;
+            PACKEDF(item4 + entries4[2], 0) = t_dot2;
+            PACKEDF(item4 + entries4[3], 0) = t_dot3;
+            PACKEDF(item4 + entries4[4], 0) = t_dot4;
+            PACKEDF(item4 + entries4[5], 0) = t_dot5;
+        } else {
+            const floats all[] = {t_dot0, t_dot1, t_dot2, t_dot3, t_dot4, t_dot5};
+            give_eachf(item4, entries4, step4, 6, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1339,30 +2437,54 @@ void CHASLES_LEVELED(chasles_inertia_dyad_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries0[9];
+    const int dense0 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 3 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
+    ptrdiff_t entries3[3];
+    const int dense3 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 36 * sizeof(double));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(double));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
+    ptrdiff_t entries4[36];
+    const int dense4 = CHASLES_DENSE(find_entries(36, 6, sizeof(double), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[9];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 9);
-        take_4(item0, 0, 3, down0, across0, step0, I_C);
-        take_4(item0, 4, 3, down0, across0, step0, &I_C[4]);
-        take_1(item0, 8, 3, down0, across0, step0, &I_C[8]);
+        if (dense0) {
+            load_4(item0 + 0 * sizeof(double), step0, &I_C[0]);
+            load_4(item0 + 4 * sizeof(double), step0, &I_C[4]);
+            load_1(item0 + 8 * sizeof(double), step0, &I_C[8]);
+        } else if (step0 == sizeof(double)) {
+            I_C[0] = PACKED_IN(item0 + entries0[0], 0);
+            I_C[1] = PACKED_IN(item0 + entries0[1], 0);
+            I_C[2] = PACKED_IN(item0 + entries0[2], 0);
+            I_C[3] = PACKED_IN(item0 + entries0[3], 0);
+            I_C[4] = PACKED_IN(item0 + entries0[4], 0);
+            I_C[5] = PACKED_IN(item0 + entries0[5], 0);
+            I_C[6] = PACKED_IN(item0 + entries0[6], 0);
+            I_C[7] = PACKED_IN(item0 + entries0[7], 0);
+            I_C[8] = PACKED_IN(item0 + entries0[8], 0);
+        } else {
+            doubles all[9];
+            take_each(item0, entries0, step0, 9, all);
+            I_C[0] = all[0];
+            I_C[1] = all[1];
+            I_C[2] = all[2];
+            I_C[3] = all[3];
+            I_C[4] = all[4];
+            I_C[5] = all[5];
+            I_C[6] = all[6];
+            I_C[7] = all[7];
+            I_C[8] = all[8];
+        }
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -1370,11 +2492,35 @@ void CHASLES_LEVELED(chasles_inertia_dyad_block)(
         doubles c[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        take_3(item2, 0, 3, down2, across2, step2, c);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &c[0]);
+        } else if (step2 == sizeof(double)) {
+            c[0] = PACKED_IN(item2 + entries2[0], 0);
+            c[1] = PACKED_IN(item2 + entries2[1], 0);
+            c[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item2, entries2, step2, 3, all);
+            c[0] = all[0];
+            c[1] = all[1];
+            c[2] = all[2];
+        }
         doubles a[3];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 3);
-        take_3(item3, 0, 3, down3, across3, step3, a);
+        if (dense3) {
+            load_3(item3 + 0 * sizeof(double), step3, &a[0]);
+        } else if (step3 == sizeof(double)) {
+            a[0] = PACKED_IN(item3 + entries3[0], 0);
+            a[1] = PACKED_IN(item3 + entries3[1], 0);
+            a[2] = PACKED_IN(item3 + entries3[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item3, entries3, step3, 3, all);
+            a[0] = all[0];
+            a[1] = all[1];
+            a[2] = all[2];
+        }
         const doubles M_A21 = m;
         const doubles t1 = a[0] - c[0];
         const doubles t2 = a[1] - c[1];
@@ -1402,15 +2548,93 @@ void CHASLES_LEVELED(chasles_inertia_dyad_block)(
         const doubles M_A14 = I_C[8] + (t4 + t7);
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 36);
-        give_4(item4, 0, 6, down4, across4, step4, M_A0, M_A1, M_A2, spread(0.0));
-        give_4(item4, 4, 6, down4, across4, step4, M_A4, M_A5, M_A6, M_A7);
-        give_4(item4, 8, 6, down4, across4, step4, M_A8, M_A9, spread(0.0), M_A11);
-        give_4(item4, 12, 6, down4, across4, step4, M_A12, M_A13, M_A14, M_A15);
-        give_4(item4, 16, 6, down4, across4, step4, M_A16, spread(0.0), spread(0.0), M_A9);
-        give_4(item4, 20, 6, down4, across4, step4, M_A15, M_A21, spread(0.0), spread(0.0));
-        give_4(item4, 24, 6, down4, across4, step4, M_A4, spread(0.0), M_A16, spread(0.0));
-        give_4(item4, 28, 6, down4, across4, step4, M_A21, spread(0.0), M_A5, M_A11);
-        give_4(item4, 32, 6, down4, across4, step4, spread(0.0), spread(0.0), spread(0.0), M_A21);
+        if (dense4) {
+            store_4(item4 + 0 * sizeof(double), step4, M_A0, M_A1, M_A2, spread(0.0));
+            store_4(item4 + 4 * sizeof(double), step4, M_A4, M_A5, M_A6, M_A7);
+            store_4(item4 + 8 * sizeof(double), step4, M_A8, M_A9, spread(0.0), M_A11);
+            store_4(item4 + 12 * sizeof(double), step4, M_A12, M_A13, M_A14, M_A15);
+            store_4(item4 + 16 * sizeof(double), step4, M_A16, spread(0.0), spread(0.0), M_A9);
+            store_4(item4 + 20 * sizeof(double), step4, M_A15, M_A21, spread(0.0), spread(0.0));
+            store_4(item4 + 24 * sizeof(double), step4, M_A4, spread(0.0), M_A16, spread(0.0));
+            store_4(item4 + 28 * sizeof(double), step4, M_A21, spread(0.0), M_A5, M_A11);
+            store_4(item4 + 32 * sizeof(double), step4, spread(0.0), spread(0.0), spread(0.0), M_A21);
+        } else if (step4 == sizeof(double)) {
+            PACKED(item4 + entries4[0], 0) = M_A0;
+            PACKED(item4 + entries4[1], 0) = M_A1;
+            PACKED(item4 + entries4[2], 0) = M_A2;
+            PACKED(item4 + entries4[3], 0) = spread(0.0);
+            PACKED(item4 + entries4[4], 0) = M_A4;
+            PACKED(item4 + entries4[5], 0) = M_A5;
+            PACKED(item4 + entries4[6], 0) = M_A6;
+            PACKED(item4 + entries4[7], 0) = M_A7;
+            PACKED(item4 + entries4[8], 0) = M_A8;
+            PACKED(item4 + entries4[9], 0) = M_A9;
+            PACKED(item4 + entries4[10], 0) = spread(0.0);
+            PACKED(item4 + entries4[11], 0) = M_A11;
+            PACKED(item4 + entries4[12], 0) = M_A12;
+            PACKED(item4 + entries4[13], 0) = M_A13;
+            PACKED(item4 + entries4[14], 0) = M_A14;
+            PACKED(item4 + entries4[15], 0) = M_A15;
+            PACKED(item4 + entries4[16], 0) = M_A16;
+            PACKED(item4 + entries4[17], 0) = spread(0.0);
+            PACKED(item4 + entries4[18], 0) = spread(0.0);
+            PACKED(item4 + entries4[19], 0) = M_A9;
+            PACKED(item4 + entries4[20], 0) = M_A15;
+            PACKED(item4 + entries4[21], 0) = M_A21;
+            PACKED(item4 + entries4[22], 0) = spread(0.0);
+            PACKED(item4 + entries4[23], 0) = spread(0.0);
+            PACKED(item4 + entries4[24], 0) = M_A4;
+            PACKED(item4 + entries4[25], 0) = spread(0.0);
+            PACKED(item4 + entries4[26], 0) = M_A16;
+            PACKED(item4 + entries4[27], 0) = spread(0.0);
+            PACKED(item4 + entries4[28], 0) = M_A21;
+            PACKED(item4 + entries4[29], 0) = spread(0.0);
+            PACKED(item4 + entries4[30], 0) = M_A5;
+            PACKED(item4 + entries4[31], 0) = M_A11;
+            PACKED(item4 + entries4[32], 0) = spread(0.0);
+            PACKED(item4 + entries4[33], 0) = spread(0.0);
+            PACKED(item4 + entries4[34], 0) = spread(0.0);
+            PACKED(item4 + entries4[35], 0) = M_A21;
+        } else {
+            const doubles all[] = {
+            M_A0,
+            M_A1,
+            M_A2,
+            spread(0.0),
+            M_A4,
+            M_A5,
+            M_A6,
+            M_A7,
+            M_A8,
+            M_A9,
+            spread(0.0),
+            M_A11,
+            M_A12,
+            M_A13,
+            M_A14,
+            M_A15,
+            M_A16,
+            spread(0.0),
+            spread(0.0),
+            M_A9,
+            M_A15,
+            M_A21,
+            spread(0.0),
+            spread(0.0),
+            M_A4,
+            spread(0.0),
+            M_A16,
+            spread(0.0),
+            M_A21,
+            spread(0.0),
+            M_A5,
+            M_A11,
+            spread(0.0),
+            spread(0.0),
+            spread(0.0),
+            M_A21};
+            give_each(item4, entries4, step4, 36, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1423,30 +2647,54 @@ void CHASLES_LEVELED(chasles_inertia_dyad_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 9 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries0[9];
+    const int dense0 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 3 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
+    ptrdiff_t entries3[3];
+    const int dense3 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 36 * sizeof(float));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(float));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
+    ptrdiff_t entries4[36];
+    const int dense4 = CHASLES_DENSE(find_entries(36, 6, sizeof(float), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[9];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 9);
-        take_4f(item0, 0, 3, down0, across0, step0, I_C);
-        take_4f(item0, 4, 3, down0, across0, step0, &I_C[4]);
-        take_1f(item0, 8, 3, down0, across0, step0, &I_C[8]);
+        if (dense0) {
+            load_4f(item0 + 0 * sizeof(float), step0, &I_C[0]);
+            load_4f(item0 + 4 * sizeof(float), step0, &I_C[4]);
+            load_1f(item0 + 8 * sizeof(float), step0, &I_C[8]);
+        } else if (step0 == sizeof(float)) {
+            I_C[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            I_C[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            I_C[2] = PACKEDF_IN(item0 + entries0[2], 0);
+            I_C[3] = PACKEDF_IN(item0 + entries0[3], 0);
+            I_C[4] = PACKEDF_IN(item0 + entries0[4], 0);
+            I_C[5] = PACKEDF_IN(item0 + entries0[5], 0);
+            I_C[6] = PACKEDF_IN(item0 + entries0[6], 0);
+            I_C[7] = PACKEDF_IN(item0 + entries0[7], 0);
+            I_C[8] = PACKEDF_IN(item0 + entries0[8], 0);
+        } else {
+            floats all[9];
+            take_eachf(item0, entries0, step0, 9, all);
+            I_C[0] = all[0];
+            I_C[1] = all[1];
+            I_C[2] = all[2];
+            I_C[3] = all[3];
+            I_C[4] = all[4];
+            I_C[5] = all[5];
+            I_C[6] = all[6];
+            I_C[7] = all[7];
+            I_C[8] = all[8];
+        }
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -1454,11 +2702,35 @@ void CHASLES_LEVELED(chasles_inertia_dyad_blockf)(
         floats c[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        take_3f(item2, 0, 3, down2, across2, step2, c);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &c[0]);
+        } else if (step2 == sizeof(float)) {
+            c[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            c[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            c[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item2, entries2, step2, 3, all);
+            c[0] = all[0];
+            c[1] = all[1];
+            c[2] = all[2];
+        }
         floats a[3];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 3);
-        take_3f(item3, 0, 3, down3, across3, step3, a);
+        if (dense3) {
+            load_3f(item3 + 0 * sizeof(float), step3, &a[0]);
+        } else if (step3 == sizeof(float)) {
+            a[0] = PACKEDF_IN(item3 + entries3[0], 0);
+            a[1] = PACKEDF_IN(item3 + entries3[1], 0);
+            a[2] = PACKEDF_IN(item3 + entries3[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item3, entries3, step3, 3, all);
+            a[0] = all[0];
+            a[1] = all[1];
+            a[2] = all[2];
+        }
         const floats M_A21 = m;
         const floats t1 = a[0] - c[0];
         const floats t2 = a[1] - c[1];
@@ -1486,15 +2758,93 @@ void CHASLES_LEVELED(chasles_inertia_dyad_blockf)(
         const floats M_A14 = I_C[8] + (t4 + t7);
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 36);
-        give_4f(item4, 0, 6, down4, across4, step4, M_A0, M_A1, M_A2, spreadf(0.0f));
-        give_4f(item4, 4, 6, down4, across4, step4, M_A4, M_A5, M_A6, M_A7);
-        give_4f(item4, 8, 6, down4, across4, step4, M_A8, M_A9, spreadf(0.0f), M_A11);
-        give_4f(item4, 12, 6, down4, across4, step4, M_A12, M_A13, M_A14, M_A15);
-        give_4f(item4, 16, 6, down4, across4, step4, M_A16, spreadf(0.0f), spreadf(0.0f), M_A9);
-        give_4f(item4, 20, 6, down4, across4, step4, M_A15, M_A21, spreadf(0.0f), spreadf(0.0f));
-        give_4f(item4, 24, 6, down4, across4, step4, M_A4, spreadf(0.0f), M_A16, spreadf(0.0f));
-        give_4f(item4, 28, 6, down4, across4, step4, M_A21, spreadf(0.0f), M_A5, M_A11);
-        give_4f(item4, 32, 6, down4, across4, step4, spreadf(0.0f), spreadf(0.0f), spreadf(0.0f), M_A21);
+        if (dense4) {
+            store_4f(item4 + 0 * sizeof(float), step4, M_A0, M_A1, M_A2, spreadf(0.0f));
+            store_4f(item4 + 4 * sizeof(float), step4, M_A4, M_A5, M_A6, M_A7);
+            store_4f(item4 + 8 * sizeof(float), step4, M_A8, M_A9, spreadf(0.0f), M_A11);
+            store_4f(item4 + 12 * sizeof(float), step4, M_A12, M_A13, M_A14, M_A15);
+            store_4f(item4 + 16 * sizeof(float), step4, M_A16, spreadf(0.0f), spreadf(0.0f), M_A9);
+            store_4f(item4 + 20 * sizeof(float), step4, M_A15, M_A21, spreadf(0.0f), spreadf(0.0f));
+            store_4f(item4 + 24 * sizeof(float), step4, M_A4, spreadf(0.0f), M_A16, spreadf(0.0f));
+            store_4f(item4 + 28 * sizeof(float), step4, M_A21, spreadf(0.0f), M_A5, M_A11);
+            store_4f(item4 + 32 * sizeof(float), step4, spreadf(0.0f), spreadf(0.0f), spreadf(0.0f), M_A21);
+        } else if (step4 == sizeof(float)) {
+            PACKEDF(item4 + entries4[0], 0) = M_A0;
+            PACKEDF(item4 + entries4[1], 0) = M_A1;
+            PACKEDF(item4 + entries4[2], 0) = M_A2;
+            PACKEDF(item4 + entries4[3], 0) = spreadf(0.0f);
+            PACKEDF(item4 + entries4[4], 0) = M_A4;
+            PACKEDF(item4 + entries4[5], 0) = M_A5;
+            PACKEDF(item4 + entries4[6], 0) = M_A6;
+            PACKEDF(item4 + entries4[7], 0) = M_A7;
+            PACKEDF(item4 + entries4[8], 0) = M_A8;
+            PACKEDF(item4 + entries4[9], 0) = M_A9;
+            PACKEDF(item4 + entries4[10], 0) = spreadf(0.0f);
+            PACKEDF(item4 + entries4[11], 0) = M_A11;
+            PACKEDF(item4 + entries4[12], 0) = M_A12;
+            PACKEDF(item4 + entries4[13], 0) = M_A13;
+            PACKEDF(item4 + entries4[14], 0) = M_A14;
+            PACKEDF(item4 + entries4[15], 0) = M_A15;
+            PACKEDF(item4 + entries4[16], 0) = M_A16;
+            PACKEDF(item4 + entries4[17], 0) = spreadf(0.0f);
+            PACKEDF(item4 + entries4[18], 0) = spreadf(0.0f);
+            PACKEDF(item4 + entries4[19], 0) = M_A9;
+            PACKEDF(item4 + entries4[20], 0) = M_A15;
+            PACKEDF(item4 + entries4[21], 0) = M_A21;
+            PACKEDF(item4 + entries4[22], 0) = spreadf(0.0f);
+            PACKEDF(item4 + entries4[23], 0) = spreadf(0.0f);
+            PACKEDF(item4 + entries4[24], 0) = M_A4;
+            PACKEDF(item4 + entries4[25], 0) = spreadf(0.0f);
+            PACKEDF(item4 + entries4[26], 0) = M_A16;
+            PACKEDF(item4 + entries4[27], 0) = spreadf(0.0f);
+            PACKEDF(item4 + entries4[28], 0) = M_A21;
+            PACKEDF(item4 + entries4[29], 0) = spreadf(0.0f);
+            PACKEDF(item4 + entries4[30], 0) = M_A5;
+            PACKEDF(item4 + entries4[31], 0) = M_A11;
+            PACKEDF(item4 + entries4[32], 0) = spreadf(0.0f);
+            PACKEDF(item4 + entries4[33], 0) = spreadf(0.0f);
+            PACKEDF(item4 + entries4[34], 0) = spreadf(0.0f);
+            PACKEDF(item4 + entries4[35], 0) = M_A21;
+        } else {
+            const floats all[] = {
+            M_A0,
+            M_A1,
+            M_A2,
+            spreadf(0.0f),
+            M_A4,
+            M_A5,
+            M_A6,
+            M_A7,
+            M_A8,
+            M_A9,
+            spreadf(0.0f),
+            M_A11,
+            M_A12,
+            M_A13,
+            M_A14,
+            M_A15,
+            M_A16,
+            spreadf(0.0f),
+            spreadf(0.0f),
+            M_A9,
+            M_A15,
+            M_A21,
+            spreadf(0.0f),
+            spreadf(0.0f),
+            M_A4,
+            spreadf(0.0f),
+            M_A16,
+            spreadf(0.0f),
+            M_A21,
+            spreadf(0.0f),
+            M_A5,
+            M_A11,
+            spreadf(0.0f),
+            spreadf(0.0f),
+            spreadf(0.0f),
+            M_A21};
+            give_eachf(item4, entries4, step4, 36, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1507,29 +2857,47 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 6 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries0[6];
+    const int dense0 = CHASLES_DENSE(find_entries(6, 6, sizeof(double), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(double));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 3 * sizeof(double));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(double));
+    ptrdiff_t entries3[3];
+    const int dense3 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 36 * sizeof(double));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(double));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(double));
+    ptrdiff_t entries4[36];
+    const int dense4 = CHASLES_DENSE(find_entries(36, 6, sizeof(double), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         doubles I_C[6];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 6);
-        take_4(item0, 0, 6, down0, across0, step0, I_C);
-        take_2(item0, 4, 6, down0, across0, step0, &I_C[4]);
+        if (dense0) {
+            load_4(item0 + 0 * sizeof(double), step0, &I_C[0]);
+            load_2(item0 + 4 * sizeof(double), step0, &I_C[4]);
+        } else if (step0 == sizeof(double)) {
+            I_C[0] = PACKED_IN(item0 + entries0[0], 0);
+            I_C[1] = PACKED_IN(item0 + entries0[1], 0);
+            I_C[2] = PACKED_IN(item0 + entries0[2], 0);
+            I_C[3] = PACKED_IN(item0 + entries0[3], 0);
+            I_C[4] = PACKED_IN(item0 + entries0[4], 0);
+            I_C[5] = PACKED_IN(item0 + entries0[5], 0);
+        } else {
+            doubles all[6];
+            take_each(item0, entries0, step0, 6, all);
+            I_C[0] = all[0];
+            I_C[1] = all[1];
+            I_C[2] = all[2];
+            I_C[3] = all[3];
+            I_C[4] = all[4];
+            I_C[5] = all[5];
+        }
         doubles m;
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 1);
@@ -1537,11 +2905,35 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_block)(
         doubles c[3];
         const char *const item2 = at2 + g * LANES * step2;
         prefetch(item2, 3);
-        take_3(item2, 0, 3, down2, across2, step2, c);
+        if (dense2) {
+            load_3(item2 + 0 * sizeof(double), step2, &c[0]);
+        } else if (step2 == sizeof(double)) {
+            c[0] = PACKED_IN(item2 + entries2[0], 0);
+            c[1] = PACKED_IN(item2 + entries2[1], 0);
+            c[2] = PACKED_IN(item2 + entries2[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item2, entries2, step2, 3, all);
+            c[0] = all[0];
+            c[1] = all[1];
+            c[2] = all[2];
+        }
         doubles a[3];
         const char *const item3 = at3 + g * LANES * step3;
         prefetch(item3, 3);
-        take_3(item3, 0, 3, down3, across3, step3, a);
+        if (dense3) {
+            load_3(item3 + 0 * sizeof(double), step3, &a[0]);
+        } else if (step3 == sizeof(double)) {
+            a[0] = PACKED_IN(item3 + entries3[0], 0);
+            a[1] = PACKED_IN(item3 + entries3[1], 0);
+            a[2] = PACKED_IN(item3 + entries3[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item3, entries3, step3, 3, all);
+            a[0] = all[0];
+            a[1] = all[1];
+            a[2] = all[2];
+        }
         const doubles M_A21 = m;
         const doubles t1 = a[0] - c[0];
         const doubles t2 = a[1] - c[1];
@@ -1563,15 +2955,93 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_block)(
         const doubles M_A14 = I_C[5] + (t4 + t5);
         char *const item4 = at4 + g * LANES * step4;
         prefetch_to_write(item4, 36);
-        give_4(item4, 0, 6, down4, across4, step4, M_A0, M_A1, M_A2, spread(0.0));
-        give_4(item4, 4, 6, down4, across4, step4, M_A4, M_A5, M_A1, M_A7);
-        give_4(item4, 8, 6, down4, across4, step4, M_A8, M_A9, spread(0.0), M_A11);
-        give_4(item4, 12, 6, down4, across4, step4, M_A2, M_A8, M_A14, M_A15);
-        give_4(item4, 16, 6, down4, across4, step4, M_A16, spread(0.0), spread(0.0), M_A9);
-        give_4(item4, 20, 6, down4, across4, step4, M_A15, M_A21, spread(0.0), spread(0.0));
-        give_4(item4, 24, 6, down4, across4, step4, M_A4, spread(0.0), M_A16, spread(0.0));
-        give_4(item4, 28, 6, down4, across4, step4, M_A21, spread(0.0), M_A5, M_A11);
-        give_4(item4, 32, 6, down4, across4, step4, spread(0.0), spread(0.0), spread(0.0), M_A21);
+        if (dense4) {
+            store_4(item4 + 0 * sizeof(double), step4, M_A0, M_A1, M_A2, spread(0.0));
+            store_4(item4 + 4 * sizeof(double), step4, M_A4, M_A5, M_A1, M_A7);
+            store_4(item4 + 8 * sizeof(double), step4, M_A8, M_A9, spread(0.0), M_A11);
+            store_4(item4 + 12 * sizeof(double), step4, M_A2, M_A8, M_A14, M_A15);
+            store_4(item4 + 16 * sizeof(double), step4, M_A16, spread(0.0), spread(0.0), M_A9);
+            store_4(item4 + 20 * sizeof(double), step4, M_A15, M_A21, spread(0.0), spread(0.0));
+            store_4(item4 + 24 * sizeof(double), step4, M_A4, spread(0.0), M_A16, spread(0.0));
+            store_4(item4 + 28 * sizeof(double), step4, M_A21, spread(0.0), M_A5, M_A11);
+            store_4(item4 + 32 * sizeof(double), step4, spread(0.0), spread(0.0), spread(0.0), M_A21);
+        } else if (step4 == sizeof(double)) {
+            PACKED(item4 + entries4[0], 0) = M_A0;
+            PACKED(item4 + entries4[1], 0) = M_A1;
+            PACKED(item4 + entries4[2], 0) = M_A2;
+            PACKED(item4 + entries4[3], 0) = spread(0.0);
+            PACKED(item4 + entries4[4], 0) = M_A4;
+            PACKED(item4 + entries4[5], 0) = M_A5;
+            PACKED(item4 + entries4[6], 0) = M_A1;
+            PACKED(item4 + entries4[7], 0) = M_A7;
+            PACKED(item4 + entries4[8], 0) = M_A8;
+            PACKED(item4 + entries4[9], 0) = M_A9;
+            PACKED(item4 + entries4[10], 0) = spread(0.0);
+            PACKED(item4 + entries4[11], 0) = M_A11;
+            PACKED(item4 + entries4[12], 0) = M_A2;
+            PACKED(item4 + entries4[13], 0) = M_A8;
+            PACKED(item4 + entries4[14], 0) = M_A14;
+            PACKED(item4 + entries4[15], 0) = M_A15;
+            PACKED(item4 + entries4[16], 0) = M_A16;
+            PACKED(item4 + entries4[17], 0) = spread(0.0);
+            PACKED(item4 + entries4[18], 0) = spread(0.0);
+            PACKED(item4 + entries4[19], 0) = M_A9;
+            PACKED(item4 + entries4[20], 0) = M_A15;
+            PACKED(item4 + entries4[21], 0) = M_A21;
+            PACKED(item4 + entries4[22], 0) = spread(0.0);
+            PACKED(item4 + entries4[23], 0) = spread(0.0);
+            PACKED(item4 + entries4[24], 0) = M_A4;
+            PACKED(item4 + entries4[25], 0) = spread(0.0);
+            PACKED(item4 + entries4[26], 0) = M_A16;
+            PACKED(item4 + entries4[27], 0) = spread(0.0);
+            PACKED(item4 + entries4[28], 0) = M_A21;
+            PACKED(item4 + entries4[29], 0) = spread(0.0);
+            PACKED(item4 + entries4[30], 0) = M_A5;
+            PACKED(item4 + entries4[31], 0) = M_A11;
+            PACKED(item4 + entries4[32], 0) = spread(0.0);
+            PACKED(item4 + entries4[33], 0) = spread(0.0);
+            PACKED(item4 + entries4[34], 0) = spread(0.0);
+            PACKED(item4 + entries4[35], 0) = M_A21;
+        } else {
+            const doubles all[] = {
+            M_A0,
+            M_A1,
+            M_A2,
+            spread(0.0),
+            M_A4,
+            M_A5,
+            M_A1,
+            M_A7,
+            M_A8,
+            M_A9,
+            spread(0.0),
+            M_A11,
+            M_A2,
+            M_A8,
+            M_A14,
+            M_A15,
+            M_A16,
+            spread(0.0),
+            spread(0.0),
+            M_A9,
+            M_A15,
+            M_A21,
+            spread(0.0),
+            spread(0.0),
+            M_A4,
+            spread(0.0),
+            M_A16,
+            spread(0.0),
+            M_A21,
+            spread(0.0),
+            M_A5,
+            M_A11,
+            spread(0.0),
+            spread(0.0),
+            spread(0.0),
+            M_A21};
+            give_each(item4, entries4, step4, 36, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1584,29 +3054,47 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 6 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(5, 6 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries0[6];
+    const int dense0 = CHASLES_DENSE(find_entries(6, 6, sizeof(float), step0, steps + 5, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 1 * sizeof(float));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(9, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(10, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 9, entries2));
     char *const at3 = at[3];
     const ptrdiff_t step3 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t down3 = CHASLES_STEP(11, 3 * sizeof(float));
-    const ptrdiff_t across3 = CHASLES_STEP(12, 1 * sizeof(float));
+    ptrdiff_t entries3[3];
+    const int dense3 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step3, steps + 11, entries3));
     char *const at4 = at[4];
     const ptrdiff_t step4 = CHASLES_STEP(4, 36 * sizeof(float));
-    const ptrdiff_t down4 = CHASLES_STEP(13, 6 * sizeof(float));
-    const ptrdiff_t across4 = CHASLES_STEP(14, 1 * sizeof(float));
+    ptrdiff_t entries4[36];
+    const int dense4 = CHASLES_DENSE(find_entries(36, 6, sizeof(float), step4, steps + 13, entries4));
     chasles_stream copied = *stream;
     for (ptrdiff_t g = 0; g < groups; g++) {
         floats I_C[6];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 6);
-        take_4f(item0, 0, 6, down0, across0, step0, I_C);
-        take_2f(item0, 4, 6, down0, across0, step0, &I_C[4]);
+        if (dense0) {
+            load_4f(item0 + 0 * sizeof(float), step0, &I_C[0]);
+            load_2f(item0 + 4 * sizeof(float), step0, &I_C[4]);
+        } else if (step0 == sizeof(float)) {
+            I_C[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            I_C[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            I_C[2] = PACKEDF_IN(item0 + entries0[2], 0);
+            I_C[3] = PACKEDF_IN(item0 + entries0[3], 0);
+            I_C[4] = PACKEDF_IN(item0 + entries0[4], 0);
+            I_C[5] = PACKEDF_IN(item0 + entries0[5], 0);
+        } else {
+            floats all[6];
+            take_eachf(item0, entries0, step0, 6, all);
+            I_C[0] = all[0];
+            I_C[1] = all[1];
+            I_C[2] = all[2];
+            I_C[3] = all[3];
+            I_C[4] = all[4];
+            I_C[5] = all[5];
+        }
         floats m;
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 1);
@@ -1614,11 +3102,35 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_blockf)(
         floats c[3];
         const char *const item2 = at2 + g * LANESF * step2;
         prefetch(item2, 3);
-        take_3f(item2, 0, 3, down2, across2, step2, c);
+        if (dense2) {
+            load_3f(item2 + 0 * sizeof(float), step2, &c[0]);
+        } else if (step2 == sizeof(float)) {
+            c[0] = PACKEDF_IN(item2 + entries2[0], 0);
+            c[1] = PACKEDF_IN(item2 + entries2[1], 0);
+            c[2] = PACKEDF_IN(item2 + entries2[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item2, entries2, step2, 3, all);
+            c[0] = all[0];
+            c[1] = all[1];
+            c[2] = all[2];
+        }
         floats a[3];
         const char *const item3 = at3 + g * LANESF * step3;
         prefetch(item3, 3);
-        take_3f(item3, 0, 3, down3, across3, step3, a);
+        if (dense3) {
+            load_3f(item3 + 0 * sizeof(float), step3, &a[0]);
+        } else if (step3 == sizeof(float)) {
+            a[0] = PACKEDF_IN(item3 + entries3[0], 0);
+            a[1] = PACKEDF_IN(item3 + entries3[1], 0);
+            a[2] = PACKEDF_IN(item3 + entries3[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item3, entries3, step3, 3, all);
+            a[0] = all[0];
+            a[1] = all[1];
+            a[2] = all[2];
+        }
         const floats M_A21 = m;
         const floats t1 = a[0] - c[0];
         const floats t2 = a[1] - c[1];
@@ -1640,15 +3152,93 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_blockf)(
         const floats M_A14 = I_C[5] + (t4 + t5);
         char *const item4 = at4 + g * LANESF * step4;
         prefetch_to_write(item4, 36);
-        give_4f(item4, 0, 6, down4, across4, step4, M_A0, M_A1, M_A2, spreadf(0.0f));
-        give_4f(item4, 4, 6, down4, across4, step4, M_A4, M_A5, M_A1, M_A7);
-        give_4f(item4, 8, 6, down4, across4, step4, M_A8, M_A9, spreadf(0.0f), M_A11);
-        give_4f(item4, 12, 6, down4, across4, step4, M_A2, M_A8, M_A14, M_A15);
-        give_4f(item4, 16, 6, down4, across4, step4, M_A16, spreadf(0.0f), spreadf(0.0f), M_A9);
-        give_4f(item4, 20, 6, down4, across4, step4, M_A15, M_A21, spreadf(0.0f), spreadf(0.0f));
-        give_4f(item4, 24, 6, down4, across4, step4, M_A4, spreadf(0.0f), M_A16, spreadf(0.0f));
-        give_4f(item4, 28, 6, down4, across4, step4, M_A21, spreadf(0.0f), M_A5, M_A11);
-        give_4f(item4, 32, 6, down4, across4, step4, spreadf(0.0f), spreadf(0.0f), spreadf(0.0f), M_A21);
+        if (dense4) {
+            store_4f(item4 + 0 * sizeof(float), step4, M_A0, M_A1, M_A2, spreadf(0.0f));
+            store_4f(item4 + 4 * sizeof(float), step4, M_A4, M_A5, M_A1, M_A7);
+            store_4f(item4 + 8 * sizeof(float), step4, M_A8, M_A9, spreadf(0.0f), M_A11);
+            store_4f(item4 + 12 * sizeof(float), step4, M_A2, M_A8, M_A14, M_A15);
+            store_4f(item4 + 16 * sizeof(float), step4, M_A16, spreadf(0.0f), spreadf(0.0f), M_A9);
+            store_4f(item4 + 20 * sizeof(float), step4, M_A15, M_A21, spreadf(0.0f), spreadf(0.0f));
+            store_4f(item4 + 24 * sizeof(float), step4, M_A4, spreadf(0.0f), M_A16, spreadf(0.0f));
+            store_4f(item4 + 28 * sizeof(float), step4, M_A21, spreadf(0.0f), M_A5, M_A11);
+            store_4f(item4 + 32 * sizeof(float), step4, spreadf(0.0f), spreadf(0.0f), spreadf(0.0f), M_A21);
+        } else if (step4 == sizeof(float)) {
+            PACKEDF(item4 + entries4[0], 0) = M_A0;
+            PACKEDF(item4 + entries4[1], 0) = M_A1;
+            PACKEDF(item4 + entries4[2], 0) = M_A2;
+            PACKEDF(item4 + entries4[3], 0) = spreadf(0.0f);
+            PACKEDF(item4 + entries4[4], 0) = M_A4;
+            PACKEDF(item4 + entries4[5], 0) = M_A5;
+            PACKEDF(item4 + entries4[6], 0) = M_A1;
+            PACKEDF(item4 + entries4[7], 0) = M_A7;
+            PACKEDF(item4 + entries4[8], 0) = M_A8;
+            PACKEDF(item4 + entries4[9], 0) = M_A9;
+            PACKEDF(item4 + entries4[10], 0) = spreadf(0.0f);
+            PACKEDF(item4 + entries4[11], 0) = M_A11;
+            PACKEDF(item4 + entries4[12], 0) = M_A2;
+            PACKEDF(item4 + entries4[13], 0) = M_A8;
+            PACKEDF(item4 + entries4[14], 0) = M_A14;
+            PACKEDF(item4 + entries4[15], 0) = M_A15;
+            PACKEDF(item4 + entries4[16], 0) = M_A16;
+            PACKEDF(item4 + entries4[17], 0) = spreadf(0.0f);
+            PACKEDF(item4 + entries4[18], 0) = spreadf(0.0f);
+            PACKEDF(item4 + entries4[19], 0) = M_A9;
+            PACKEDF(item4 + entries4[20], 0) = M_A15;
+            PACKEDF(item4 + entries4[21], 0) = M_A21;
+            PACKEDF(item4 + entries4[22], 0) = spreadf(0.0f);
+            PACKEDF(item4 + entries4[23], 0) = spreadf(0.0f);
+            PACKEDF(item4 + entries4[24], 0) = M_A4;
+            PACKEDF(item4 + entries4[25], 0) = spreadf(0.0f);
+            PACKEDF(item4 + entries4[26], 0) = M_A16;
+            PACKEDF(item4 + entries4[27], 0) = spreadf(0.0f);
+            PACKEDF(item4 + entries4[28], 0) = M_A21;
+            PACKEDF(item4 + entries4[29], 0) = spreadf(0.0f);
+            PACKEDF(item4 + entries4[30], 0) = M_A5;
+            PACKEDF(item4 + entries4[31], 0) = M_A11;
+            PACKEDF(item4 + entries4[32], 0) = spreadf(0.0f);
+            PACKEDF(item4 + entries4[33], 0) = spreadf(0.0f);
+            PACKEDF(item4 + entries4[34], 0) = spreadf(0.0f);
+            PACKEDF(item4 + entries4[35], 0) = M_A21;
+        } else {
+            const floats all[] = {
+            M_A0,
+            M_A1,
+            M_A2,
+            spreadf(0.0f),
+            M_A4,
+            M_A5,
+            M_A1,
+            M_A7,
+            M_A8,
+            M_A9,
+            spreadf(0.0f),
+            M_A11,
+            M_A2,
+            M_A8,
+            M_A14,
+            M_A15,
+            M_A16,
+            spreadf(0.0f),
+            spreadf(0.0f),
+            M_A9,
+            M_A15,
+            M_A21,
+            spreadf(0.0f),
+            spreadf(0.0f),
+            M_A4,
+            spreadf(0.0f),
+            M_A16,
+            spreadf(0.0f),
+            M_A21,
+            spreadf(0.0f),
+            M_A5,
+            M_A11,
+            spreadf(0.0f),
+            spreadf(0.0f),
+            spreadf(0.0f),
+            M_A21};
+            give_eachf(item4, entries4, step4, 36, all);
+        }
         stream_lines(&copied);
     }
 }

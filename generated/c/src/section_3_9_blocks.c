@@ -23,12 +23,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
@@ -37,7 +37,19 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -66,9 +78,24 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_block)(
         const doubles Q8 = t2 * cos_angles_2 - sin_angles_0 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
-        give_4(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
-        give_1(item1, 8, 3, down1, across1, step1, Q8);
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
+            store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
+            store_1(item1 + 8 * sizeof(double), step1, Q8);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = Q0;
+            PACKED(item1 + entries1[1], 0) = Q1;
+            PACKED(item1 + entries1[2], 0) = Q2;
+            PACKED(item1 + entries1[3], 0) = Q3;
+            PACKED(item1 + entries1[4], 0) = Q4;
+            PACKED(item1 + entries1[5], 0) = Q5;
+            PACKED(item1 + entries1[6], 0) = Q6;
+            PACKED(item1 + entries1[7], 0) = Q7;
+            PACKED(item1 + entries1[8], 0) = Q8;
+        } else {
+            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -81,12 +108,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
@@ -95,7 +122,19 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -124,9 +163,24 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_blockf)(
         const floats Q8 = t2 * cos_angles_2 - sin_angles_0 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
-        give_4f(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
-        give_1f(item1, 8, 3, down1, across1, step1, Q8);
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
+            store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
+            store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = Q0;
+            PACKEDF(item1 + entries1[1], 0) = Q1;
+            PACKEDF(item1 + entries1[2], 0) = Q2;
+            PACKEDF(item1 + entries1[3], 0) = Q3;
+            PACKEDF(item1 + entries1[4], 0) = Q4;
+            PACKEDF(item1 + entries1[5], 0) = Q5;
+            PACKEDF(item1 + entries1[6], 0) = Q6;
+            PACKEDF(item1 + entries1[7], 0) = Q7;
+            PACKEDF(item1 + entries1[8], 0) = Q8;
+        } else {
+            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -139,12 +193,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -153,7 +207,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -172,9 +236,24 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_block)(
         const doubles W8 = -(W4 * sin_angles_1);
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, spread(1.0), spread(0.0), W2, spread(0.0));
-        give_4(item1, 4, 3, down1, across1, step1, W4, W5, spread(0.0), W7);
-        give_1(item1, 8, 3, down1, across1, step1, W8);
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, spread(1.0), spread(0.0), W2, spread(0.0));
+            store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(0.0), W7);
+            store_1(item1 + 8 * sizeof(double), step1, W8);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = spread(1.0);
+            PACKED(item1 + entries1[1], 0) = spread(0.0);
+            PACKED(item1 + entries1[2], 0) = W2;
+            PACKED(item1 + entries1[3], 0) = spread(0.0);
+            PACKED(item1 + entries1[4], 0) = W4;
+            PACKED(item1 + entries1[5], 0) = W5;
+            PACKED(item1 + entries1[6], 0) = spread(0.0);
+            PACKED(item1 + entries1[7], 0) = W7;
+            PACKED(item1 + entries1[8], 0) = W8;
+        } else {
+            const doubles all[] = {spread(1.0), spread(0.0), W2, spread(0.0), W4, W5, spread(0.0), W7, W8};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -187,12 +266,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -201,7 +280,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -220,9 +309,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_blockf)(
         const floats W8 = -(W4 * sin_angles_1);
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
-        give_4f(item1, 4, 3, down1, across1, step1, W4, W5, spreadf(0.0f), W7);
-        give_1f(item1, 8, 3, down1, across1, step1, W8);
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
+            store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(0.0f), W7);
+            store_1f(item1 + 8 * sizeof(float), step1, W8);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = spreadf(1.0f);
+            PACKEDF(item1 + entries1[1], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[2], 0) = W2;
+            PACKEDF(item1 + entries1[3], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[4], 0) = W4;
+            PACKEDF(item1 + entries1[5], 0) = W5;
+            PACKEDF(item1 + entries1[6], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[7], 0) = W7;
+            PACKEDF(item1 + entries1[8], 0) = W8;
+        } else {
+            const floats all[] = {
+            spreadf(1.0f),
+            spreadf(0.0f),
+            W2,
+            spreadf(0.0f),
+            W4,
+            W5,
+            spreadf(0.0f),
+            W7,
+            W8};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -235,12 +348,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -249,7 +362,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 1, 3, down0, across0, step0, &angles_[1]);
+        if (dense0) {
+            load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
+        } else if (step0 == sizeof(double)) {
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -268,9 +391,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_block)(
         const doubles W_body6 = sin_angles_1 * W_body4;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, W_body0, spread(0.0), spread(1.0), W_body3);
-        give_4(item1, 4, 3, down1, across1, step1, W_body4, spread(0.0), W_body6, W_body7);
-        give_1(item1, 8, 3, down1, across1, step1, spread(0.0));
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, W_body0, spread(0.0), spread(1.0), W_body3);
+            store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, W_body7);
+            store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = W_body0;
+            PACKED(item1 + entries1[1], 0) = spread(0.0);
+            PACKED(item1 + entries1[2], 0) = spread(1.0);
+            PACKED(item1 + entries1[3], 0) = W_body3;
+            PACKED(item1 + entries1[4], 0) = W_body4;
+            PACKED(item1 + entries1[5], 0) = spread(0.0);
+            PACKED(item1 + entries1[6], 0) = W_body6;
+            PACKED(item1 + entries1[7], 0) = W_body7;
+            PACKED(item1 + entries1[8], 0) = spread(0.0);
+        } else {
+            const doubles all[] = {
+            W_body0,
+            spread(0.0),
+            spread(1.0),
+            W_body3,
+            W_body4,
+            spread(0.0),
+            W_body6,
+            W_body7,
+            spread(0.0)};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -283,12 +430,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -297,7 +444,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 1, 3, down0, across0, step0, &angles_[1]);
+        if (dense0) {
+            load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
+        } else if (step0 == sizeof(float)) {
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -316,9 +473,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_blockf)(
         const floats W_body6 = sin_angles_1 * W_body4;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
-        give_4f(item1, 4, 3, down1, across1, step1, W_body4, spreadf(0.0f), W_body6, W_body7);
-        give_1f(item1, 8, 3, down1, across1, step1, spreadf(0.0f));
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
+            store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, W_body7);
+            store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = W_body0;
+            PACKEDF(item1 + entries1[1], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[2], 0) = spreadf(1.0f);
+            PACKEDF(item1 + entries1[3], 0) = W_body3;
+            PACKEDF(item1 + entries1[4], 0) = W_body4;
+            PACKEDF(item1 + entries1[5], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[6], 0) = W_body6;
+            PACKEDF(item1 + entries1[7], 0) = W_body7;
+            PACKEDF(item1 + entries1[8], 0) = spreadf(0.0f);
+        } else {
+            const floats all[] = {
+            W_body0,
+            spreadf(0.0f),
+            spreadf(1.0f),
+            W_body3,
+            W_body4,
+            spreadf(0.0f),
+            W_body6,
+            W_body7,
+            spreadf(0.0f)};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -331,16 +512,16 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -349,7 +530,17 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -360,7 +551,19 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_block)(
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        take_3(item1, 0, 3, down1, across1, step1, omega);
+        if (dense1) {
+            load_3(item1 + 0 * sizeof(double), step1, &omega[0]);
+        } else if (step1 == sizeof(double)) {
+            omega[0] = PACKED_IN(item1 + entries1[0], 0);
+            omega[1] = PACKED_IN(item1 + entries1[1], 0);
+            omega[2] = PACKED_IN(item1 + entries1[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item1, entries1, step1, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -371,7 +574,16 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_block)(
         const doubles theta_dot1 = omega[1] * cos_angles_0 + omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 3);
-        give_3(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
+        if (dense2) {
+            store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
+        } else if (step2 == sizeof(double)) {
+            PACKED(item2 + entries2[0], 0) = theta_dot0;
+            PACKED(item2 + entries2[1], 0) = theta_dot1;
+            PACKED(item2 + entries2[2], 0) = theta_dot2;
+        } else {
+            const doubles all[] = {theta_dot0, theta_dot1, theta_dot2};
+            give_each(item2, entries2, step2, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -384,16 +596,16 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -402,7 +614,17 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -413,7 +635,19 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_blockf)(
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        take_3f(item1, 0, 3, down1, across1, step1, omega);
+        if (dense1) {
+            load_3f(item1 + 0 * sizeof(float), step1, &omega[0]);
+        } else if (step1 == sizeof(float)) {
+            omega[0] = PACKEDF_IN(item1 + entries1[0], 0);
+            omega[1] = PACKEDF_IN(item1 + entries1[1], 0);
+            omega[2] = PACKEDF_IN(item1 + entries1[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item1, entries1, step1, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -425,7 +659,16 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_blockf)(
         const floats theta_dot1 = omega[1] * cos_angles_0 + omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 3);
-        give_3f(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
+        if (dense2) {
+            store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
+        } else if (step2 == sizeof(float)) {
+            PACKEDF(item2 + entries2[0], 0) = theta_dot0;
+            PACKEDF(item2 + entries2[1], 0) = theta_dot1;
+            PACKEDF(item2 + entries2[2], 0) = theta_dot2;
+        } else {
+            const floats all[] = {theta_dot0, theta_dot1, theta_dot2};
+            give_eachf(item2, entries2, step2, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -438,12 +681,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
@@ -452,7 +695,19 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -481,9 +736,24 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_block)(
         const doubles Q7 = t2 * sin_angles_2 + sin_angles_0 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
-        give_4(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
-        give_1(item1, 8, 3, down1, across1, step1, Q8);
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
+            store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
+            store_1(item1 + 8 * sizeof(double), step1, Q8);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = Q0;
+            PACKED(item1 + entries1[1], 0) = Q1;
+            PACKED(item1 + entries1[2], 0) = Q2;
+            PACKED(item1 + entries1[3], 0) = Q3;
+            PACKED(item1 + entries1[4], 0) = Q4;
+            PACKED(item1 + entries1[5], 0) = Q5;
+            PACKED(item1 + entries1[6], 0) = Q6;
+            PACKED(item1 + entries1[7], 0) = Q7;
+            PACKED(item1 + entries1[8], 0) = Q8;
+        } else {
+            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -496,12 +766,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
@@ -510,7 +780,19 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -539,9 +821,24 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_blockf)(
         const floats Q7 = t2 * sin_angles_2 + sin_angles_0 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
-        give_4f(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
-        give_1f(item1, 8, 3, down1, across1, step1, Q8);
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
+            store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
+            store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = Q0;
+            PACKEDF(item1 + entries1[1], 0) = Q1;
+            PACKEDF(item1 + entries1[2], 0) = Q2;
+            PACKEDF(item1 + entries1[3], 0) = Q3;
+            PACKEDF(item1 + entries1[4], 0) = Q4;
+            PACKEDF(item1 + entries1[5], 0) = Q5;
+            PACKEDF(item1 + entries1[6], 0) = Q6;
+            PACKEDF(item1 + entries1[7], 0) = Q7;
+            PACKEDF(item1 + entries1[8], 0) = Q8;
+        } else {
+            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -554,12 +851,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -568,7 +865,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -587,9 +894,24 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_block)(
         const doubles W8 = W4 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, spread(1.0), spread(0.0), W2, spread(0.0));
-        give_4(item1, 4, 3, down1, across1, step1, W4, W5, spread(0.0), W7);
-        give_1(item1, 8, 3, down1, across1, step1, W8);
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, spread(1.0), spread(0.0), W2, spread(0.0));
+            store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(0.0), W7);
+            store_1(item1 + 8 * sizeof(double), step1, W8);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = spread(1.0);
+            PACKED(item1 + entries1[1], 0) = spread(0.0);
+            PACKED(item1 + entries1[2], 0) = W2;
+            PACKED(item1 + entries1[3], 0) = spread(0.0);
+            PACKED(item1 + entries1[4], 0) = W4;
+            PACKED(item1 + entries1[5], 0) = W5;
+            PACKED(item1 + entries1[6], 0) = spread(0.0);
+            PACKED(item1 + entries1[7], 0) = W7;
+            PACKED(item1 + entries1[8], 0) = W8;
+        } else {
+            const doubles all[] = {spread(1.0), spread(0.0), W2, spread(0.0), W4, W5, spread(0.0), W7, W8};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -602,12 +924,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -616,7 +938,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -635,9 +967,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_blockf)(
         const floats W8 = W4 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
-        give_4f(item1, 4, 3, down1, across1, step1, W4, W5, spreadf(0.0f), W7);
-        give_1f(item1, 8, 3, down1, across1, step1, W8);
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
+            store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(0.0f), W7);
+            store_1f(item1 + 8 * sizeof(float), step1, W8);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = spreadf(1.0f);
+            PACKEDF(item1 + entries1[1], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[2], 0) = W2;
+            PACKEDF(item1 + entries1[3], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[4], 0) = W4;
+            PACKEDF(item1 + entries1[5], 0) = W5;
+            PACKEDF(item1 + entries1[6], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[7], 0) = W7;
+            PACKEDF(item1 + entries1[8], 0) = W8;
+        } else {
+            const floats all[] = {
+            spreadf(1.0f),
+            spreadf(0.0f),
+            W2,
+            spreadf(0.0f),
+            W4,
+            W5,
+            spreadf(0.0f),
+            W7,
+            W8};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -650,12 +1006,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -664,7 +1020,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 1, 3, down0, across0, step0, &angles_[1]);
+        if (dense0) {
+            load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
+        } else if (step0 == sizeof(double)) {
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -683,9 +1049,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_block)(
         const doubles W_body3 = -(cos_angles_1 * W_body1);
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spread(0.0), W_body3);
-        give_4(item1, 4, 3, down1, across1, step1, W_body4, spread(0.0), W_body6, spread(0.0));
-        give_1(item1, 8, 3, down1, across1, step1, spread(1.0));
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, W_body0, W_body1, spread(0.0), W_body3);
+            store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, spread(0.0));
+            store_1(item1 + 8 * sizeof(double), step1, spread(1.0));
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = W_body0;
+            PACKED(item1 + entries1[1], 0) = W_body1;
+            PACKED(item1 + entries1[2], 0) = spread(0.0);
+            PACKED(item1 + entries1[3], 0) = W_body3;
+            PACKED(item1 + entries1[4], 0) = W_body4;
+            PACKED(item1 + entries1[5], 0) = spread(0.0);
+            PACKED(item1 + entries1[6], 0) = W_body6;
+            PACKED(item1 + entries1[7], 0) = spread(0.0);
+            PACKED(item1 + entries1[8], 0) = spread(1.0);
+        } else {
+            const doubles all[] = {
+            W_body0,
+            W_body1,
+            spread(0.0),
+            W_body3,
+            W_body4,
+            spread(0.0),
+            W_body6,
+            spread(0.0),
+            spread(1.0)};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -698,12 +1088,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -712,7 +1102,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 1, 3, down0, across0, step0, &angles_[1]);
+        if (dense0) {
+            load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
+        } else if (step0 == sizeof(float)) {
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -731,9 +1131,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_blockf)(
         const floats W_body3 = -(cos_angles_1 * W_body1);
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
-        give_4f(item1, 4, 3, down1, across1, step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
-        give_1f(item1, 8, 3, down1, across1, step1, spreadf(1.0f));
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, W_body0, W_body1, spreadf(0.0f), W_body3);
+            store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
+            store_1f(item1 + 8 * sizeof(float), step1, spreadf(1.0f));
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = W_body0;
+            PACKEDF(item1 + entries1[1], 0) = W_body1;
+            PACKEDF(item1 + entries1[2], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[3], 0) = W_body3;
+            PACKEDF(item1 + entries1[4], 0) = W_body4;
+            PACKEDF(item1 + entries1[5], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[6], 0) = W_body6;
+            PACKEDF(item1 + entries1[7], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[8], 0) = spreadf(1.0f);
+        } else {
+            const floats all[] = {
+            W_body0,
+            W_body1,
+            spreadf(0.0f),
+            W_body3,
+            W_body4,
+            spreadf(0.0f),
+            W_body6,
+            spreadf(0.0f),
+            spreadf(1.0f)};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -746,16 +1170,16 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -764,7 +1188,17 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -775,7 +1209,19 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_block)(
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        take_3(item1, 0, 3, down1, across1, step1, omega);
+        if (dense1) {
+            load_3(item1 + 0 * sizeof(double), step1, &omega[0]);
+        } else if (step1 == sizeof(double)) {
+            omega[0] = PACKED_IN(item1 + entries1[0], 0);
+            omega[1] = PACKED_IN(item1 + entries1[1], 0);
+            omega[2] = PACKED_IN(item1 + entries1[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item1, entries1, step1, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -786,7 +1232,16 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_block)(
         const doubles theta_dot1 = omega[1] * cos_angles_0 + omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 3);
-        give_3(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
+        if (dense2) {
+            store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
+        } else if (step2 == sizeof(double)) {
+            PACKED(item2 + entries2[0], 0) = theta_dot0;
+            PACKED(item2 + entries2[1], 0) = theta_dot1;
+            PACKED(item2 + entries2[2], 0) = theta_dot2;
+        } else {
+            const doubles all[] = {theta_dot0, theta_dot1, theta_dot2};
+            give_each(item2, entries2, step2, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -799,16 +1254,16 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -817,7 +1272,17 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -828,7 +1293,19 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_blockf)(
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        take_3f(item1, 0, 3, down1, across1, step1, omega);
+        if (dense1) {
+            load_3f(item1 + 0 * sizeof(float), step1, &omega[0]);
+        } else if (step1 == sizeof(float)) {
+            omega[0] = PACKEDF_IN(item1 + entries1[0], 0);
+            omega[1] = PACKEDF_IN(item1 + entries1[1], 0);
+            omega[2] = PACKEDF_IN(item1 + entries1[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item1, entries1, step1, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -840,7 +1317,16 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_blockf)(
         const floats theta_dot1 = omega[1] * cos_angles_0 + omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 3);
-        give_3f(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
+        if (dense2) {
+            store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
+        } else if (step2 == sizeof(float)) {
+            PACKEDF(item2 + entries2[0], 0) = theta_dot0;
+            PACKEDF(item2 + entries2[1], 0) = theta_dot1;
+            PACKEDF(item2 + entries2[2], 0) = theta_dot2;
+        } else {
+            const floats all[] = {theta_dot0, theta_dot1, theta_dot2};
+            give_eachf(item2, entries2, step2, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -853,12 +1339,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
@@ -867,7 +1353,19 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -896,9 +1394,24 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_block)(
         const doubles Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
-        give_4(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
-        give_1(item1, 8, 3, down1, across1, step1, Q8);
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
+            store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
+            store_1(item1 + 8 * sizeof(double), step1, Q8);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = Q0;
+            PACKED(item1 + entries1[1], 0) = Q1;
+            PACKED(item1 + entries1[2], 0) = Q2;
+            PACKED(item1 + entries1[3], 0) = Q3;
+            PACKED(item1 + entries1[4], 0) = Q4;
+            PACKED(item1 + entries1[5], 0) = Q5;
+            PACKED(item1 + entries1[6], 0) = Q6;
+            PACKED(item1 + entries1[7], 0) = Q7;
+            PACKED(item1 + entries1[8], 0) = Q8;
+        } else {
+            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -911,12 +1424,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
@@ -925,7 +1438,19 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -954,9 +1479,24 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_blockf)(
         const floats Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
-        give_4f(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
-        give_1f(item1, 8, 3, down1, across1, step1, Q8);
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
+            store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
+            store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = Q0;
+            PACKEDF(item1 + entries1[1], 0) = Q1;
+            PACKEDF(item1 + entries1[2], 0) = Q2;
+            PACKEDF(item1 + entries1[3], 0) = Q3;
+            PACKEDF(item1 + entries1[4], 0) = Q4;
+            PACKEDF(item1 + entries1[5], 0) = Q5;
+            PACKEDF(item1 + entries1[6], 0) = Q6;
+            PACKEDF(item1 + entries1[7], 0) = Q7;
+            PACKEDF(item1 + entries1[8], 0) = Q8;
+        } else {
+            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -969,12 +1509,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -983,7 +1523,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -1002,9 +1552,24 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_block)(
         const doubles W8 = sin_angles_0 * sin_angles_1;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, spread(1.0), spread(0.0), W2, spread(0.0));
-        give_4(item1, 4, 3, down1, across1, step1, W4, W5, spread(0.0), W7);
-        give_1(item1, 8, 3, down1, across1, step1, W8);
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, spread(1.0), spread(0.0), W2, spread(0.0));
+            store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(0.0), W7);
+            store_1(item1 + 8 * sizeof(double), step1, W8);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = spread(1.0);
+            PACKED(item1 + entries1[1], 0) = spread(0.0);
+            PACKED(item1 + entries1[2], 0) = W2;
+            PACKED(item1 + entries1[3], 0) = spread(0.0);
+            PACKED(item1 + entries1[4], 0) = W4;
+            PACKED(item1 + entries1[5], 0) = W5;
+            PACKED(item1 + entries1[6], 0) = spread(0.0);
+            PACKED(item1 + entries1[7], 0) = W7;
+            PACKED(item1 + entries1[8], 0) = W8;
+        } else {
+            const doubles all[] = {spread(1.0), spread(0.0), W2, spread(0.0), W4, W5, spread(0.0), W7, W8};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1017,12 +1582,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -1031,7 +1596,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -1050,9 +1625,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_blockf)(
         const floats W8 = sin_angles_0 * sin_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
-        give_4f(item1, 4, 3, down1, across1, step1, W4, W5, spreadf(0.0f), W7);
-        give_1f(item1, 8, 3, down1, across1, step1, W8);
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
+            store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(0.0f), W7);
+            store_1f(item1 + 8 * sizeof(float), step1, W8);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = spreadf(1.0f);
+            PACKEDF(item1 + entries1[1], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[2], 0) = W2;
+            PACKEDF(item1 + entries1[3], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[4], 0) = W4;
+            PACKEDF(item1 + entries1[5], 0) = W5;
+            PACKEDF(item1 + entries1[6], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[7], 0) = W7;
+            PACKEDF(item1 + entries1[8], 0) = W8;
+        } else {
+            const floats all[] = {
+            spreadf(1.0f),
+            spreadf(0.0f),
+            W2,
+            spreadf(0.0f),
+            W4,
+            W5,
+            spreadf(0.0f),
+            W7,
+            W8};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1065,12 +1664,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -1079,7 +1678,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 1, 3, down0, across0, step0, &angles_[1]);
+        if (dense0) {
+            load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
+        } else if (step0 == sizeof(double)) {
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -1098,9 +1707,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_block)(
         const doubles W_body6 = sin_angles_1 * W_body4;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, W_body0, spread(0.0), spread(1.0), W_body3);
-        give_4(item1, 4, 3, down1, across1, step1, W_body4, spread(0.0), W_body6, W_body7);
-        give_1(item1, 8, 3, down1, across1, step1, spread(0.0));
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, W_body0, spread(0.0), spread(1.0), W_body3);
+            store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, W_body7);
+            store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = W_body0;
+            PACKED(item1 + entries1[1], 0) = spread(0.0);
+            PACKED(item1 + entries1[2], 0) = spread(1.0);
+            PACKED(item1 + entries1[3], 0) = W_body3;
+            PACKED(item1 + entries1[4], 0) = W_body4;
+            PACKED(item1 + entries1[5], 0) = spread(0.0);
+            PACKED(item1 + entries1[6], 0) = W_body6;
+            PACKED(item1 + entries1[7], 0) = W_body7;
+            PACKED(item1 + entries1[8], 0) = spread(0.0);
+        } else {
+            const doubles all[] = {
+            W_body0,
+            spread(0.0),
+            spread(1.0),
+            W_body3,
+            W_body4,
+            spread(0.0),
+            W_body6,
+            W_body7,
+            spread(0.0)};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1113,12 +1746,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -1127,7 +1760,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 1, 3, down0, across0, step0, &angles_[1]);
+        if (dense0) {
+            load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
+        } else if (step0 == sizeof(float)) {
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -1146,9 +1789,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_blockf)(
         const floats W_body6 = sin_angles_1 * W_body4;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
-        give_4f(item1, 4, 3, down1, across1, step1, W_body4, spreadf(0.0f), W_body6, W_body7);
-        give_1f(item1, 8, 3, down1, across1, step1, spreadf(0.0f));
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
+            store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, W_body7);
+            store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = W_body0;
+            PACKEDF(item1 + entries1[1], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[2], 0) = spreadf(1.0f);
+            PACKEDF(item1 + entries1[3], 0) = W_body3;
+            PACKEDF(item1 + entries1[4], 0) = W_body4;
+            PACKEDF(item1 + entries1[5], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[6], 0) = W_body6;
+            PACKEDF(item1 + entries1[7], 0) = W_body7;
+            PACKEDF(item1 + entries1[8], 0) = spreadf(0.0f);
+        } else {
+            const floats all[] = {
+            W_body0,
+            spreadf(0.0f),
+            spreadf(1.0f),
+            W_body3,
+            W_body4,
+            spreadf(0.0f),
+            W_body6,
+            W_body7,
+            spreadf(0.0f)};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1161,16 +1828,16 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -1179,7 +1846,17 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -1190,7 +1867,19 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_block)(
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        take_3(item1, 0, 3, down1, across1, step1, omega);
+        if (dense1) {
+            load_3(item1 + 0 * sizeof(double), step1, &omega[0]);
+        } else if (step1 == sizeof(double)) {
+            omega[0] = PACKED_IN(item1 + entries1[0], 0);
+            omega[1] = PACKED_IN(item1 + entries1[1], 0);
+            omega[2] = PACKED_IN(item1 + entries1[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item1, entries1, step1, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -1201,7 +1890,16 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_block)(
         const doubles theta_dot1 = omega[2] * cos_angles_0 - omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 3);
-        give_3(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
+        if (dense2) {
+            store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
+        } else if (step2 == sizeof(double)) {
+            PACKED(item2 + entries2[0], 0) = theta_dot0;
+            PACKED(item2 + entries2[1], 0) = theta_dot1;
+            PACKED(item2 + entries2[2], 0) = theta_dot2;
+        } else {
+            const doubles all[] = {theta_dot0, theta_dot1, theta_dot2};
+            give_each(item2, entries2, step2, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1214,16 +1912,16 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -1232,7 +1930,17 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -1243,7 +1951,19 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_blockf)(
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        take_3f(item1, 0, 3, down1, across1, step1, omega);
+        if (dense1) {
+            load_3f(item1 + 0 * sizeof(float), step1, &omega[0]);
+        } else if (step1 == sizeof(float)) {
+            omega[0] = PACKEDF_IN(item1 + entries1[0], 0);
+            omega[1] = PACKEDF_IN(item1 + entries1[1], 0);
+            omega[2] = PACKEDF_IN(item1 + entries1[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item1, entries1, step1, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -1255,7 +1975,16 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_blockf)(
         const floats theta_dot1 = omega[2] * cos_angles_0 - omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 3);
-        give_3f(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
+        if (dense2) {
+            store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
+        } else if (step2 == sizeof(float)) {
+            PACKEDF(item2 + entries2[0], 0) = theta_dot0;
+            PACKEDF(item2 + entries2[1], 0) = theta_dot1;
+            PACKEDF(item2 + entries2[2], 0) = theta_dot2;
+        } else {
+            const floats all[] = {theta_dot0, theta_dot1, theta_dot2};
+            give_eachf(item2, entries2, step2, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1268,12 +1997,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
@@ -1282,7 +2011,19 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -1311,9 +2052,24 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_block)(
         const doubles Q8 = t2 * sin_angles_2 + cos_angles_0 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
-        give_4(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
-        give_1(item1, 8, 3, down1, across1, step1, Q8);
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
+            store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
+            store_1(item1 + 8 * sizeof(double), step1, Q8);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = Q0;
+            PACKED(item1 + entries1[1], 0) = Q1;
+            PACKED(item1 + entries1[2], 0) = Q2;
+            PACKED(item1 + entries1[3], 0) = Q3;
+            PACKED(item1 + entries1[4], 0) = Q4;
+            PACKED(item1 + entries1[5], 0) = Q5;
+            PACKED(item1 + entries1[6], 0) = Q6;
+            PACKED(item1 + entries1[7], 0) = Q7;
+            PACKED(item1 + entries1[8], 0) = Q8;
+        } else {
+            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1326,12 +2082,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
@@ -1340,7 +2096,19 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -1369,9 +2137,24 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_blockf)(
         const floats Q8 = t2 * sin_angles_2 + cos_angles_0 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
-        give_4f(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
-        give_1f(item1, 8, 3, down1, across1, step1, Q8);
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
+            store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
+            store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = Q0;
+            PACKEDF(item1 + entries1[1], 0) = Q1;
+            PACKEDF(item1 + entries1[2], 0) = Q2;
+            PACKEDF(item1 + entries1[3], 0) = Q3;
+            PACKEDF(item1 + entries1[4], 0) = Q4;
+            PACKEDF(item1 + entries1[5], 0) = Q5;
+            PACKEDF(item1 + entries1[6], 0) = Q6;
+            PACKEDF(item1 + entries1[7], 0) = Q7;
+            PACKEDF(item1 + entries1[8], 0) = Q8;
+        } else {
+            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1384,12 +2167,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -1398,7 +2181,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -1417,9 +2210,24 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_block)(
         const doubles W8 = sin_angles_0 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, spread(1.0), spread(0.0), W2, spread(0.0));
-        give_4(item1, 4, 3, down1, across1, step1, W4, W5, spread(0.0), W7);
-        give_1(item1, 8, 3, down1, across1, step1, W8);
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, spread(1.0), spread(0.0), W2, spread(0.0));
+            store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(0.0), W7);
+            store_1(item1 + 8 * sizeof(double), step1, W8);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = spread(1.0);
+            PACKED(item1 + entries1[1], 0) = spread(0.0);
+            PACKED(item1 + entries1[2], 0) = W2;
+            PACKED(item1 + entries1[3], 0) = spread(0.0);
+            PACKED(item1 + entries1[4], 0) = W4;
+            PACKED(item1 + entries1[5], 0) = W5;
+            PACKED(item1 + entries1[6], 0) = spread(0.0);
+            PACKED(item1 + entries1[7], 0) = W7;
+            PACKED(item1 + entries1[8], 0) = W8;
+        } else {
+            const doubles all[] = {spread(1.0), spread(0.0), W2, spread(0.0), W4, W5, spread(0.0), W7, W8};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1432,12 +2240,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -1446,7 +2254,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -1465,9 +2283,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_blockf)(
         const floats W8 = sin_angles_0 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
-        give_4f(item1, 4, 3, down1, across1, step1, W4, W5, spreadf(0.0f), W7);
-        give_1f(item1, 8, 3, down1, across1, step1, W8);
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
+            store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(0.0f), W7);
+            store_1f(item1 + 8 * sizeof(float), step1, W8);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = spreadf(1.0f);
+            PACKEDF(item1 + entries1[1], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[2], 0) = W2;
+            PACKEDF(item1 + entries1[3], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[4], 0) = W4;
+            PACKEDF(item1 + entries1[5], 0) = W5;
+            PACKEDF(item1 + entries1[6], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[7], 0) = W7;
+            PACKEDF(item1 + entries1[8], 0) = W8;
+        } else {
+            const floats all[] = {
+            spreadf(1.0f),
+            spreadf(0.0f),
+            W2,
+            spreadf(0.0f),
+            W4,
+            W5,
+            spreadf(0.0f),
+            W7,
+            W8};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1480,12 +2322,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -1494,7 +2336,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 1, 3, down0, across0, step0, &angles_[1]);
+        if (dense0) {
+            load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
+        } else if (step0 == sizeof(double)) {
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -1513,9 +2365,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_block)(
         const doubles W_body6 = cos_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spread(0.0), W_body3);
-        give_4(item1, 4, 3, down1, across1, step1, spread(0.0), spread(1.0), W_body6, W_body7);
-        give_1(item1, 8, 3, down1, across1, step1, spread(0.0));
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, W_body0, W_body1, spread(0.0), W_body3);
+            store_4(item1 + 4 * sizeof(double), step1, spread(0.0), spread(1.0), W_body6, W_body7);
+            store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = W_body0;
+            PACKED(item1 + entries1[1], 0) = W_body1;
+            PACKED(item1 + entries1[2], 0) = spread(0.0);
+            PACKED(item1 + entries1[3], 0) = W_body3;
+            PACKED(item1 + entries1[4], 0) = spread(0.0);
+            PACKED(item1 + entries1[5], 0) = spread(1.0);
+            PACKED(item1 + entries1[6], 0) = W_body6;
+            PACKED(item1 + entries1[7], 0) = W_body7;
+            PACKED(item1 + entries1[8], 0) = spread(0.0);
+        } else {
+            const doubles all[] = {
+            W_body0,
+            W_body1,
+            spread(0.0),
+            W_body3,
+            spread(0.0),
+            spread(1.0),
+            W_body6,
+            W_body7,
+            spread(0.0)};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1528,12 +2404,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -1542,7 +2418,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 1, 3, down0, across0, step0, &angles_[1]);
+        if (dense0) {
+            load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
+        } else if (step0 == sizeof(float)) {
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -1561,9 +2447,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_blockf)(
         const floats W_body6 = cos_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
-        give_4f(item1, 4, 3, down1, across1, step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
-        give_1f(item1, 8, 3, down1, across1, step1, spreadf(0.0f));
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, W_body0, W_body1, spreadf(0.0f), W_body3);
+            store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
+            store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = W_body0;
+            PACKEDF(item1 + entries1[1], 0) = W_body1;
+            PACKEDF(item1 + entries1[2], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[3], 0) = W_body3;
+            PACKEDF(item1 + entries1[4], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[5], 0) = spreadf(1.0f);
+            PACKEDF(item1 + entries1[6], 0) = W_body6;
+            PACKEDF(item1 + entries1[7], 0) = W_body7;
+            PACKEDF(item1 + entries1[8], 0) = spreadf(0.0f);
+        } else {
+            const floats all[] = {
+            W_body0,
+            W_body1,
+            spreadf(0.0f),
+            W_body3,
+            spreadf(0.0f),
+            spreadf(1.0f),
+            W_body6,
+            W_body7,
+            spreadf(0.0f)};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1576,16 +2486,16 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -1594,7 +2504,17 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -1605,7 +2525,19 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_block)(
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        take_3(item1, 0, 3, down1, across1, step1, omega);
+        if (dense1) {
+            load_3(item1 + 0 * sizeof(double), step1, &omega[0]);
+        } else if (step1 == sizeof(double)) {
+            omega[0] = PACKED_IN(item1 + entries1[0], 0);
+            omega[1] = PACKED_IN(item1 + entries1[1], 0);
+            omega[2] = PACKED_IN(item1 + entries1[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item1, entries1, step1, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -1616,7 +2548,16 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_block)(
         const doubles theta_dot1 = omega[2] * cos_angles_0 - omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 3);
-        give_3(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
+        if (dense2) {
+            store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
+        } else if (step2 == sizeof(double)) {
+            PACKED(item2 + entries2[0], 0) = theta_dot0;
+            PACKED(item2 + entries2[1], 0) = theta_dot1;
+            PACKED(item2 + entries2[2], 0) = theta_dot2;
+        } else {
+            const doubles all[] = {theta_dot0, theta_dot1, theta_dot2};
+            give_each(item2, entries2, step2, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1629,16 +2570,16 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -1647,7 +2588,17 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -1658,7 +2609,19 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_blockf)(
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        take_3f(item1, 0, 3, down1, across1, step1, omega);
+        if (dense1) {
+            load_3f(item1 + 0 * sizeof(float), step1, &omega[0]);
+        } else if (step1 == sizeof(float)) {
+            omega[0] = PACKEDF_IN(item1 + entries1[0], 0);
+            omega[1] = PACKEDF_IN(item1 + entries1[1], 0);
+            omega[2] = PACKEDF_IN(item1 + entries1[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item1, entries1, step1, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -1670,7 +2633,16 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_blockf)(
         const floats theta_dot1 = omega[2] * cos_angles_0 - omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 3);
-        give_3f(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
+        if (dense2) {
+            store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
+        } else if (step2 == sizeof(float)) {
+            PACKEDF(item2 + entries2[0], 0) = theta_dot0;
+            PACKEDF(item2 + entries2[1], 0) = theta_dot1;
+            PACKEDF(item2 + entries2[2], 0) = theta_dot2;
+        } else {
+            const floats all[] = {theta_dot0, theta_dot1, theta_dot2};
+            give_eachf(item2, entries2, step2, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1683,12 +2655,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
@@ -1697,7 +2669,19 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -1726,9 +2710,24 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_block)(
         const doubles Q8 = t2 * cos_angles_2 - sin_angles_0 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
-        give_4(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
-        give_1(item1, 8, 3, down1, across1, step1, Q8);
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
+            store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
+            store_1(item1 + 8 * sizeof(double), step1, Q8);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = Q0;
+            PACKED(item1 + entries1[1], 0) = Q1;
+            PACKED(item1 + entries1[2], 0) = Q2;
+            PACKED(item1 + entries1[3], 0) = Q3;
+            PACKED(item1 + entries1[4], 0) = Q4;
+            PACKED(item1 + entries1[5], 0) = Q5;
+            PACKED(item1 + entries1[6], 0) = Q6;
+            PACKED(item1 + entries1[7], 0) = Q7;
+            PACKED(item1 + entries1[8], 0) = Q8;
+        } else {
+            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1741,12 +2740,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
@@ -1755,7 +2754,19 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -1784,9 +2795,24 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_blockf)(
         const floats Q8 = t2 * cos_angles_2 - sin_angles_0 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
-        give_4f(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
-        give_1f(item1, 8, 3, down1, across1, step1, Q8);
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
+            store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
+            store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = Q0;
+            PACKEDF(item1 + entries1[1], 0) = Q1;
+            PACKEDF(item1 + entries1[2], 0) = Q2;
+            PACKEDF(item1 + entries1[3], 0) = Q3;
+            PACKEDF(item1 + entries1[4], 0) = Q4;
+            PACKEDF(item1 + entries1[5], 0) = Q5;
+            PACKEDF(item1 + entries1[6], 0) = Q6;
+            PACKEDF(item1 + entries1[7], 0) = Q7;
+            PACKEDF(item1 + entries1[8], 0) = Q8;
+        } else {
+            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1799,12 +2825,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -1813,7 +2839,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -1832,9 +2868,24 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_block)(
         const doubles W8 = W1 * sin_angles_1;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, spread(0.0), W1, W2, spread(1.0));
-        give_4(item1, 4, 3, down1, across1, step1, spread(0.0), W5, spread(0.0), W7);
-        give_1(item1, 8, 3, down1, across1, step1, W8);
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, spread(0.0), W1, W2, spread(1.0));
+            store_4(item1 + 4 * sizeof(double), step1, spread(0.0), W5, spread(0.0), W7);
+            store_1(item1 + 8 * sizeof(double), step1, W8);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = spread(0.0);
+            PACKED(item1 + entries1[1], 0) = W1;
+            PACKED(item1 + entries1[2], 0) = W2;
+            PACKED(item1 + entries1[3], 0) = spread(1.0);
+            PACKED(item1 + entries1[4], 0) = spread(0.0);
+            PACKED(item1 + entries1[5], 0) = W5;
+            PACKED(item1 + entries1[6], 0) = spread(0.0);
+            PACKED(item1 + entries1[7], 0) = W7;
+            PACKED(item1 + entries1[8], 0) = W8;
+        } else {
+            const doubles all[] = {spread(0.0), W1, W2, spread(1.0), spread(0.0), W5, spread(0.0), W7, W8};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1847,12 +2898,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -1861,7 +2912,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -1880,9 +2941,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_blockf)(
         const floats W8 = W1 * sin_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
-        give_4f(item1, 4, 3, down1, across1, step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
-        give_1f(item1, 8, 3, down1, across1, step1, W8);
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
+            store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
+            store_1f(item1 + 8 * sizeof(float), step1, W8);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[1], 0) = W1;
+            PACKEDF(item1 + entries1[2], 0) = W2;
+            PACKEDF(item1 + entries1[3], 0) = spreadf(1.0f);
+            PACKEDF(item1 + entries1[4], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[5], 0) = W5;
+            PACKEDF(item1 + entries1[6], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[7], 0) = W7;
+            PACKEDF(item1 + entries1[8], 0) = W8;
+        } else {
+            const floats all[] = {
+            spreadf(0.0f),
+            W1,
+            W2,
+            spreadf(1.0f),
+            spreadf(0.0f),
+            W5,
+            spreadf(0.0f),
+            W7,
+            W8};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1895,12 +2980,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -1909,7 +2994,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 1, 3, down0, across0, step0, &angles_[1]);
+        if (dense0) {
+            load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
+        } else if (step0 == sizeof(double)) {
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -1928,9 +3023,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_block)(
         const doubles W_body6 = -(sin_angles_1 * W_body1);
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spread(0.0), W_body3);
-        give_4(item1, 4, 3, down1, across1, step1, spread(0.0), spread(1.0), W_body6, W_body7);
-        give_1(item1, 8, 3, down1, across1, step1, spread(0.0));
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, W_body0, W_body1, spread(0.0), W_body3);
+            store_4(item1 + 4 * sizeof(double), step1, spread(0.0), spread(1.0), W_body6, W_body7);
+            store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = W_body0;
+            PACKED(item1 + entries1[1], 0) = W_body1;
+            PACKED(item1 + entries1[2], 0) = spread(0.0);
+            PACKED(item1 + entries1[3], 0) = W_body3;
+            PACKED(item1 + entries1[4], 0) = spread(0.0);
+            PACKED(item1 + entries1[5], 0) = spread(1.0);
+            PACKED(item1 + entries1[6], 0) = W_body6;
+            PACKED(item1 + entries1[7], 0) = W_body7;
+            PACKED(item1 + entries1[8], 0) = spread(0.0);
+        } else {
+            const doubles all[] = {
+            W_body0,
+            W_body1,
+            spread(0.0),
+            W_body3,
+            spread(0.0),
+            spread(1.0),
+            W_body6,
+            W_body7,
+            spread(0.0)};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1943,12 +3062,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -1957,7 +3076,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 1, 3, down0, across0, step0, &angles_[1]);
+        if (dense0) {
+            load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
+        } else if (step0 == sizeof(float)) {
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -1976,9 +3105,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_blockf)(
         const floats W_body6 = -(sin_angles_1 * W_body1);
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
-        give_4f(item1, 4, 3, down1, across1, step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
-        give_1f(item1, 8, 3, down1, across1, step1, spreadf(0.0f));
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, W_body0, W_body1, spreadf(0.0f), W_body3);
+            store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
+            store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = W_body0;
+            PACKEDF(item1 + entries1[1], 0) = W_body1;
+            PACKEDF(item1 + entries1[2], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[3], 0) = W_body3;
+            PACKEDF(item1 + entries1[4], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[5], 0) = spreadf(1.0f);
+            PACKEDF(item1 + entries1[6], 0) = W_body6;
+            PACKEDF(item1 + entries1[7], 0) = W_body7;
+            PACKEDF(item1 + entries1[8], 0) = spreadf(0.0f);
+        } else {
+            const floats all[] = {
+            W_body0,
+            W_body1,
+            spreadf(0.0f),
+            W_body3,
+            spreadf(0.0f),
+            spreadf(1.0f),
+            W_body6,
+            W_body7,
+            spreadf(0.0f)};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -1991,16 +3144,16 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -2009,7 +3162,17 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -2020,7 +3183,19 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_block)(
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        take_3(item1, 0, 3, down1, across1, step1, omega);
+        if (dense1) {
+            load_3(item1 + 0 * sizeof(double), step1, &omega[0]);
+        } else if (step1 == sizeof(double)) {
+            omega[0] = PACKED_IN(item1 + entries1[0], 0);
+            omega[1] = PACKED_IN(item1 + entries1[1], 0);
+            omega[2] = PACKED_IN(item1 + entries1[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item1, entries1, step1, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -2031,7 +3206,16 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_block)(
         const doubles theta_dot1 = omega[0] * cos_angles_0 - omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 3);
-        give_3(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
+        if (dense2) {
+            store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
+        } else if (step2 == sizeof(double)) {
+            PACKED(item2 + entries2[0], 0) = theta_dot0;
+            PACKED(item2 + entries2[1], 0) = theta_dot1;
+            PACKED(item2 + entries2[2], 0) = theta_dot2;
+        } else {
+            const doubles all[] = {theta_dot0, theta_dot1, theta_dot2};
+            give_each(item2, entries2, step2, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2044,16 +3228,16 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -2062,7 +3246,17 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -2073,7 +3267,19 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_blockf)(
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        take_3f(item1, 0, 3, down1, across1, step1, omega);
+        if (dense1) {
+            load_3f(item1 + 0 * sizeof(float), step1, &omega[0]);
+        } else if (step1 == sizeof(float)) {
+            omega[0] = PACKEDF_IN(item1 + entries1[0], 0);
+            omega[1] = PACKEDF_IN(item1 + entries1[1], 0);
+            omega[2] = PACKEDF_IN(item1 + entries1[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item1, entries1, step1, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -2085,7 +3291,16 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_blockf)(
         const floats theta_dot1 = omega[0] * cos_angles_0 - omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 3);
-        give_3f(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
+        if (dense2) {
+            store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
+        } else if (step2 == sizeof(float)) {
+            PACKEDF(item2 + entries2[0], 0) = theta_dot0;
+            PACKEDF(item2 + entries2[1], 0) = theta_dot1;
+            PACKEDF(item2 + entries2[2], 0) = theta_dot2;
+        } else {
+            const floats all[] = {theta_dot0, theta_dot1, theta_dot2};
+            give_eachf(item2, entries2, step2, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2098,12 +3313,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
@@ -2112,7 +3327,19 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -2141,9 +3368,24 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_block)(
         const doubles Q7 = sin_angles_0 * sin_angles_2 + t2 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
-        give_4(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
-        give_1(item1, 8, 3, down1, across1, step1, Q8);
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
+            store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
+            store_1(item1 + 8 * sizeof(double), step1, Q8);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = Q0;
+            PACKED(item1 + entries1[1], 0) = Q1;
+            PACKED(item1 + entries1[2], 0) = Q2;
+            PACKED(item1 + entries1[3], 0) = Q3;
+            PACKED(item1 + entries1[4], 0) = Q4;
+            PACKED(item1 + entries1[5], 0) = Q5;
+            PACKED(item1 + entries1[6], 0) = Q6;
+            PACKED(item1 + entries1[7], 0) = Q7;
+            PACKED(item1 + entries1[8], 0) = Q8;
+        } else {
+            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2156,12 +3398,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
@@ -2170,7 +3412,19 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -2199,9 +3453,24 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_blockf)(
         const floats Q7 = sin_angles_0 * sin_angles_2 + t2 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
-        give_4f(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
-        give_1f(item1, 8, 3, down1, across1, step1, Q8);
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
+            store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
+            store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = Q0;
+            PACKEDF(item1 + entries1[1], 0) = Q1;
+            PACKEDF(item1 + entries1[2], 0) = Q2;
+            PACKEDF(item1 + entries1[3], 0) = Q3;
+            PACKEDF(item1 + entries1[4], 0) = Q4;
+            PACKEDF(item1 + entries1[5], 0) = Q5;
+            PACKEDF(item1 + entries1[6], 0) = Q6;
+            PACKEDF(item1 + entries1[7], 0) = Q7;
+            PACKEDF(item1 + entries1[8], 0) = Q8;
+        } else {
+            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2214,12 +3483,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -2228,7 +3497,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -2247,9 +3526,24 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_block)(
         const doubles W8 = W1 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, spread(0.0), W1, W2, spread(1.0));
-        give_4(item1, 4, 3, down1, across1, step1, spread(0.0), W5, spread(0.0), W7);
-        give_1(item1, 8, 3, down1, across1, step1, W8);
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, spread(0.0), W1, W2, spread(1.0));
+            store_4(item1 + 4 * sizeof(double), step1, spread(0.0), W5, spread(0.0), W7);
+            store_1(item1 + 8 * sizeof(double), step1, W8);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = spread(0.0);
+            PACKED(item1 + entries1[1], 0) = W1;
+            PACKED(item1 + entries1[2], 0) = W2;
+            PACKED(item1 + entries1[3], 0) = spread(1.0);
+            PACKED(item1 + entries1[4], 0) = spread(0.0);
+            PACKED(item1 + entries1[5], 0) = W5;
+            PACKED(item1 + entries1[6], 0) = spread(0.0);
+            PACKED(item1 + entries1[7], 0) = W7;
+            PACKED(item1 + entries1[8], 0) = W8;
+        } else {
+            const doubles all[] = {spread(0.0), W1, W2, spread(1.0), spread(0.0), W5, spread(0.0), W7, W8};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2262,12 +3556,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -2276,7 +3570,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -2295,9 +3599,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_blockf)(
         const floats W8 = W1 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
-        give_4f(item1, 4, 3, down1, across1, step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
-        give_1f(item1, 8, 3, down1, across1, step1, W8);
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
+            store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
+            store_1f(item1 + 8 * sizeof(float), step1, W8);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[1], 0) = W1;
+            PACKEDF(item1 + entries1[2], 0) = W2;
+            PACKEDF(item1 + entries1[3], 0) = spreadf(1.0f);
+            PACKEDF(item1 + entries1[4], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[5], 0) = W5;
+            PACKEDF(item1 + entries1[6], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[7], 0) = W7;
+            PACKEDF(item1 + entries1[8], 0) = W8;
+        } else {
+            const floats all[] = {
+            spreadf(0.0f),
+            W1,
+            W2,
+            spreadf(1.0f),
+            spreadf(0.0f),
+            W5,
+            spreadf(0.0f),
+            W7,
+            W8};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2310,12 +3638,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -2324,7 +3652,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 1, 3, down0, across0, step0, &angles_[1]);
+        if (dense0) {
+            load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
+        } else if (step0 == sizeof(double)) {
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -2343,9 +3681,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_block)(
         const doubles W_body3 = cos_angles_1 * W_body1;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spread(0.0), W_body3);
-        give_4(item1, 4, 3, down1, across1, step1, W_body4, spread(0.0), W_body6, spread(0.0));
-        give_1(item1, 8, 3, down1, across1, step1, spread(1.0));
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, W_body0, W_body1, spread(0.0), W_body3);
+            store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, spread(0.0));
+            store_1(item1 + 8 * sizeof(double), step1, spread(1.0));
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = W_body0;
+            PACKED(item1 + entries1[1], 0) = W_body1;
+            PACKED(item1 + entries1[2], 0) = spread(0.0);
+            PACKED(item1 + entries1[3], 0) = W_body3;
+            PACKED(item1 + entries1[4], 0) = W_body4;
+            PACKED(item1 + entries1[5], 0) = spread(0.0);
+            PACKED(item1 + entries1[6], 0) = W_body6;
+            PACKED(item1 + entries1[7], 0) = spread(0.0);
+            PACKED(item1 + entries1[8], 0) = spread(1.0);
+        } else {
+            const doubles all[] = {
+            W_body0,
+            W_body1,
+            spread(0.0),
+            W_body3,
+            W_body4,
+            spread(0.0),
+            W_body6,
+            spread(0.0),
+            spread(1.0)};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2358,12 +3720,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -2372,7 +3734,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 1, 3, down0, across0, step0, &angles_[1]);
+        if (dense0) {
+            load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
+        } else if (step0 == sizeof(float)) {
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -2391,9 +3763,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_blockf)(
         const floats W_body3 = cos_angles_1 * W_body1;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
-        give_4f(item1, 4, 3, down1, across1, step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
-        give_1f(item1, 8, 3, down1, across1, step1, spreadf(1.0f));
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, W_body0, W_body1, spreadf(0.0f), W_body3);
+            store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
+            store_1f(item1 + 8 * sizeof(float), step1, spreadf(1.0f));
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = W_body0;
+            PACKEDF(item1 + entries1[1], 0) = W_body1;
+            PACKEDF(item1 + entries1[2], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[3], 0) = W_body3;
+            PACKEDF(item1 + entries1[4], 0) = W_body4;
+            PACKEDF(item1 + entries1[5], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[6], 0) = W_body6;
+            PACKEDF(item1 + entries1[7], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[8], 0) = spreadf(1.0f);
+        } else {
+            const floats all[] = {
+            W_body0,
+            W_body1,
+            spreadf(0.0f),
+            W_body3,
+            W_body4,
+            spreadf(0.0f),
+            W_body6,
+            spreadf(0.0f),
+            spreadf(1.0f)};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2406,16 +3802,16 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -2424,7 +3820,17 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -2435,7 +3841,19 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_block)(
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        take_3(item1, 0, 3, down1, across1, step1, omega);
+        if (dense1) {
+            load_3(item1 + 0 * sizeof(double), step1, &omega[0]);
+        } else if (step1 == sizeof(double)) {
+            omega[0] = PACKED_IN(item1 + entries1[0], 0);
+            omega[1] = PACKED_IN(item1 + entries1[1], 0);
+            omega[2] = PACKED_IN(item1 + entries1[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item1, entries1, step1, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -2446,7 +3864,16 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_block)(
         const doubles theta_dot1 = omega[0] * cos_angles_0 - omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 3);
-        give_3(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
+        if (dense2) {
+            store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
+        } else if (step2 == sizeof(double)) {
+            PACKED(item2 + entries2[0], 0) = theta_dot0;
+            PACKED(item2 + entries2[1], 0) = theta_dot1;
+            PACKED(item2 + entries2[2], 0) = theta_dot2;
+        } else {
+            const doubles all[] = {theta_dot0, theta_dot1, theta_dot2};
+            give_each(item2, entries2, step2, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2459,16 +3886,16 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -2477,7 +3904,17 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -2488,7 +3925,19 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_blockf)(
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        take_3f(item1, 0, 3, down1, across1, step1, omega);
+        if (dense1) {
+            load_3f(item1 + 0 * sizeof(float), step1, &omega[0]);
+        } else if (step1 == sizeof(float)) {
+            omega[0] = PACKEDF_IN(item1 + entries1[0], 0);
+            omega[1] = PACKEDF_IN(item1 + entries1[1], 0);
+            omega[2] = PACKEDF_IN(item1 + entries1[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item1, entries1, step1, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -2500,7 +3949,16 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_blockf)(
         const floats theta_dot1 = omega[0] * cos_angles_0 - omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 3);
-        give_3f(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
+        if (dense2) {
+            store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
+        } else if (step2 == sizeof(float)) {
+            PACKEDF(item2 + entries2[0], 0) = theta_dot0;
+            PACKEDF(item2 + entries2[1], 0) = theta_dot1;
+            PACKEDF(item2 + entries2[2], 0) = theta_dot2;
+        } else {
+            const floats all[] = {theta_dot0, theta_dot1, theta_dot2};
+            give_eachf(item2, entries2, step2, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2513,12 +3971,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
@@ -2527,7 +3985,19 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -2556,9 +4026,24 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_block)(
         const doubles Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
-        give_4(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
-        give_1(item1, 8, 3, down1, across1, step1, Q8);
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
+            store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
+            store_1(item1 + 8 * sizeof(double), step1, Q8);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = Q0;
+            PACKED(item1 + entries1[1], 0) = Q1;
+            PACKED(item1 + entries1[2], 0) = Q2;
+            PACKED(item1 + entries1[3], 0) = Q3;
+            PACKED(item1 + entries1[4], 0) = Q4;
+            PACKED(item1 + entries1[5], 0) = Q5;
+            PACKED(item1 + entries1[6], 0) = Q6;
+            PACKED(item1 + entries1[7], 0) = Q7;
+            PACKED(item1 + entries1[8], 0) = Q8;
+        } else {
+            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2571,12 +4056,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
@@ -2585,7 +4070,19 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -2614,9 +4111,24 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_blockf)(
         const floats Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
-        give_4f(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
-        give_1f(item1, 8, 3, down1, across1, step1, Q8);
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
+            store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
+            store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = Q0;
+            PACKEDF(item1 + entries1[1], 0) = Q1;
+            PACKEDF(item1 + entries1[2], 0) = Q2;
+            PACKEDF(item1 + entries1[3], 0) = Q3;
+            PACKEDF(item1 + entries1[4], 0) = Q4;
+            PACKEDF(item1 + entries1[5], 0) = Q5;
+            PACKEDF(item1 + entries1[6], 0) = Q6;
+            PACKEDF(item1 + entries1[7], 0) = Q7;
+            PACKEDF(item1 + entries1[8], 0) = Q8;
+        } else {
+            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2629,12 +4141,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -2643,7 +4155,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -2662,9 +4184,24 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_block)(
         const doubles W8 = -(W1 * cos_angles_1);
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, spread(0.0), W1, W2, spread(1.0));
-        give_4(item1, 4, 3, down1, across1, step1, spread(0.0), W5, spread(0.0), W7);
-        give_1(item1, 8, 3, down1, across1, step1, W8);
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, spread(0.0), W1, W2, spread(1.0));
+            store_4(item1 + 4 * sizeof(double), step1, spread(0.0), W5, spread(0.0), W7);
+            store_1(item1 + 8 * sizeof(double), step1, W8);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = spread(0.0);
+            PACKED(item1 + entries1[1], 0) = W1;
+            PACKED(item1 + entries1[2], 0) = W2;
+            PACKED(item1 + entries1[3], 0) = spread(1.0);
+            PACKED(item1 + entries1[4], 0) = spread(0.0);
+            PACKED(item1 + entries1[5], 0) = W5;
+            PACKED(item1 + entries1[6], 0) = spread(0.0);
+            PACKED(item1 + entries1[7], 0) = W7;
+            PACKED(item1 + entries1[8], 0) = W8;
+        } else {
+            const doubles all[] = {spread(0.0), W1, W2, spread(1.0), spread(0.0), W5, spread(0.0), W7, W8};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2677,12 +4214,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -2691,7 +4228,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -2710,9 +4257,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_blockf)(
         const floats W8 = -(W1 * cos_angles_1);
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
-        give_4f(item1, 4, 3, down1, across1, step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
-        give_1f(item1, 8, 3, down1, across1, step1, W8);
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
+            store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
+            store_1f(item1 + 8 * sizeof(float), step1, W8);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[1], 0) = W1;
+            PACKEDF(item1 + entries1[2], 0) = W2;
+            PACKEDF(item1 + entries1[3], 0) = spreadf(1.0f);
+            PACKEDF(item1 + entries1[4], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[5], 0) = W5;
+            PACKEDF(item1 + entries1[6], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[7], 0) = W7;
+            PACKEDF(item1 + entries1[8], 0) = W8;
+        } else {
+            const floats all[] = {
+            spreadf(0.0f),
+            W1,
+            W2,
+            spreadf(1.0f),
+            spreadf(0.0f),
+            W5,
+            spreadf(0.0f),
+            W7,
+            W8};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2725,12 +4296,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -2739,7 +4310,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 1, 3, down0, across0, step0, &angles_[1]);
+        if (dense0) {
+            load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
+        } else if (step0 == sizeof(double)) {
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -2758,9 +4339,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_block)(
         const doubles W_body6 = -(cos_angles_1 * W_body4);
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, W_body0, spread(0.0), spread(1.0), W_body3);
-        give_4(item1, 4, 3, down1, across1, step1, W_body4, spread(0.0), W_body6, W_body7);
-        give_1(item1, 8, 3, down1, across1, step1, spread(0.0));
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, W_body0, spread(0.0), spread(1.0), W_body3);
+            store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, W_body7);
+            store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = W_body0;
+            PACKED(item1 + entries1[1], 0) = spread(0.0);
+            PACKED(item1 + entries1[2], 0) = spread(1.0);
+            PACKED(item1 + entries1[3], 0) = W_body3;
+            PACKED(item1 + entries1[4], 0) = W_body4;
+            PACKED(item1 + entries1[5], 0) = spread(0.0);
+            PACKED(item1 + entries1[6], 0) = W_body6;
+            PACKED(item1 + entries1[7], 0) = W_body7;
+            PACKED(item1 + entries1[8], 0) = spread(0.0);
+        } else {
+            const doubles all[] = {
+            W_body0,
+            spread(0.0),
+            spread(1.0),
+            W_body3,
+            W_body4,
+            spread(0.0),
+            W_body6,
+            W_body7,
+            spread(0.0)};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2773,12 +4378,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -2787,7 +4392,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 1, 3, down0, across0, step0, &angles_[1]);
+        if (dense0) {
+            load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
+        } else if (step0 == sizeof(float)) {
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -2806,9 +4421,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_blockf)(
         const floats W_body6 = -(cos_angles_1 * W_body4);
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
-        give_4f(item1, 4, 3, down1, across1, step1, W_body4, spreadf(0.0f), W_body6, W_body7);
-        give_1f(item1, 8, 3, down1, across1, step1, spreadf(0.0f));
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
+            store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, W_body7);
+            store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = W_body0;
+            PACKEDF(item1 + entries1[1], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[2], 0) = spreadf(1.0f);
+            PACKEDF(item1 + entries1[3], 0) = W_body3;
+            PACKEDF(item1 + entries1[4], 0) = W_body4;
+            PACKEDF(item1 + entries1[5], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[6], 0) = W_body6;
+            PACKEDF(item1 + entries1[7], 0) = W_body7;
+            PACKEDF(item1 + entries1[8], 0) = spreadf(0.0f);
+        } else {
+            const floats all[] = {
+            W_body0,
+            spreadf(0.0f),
+            spreadf(1.0f),
+            W_body3,
+            W_body4,
+            spreadf(0.0f),
+            W_body6,
+            W_body7,
+            spreadf(0.0f)};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2821,16 +4460,16 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -2839,7 +4478,17 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -2850,7 +4499,19 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_block)(
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        take_3(item1, 0, 3, down1, across1, step1, omega);
+        if (dense1) {
+            load_3(item1 + 0 * sizeof(double), step1, &omega[0]);
+        } else if (step1 == sizeof(double)) {
+            omega[0] = PACKED_IN(item1 + entries1[0], 0);
+            omega[1] = PACKED_IN(item1 + entries1[1], 0);
+            omega[2] = PACKED_IN(item1 + entries1[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item1, entries1, step1, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -2861,7 +4522,16 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_block)(
         const doubles theta_dot1 = omega[0] * sin_angles_0 + omega[2] * cos_angles_0;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 3);
-        give_3(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
+        if (dense2) {
+            store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
+        } else if (step2 == sizeof(double)) {
+            PACKED(item2 + entries2[0], 0) = theta_dot0;
+            PACKED(item2 + entries2[1], 0) = theta_dot1;
+            PACKED(item2 + entries2[2], 0) = theta_dot2;
+        } else {
+            const doubles all[] = {theta_dot0, theta_dot1, theta_dot2};
+            give_each(item2, entries2, step2, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2874,16 +4544,16 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -2892,7 +4562,17 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -2903,7 +4583,19 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_blockf)(
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        take_3f(item1, 0, 3, down1, across1, step1, omega);
+        if (dense1) {
+            load_3f(item1 + 0 * sizeof(float), step1, &omega[0]);
+        } else if (step1 == sizeof(float)) {
+            omega[0] = PACKEDF_IN(item1 + entries1[0], 0);
+            omega[1] = PACKEDF_IN(item1 + entries1[1], 0);
+            omega[2] = PACKEDF_IN(item1 + entries1[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item1, entries1, step1, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -2915,7 +4607,16 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_blockf)(
         const floats theta_dot1 = omega[0] * sin_angles_0 + omega[2] * cos_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 3);
-        give_3f(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
+        if (dense2) {
+            store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
+        } else if (step2 == sizeof(float)) {
+            PACKEDF(item2 + entries2[0], 0) = theta_dot0;
+            PACKEDF(item2 + entries2[1], 0) = theta_dot1;
+            PACKEDF(item2 + entries2[2], 0) = theta_dot2;
+        } else {
+            const floats all[] = {theta_dot0, theta_dot1, theta_dot2};
+            give_eachf(item2, entries2, step2, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2928,12 +4629,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
@@ -2942,7 +4643,19 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -2971,9 +4684,24 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_block)(
         const doubles Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
-        give_4(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
-        give_1(item1, 8, 3, down1, across1, step1, Q8);
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
+            store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
+            store_1(item1 + 8 * sizeof(double), step1, Q8);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = Q0;
+            PACKED(item1 + entries1[1], 0) = Q1;
+            PACKED(item1 + entries1[2], 0) = Q2;
+            PACKED(item1 + entries1[3], 0) = Q3;
+            PACKED(item1 + entries1[4], 0) = Q4;
+            PACKED(item1 + entries1[5], 0) = Q5;
+            PACKED(item1 + entries1[6], 0) = Q6;
+            PACKED(item1 + entries1[7], 0) = Q7;
+            PACKED(item1 + entries1[8], 0) = Q8;
+        } else {
+            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -2986,12 +4714,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
@@ -3000,7 +4728,19 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -3029,9 +4769,24 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_blockf)(
         const floats Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
-        give_4f(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
-        give_1f(item1, 8, 3, down1, across1, step1, Q8);
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
+            store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
+            store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = Q0;
+            PACKEDF(item1 + entries1[1], 0) = Q1;
+            PACKEDF(item1 + entries1[2], 0) = Q2;
+            PACKEDF(item1 + entries1[3], 0) = Q3;
+            PACKEDF(item1 + entries1[4], 0) = Q4;
+            PACKEDF(item1 + entries1[5], 0) = Q5;
+            PACKEDF(item1 + entries1[6], 0) = Q6;
+            PACKEDF(item1 + entries1[7], 0) = Q7;
+            PACKEDF(item1 + entries1[8], 0) = Q8;
+        } else {
+            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -3044,12 +4799,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -3058,7 +4813,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -3077,9 +4842,24 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_block)(
         const doubles W8 = W1 * sin_angles_1;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, spread(0.0), W1, W2, spread(1.0));
-        give_4(item1, 4, 3, down1, across1, step1, spread(0.0), W5, spread(0.0), W7);
-        give_1(item1, 8, 3, down1, across1, step1, W8);
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, spread(0.0), W1, W2, spread(1.0));
+            store_4(item1 + 4 * sizeof(double), step1, spread(0.0), W5, spread(0.0), W7);
+            store_1(item1 + 8 * sizeof(double), step1, W8);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = spread(0.0);
+            PACKED(item1 + entries1[1], 0) = W1;
+            PACKED(item1 + entries1[2], 0) = W2;
+            PACKED(item1 + entries1[3], 0) = spread(1.0);
+            PACKED(item1 + entries1[4], 0) = spread(0.0);
+            PACKED(item1 + entries1[5], 0) = W5;
+            PACKED(item1 + entries1[6], 0) = spread(0.0);
+            PACKED(item1 + entries1[7], 0) = W7;
+            PACKED(item1 + entries1[8], 0) = W8;
+        } else {
+            const doubles all[] = {spread(0.0), W1, W2, spread(1.0), spread(0.0), W5, spread(0.0), W7, W8};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -3092,12 +4872,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -3106,7 +4886,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -3125,9 +4915,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_blockf)(
         const floats W8 = W1 * sin_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
-        give_4f(item1, 4, 3, down1, across1, step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
-        give_1f(item1, 8, 3, down1, across1, step1, W8);
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
+            store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
+            store_1f(item1 + 8 * sizeof(float), step1, W8);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[1], 0) = W1;
+            PACKEDF(item1 + entries1[2], 0) = W2;
+            PACKEDF(item1 + entries1[3], 0) = spreadf(1.0f);
+            PACKEDF(item1 + entries1[4], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[5], 0) = W5;
+            PACKEDF(item1 + entries1[6], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[7], 0) = W7;
+            PACKEDF(item1 + entries1[8], 0) = W8;
+        } else {
+            const floats all[] = {
+            spreadf(0.0f),
+            W1,
+            W2,
+            spreadf(1.0f),
+            spreadf(0.0f),
+            W5,
+            spreadf(0.0f),
+            W7,
+            W8};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -3140,12 +4954,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -3154,7 +4968,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 1, 3, down0, across0, step0, &angles_[1]);
+        if (dense0) {
+            load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
+        } else if (step0 == sizeof(double)) {
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -3173,9 +4997,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_block)(
         const doubles W_body6 = sin_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spread(0.0), W_body3);
-        give_4(item1, 4, 3, down1, across1, step1, spread(0.0), spread(1.0), W_body6, W_body7);
-        give_1(item1, 8, 3, down1, across1, step1, spread(0.0));
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, W_body0, W_body1, spread(0.0), W_body3);
+            store_4(item1 + 4 * sizeof(double), step1, spread(0.0), spread(1.0), W_body6, W_body7);
+            store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = W_body0;
+            PACKED(item1 + entries1[1], 0) = W_body1;
+            PACKED(item1 + entries1[2], 0) = spread(0.0);
+            PACKED(item1 + entries1[3], 0) = W_body3;
+            PACKED(item1 + entries1[4], 0) = spread(0.0);
+            PACKED(item1 + entries1[5], 0) = spread(1.0);
+            PACKED(item1 + entries1[6], 0) = W_body6;
+            PACKED(item1 + entries1[7], 0) = W_body7;
+            PACKED(item1 + entries1[8], 0) = spread(0.0);
+        } else {
+            const doubles all[] = {
+            W_body0,
+            W_body1,
+            spread(0.0),
+            W_body3,
+            spread(0.0),
+            spread(1.0),
+            W_body6,
+            W_body7,
+            spread(0.0)};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -3188,12 +5036,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -3202,7 +5050,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 1, 3, down0, across0, step0, &angles_[1]);
+        if (dense0) {
+            load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
+        } else if (step0 == sizeof(float)) {
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -3221,9 +5079,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_blockf)(
         const floats W_body6 = sin_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
-        give_4f(item1, 4, 3, down1, across1, step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
-        give_1f(item1, 8, 3, down1, across1, step1, spreadf(0.0f));
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, W_body0, W_body1, spreadf(0.0f), W_body3);
+            store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
+            store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = W_body0;
+            PACKEDF(item1 + entries1[1], 0) = W_body1;
+            PACKEDF(item1 + entries1[2], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[3], 0) = W_body3;
+            PACKEDF(item1 + entries1[4], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[5], 0) = spreadf(1.0f);
+            PACKEDF(item1 + entries1[6], 0) = W_body6;
+            PACKEDF(item1 + entries1[7], 0) = W_body7;
+            PACKEDF(item1 + entries1[8], 0) = spreadf(0.0f);
+        } else {
+            const floats all[] = {
+            W_body0,
+            W_body1,
+            spreadf(0.0f),
+            W_body3,
+            spreadf(0.0f),
+            spreadf(1.0f),
+            W_body6,
+            W_body7,
+            spreadf(0.0f)};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -3236,16 +5118,16 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -3254,7 +5136,17 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -3265,7 +5157,19 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_block)(
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        take_3(item1, 0, 3, down1, across1, step1, omega);
+        if (dense1) {
+            load_3(item1 + 0 * sizeof(double), step1, &omega[0]);
+        } else if (step1 == sizeof(double)) {
+            omega[0] = PACKED_IN(item1 + entries1[0], 0);
+            omega[1] = PACKED_IN(item1 + entries1[1], 0);
+            omega[2] = PACKED_IN(item1 + entries1[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item1, entries1, step1, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -3276,7 +5180,16 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_block)(
         const doubles theta_dot1 = omega[0] * sin_angles_0 + omega[2] * cos_angles_0;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 3);
-        give_3(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
+        if (dense2) {
+            store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
+        } else if (step2 == sizeof(double)) {
+            PACKED(item2 + entries2[0], 0) = theta_dot0;
+            PACKED(item2 + entries2[1], 0) = theta_dot1;
+            PACKED(item2 + entries2[2], 0) = theta_dot2;
+        } else {
+            const doubles all[] = {theta_dot0, theta_dot1, theta_dot2};
+            give_each(item2, entries2, step2, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -3289,16 +5202,16 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -3307,7 +5220,17 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -3318,7 +5241,19 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_blockf)(
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        take_3f(item1, 0, 3, down1, across1, step1, omega);
+        if (dense1) {
+            load_3f(item1 + 0 * sizeof(float), step1, &omega[0]);
+        } else if (step1 == sizeof(float)) {
+            omega[0] = PACKEDF_IN(item1 + entries1[0], 0);
+            omega[1] = PACKEDF_IN(item1 + entries1[1], 0);
+            omega[2] = PACKEDF_IN(item1 + entries1[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item1, entries1, step1, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -3330,7 +5265,16 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_blockf)(
         const floats theta_dot1 = omega[0] * sin_angles_0 + omega[2] * cos_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 3);
-        give_3f(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
+        if (dense2) {
+            store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
+        } else if (step2 == sizeof(float)) {
+            PACKEDF(item2 + entries2[0], 0) = theta_dot0;
+            PACKEDF(item2 + entries2[1], 0) = theta_dot1;
+            PACKEDF(item2 + entries2[2], 0) = theta_dot2;
+        } else {
+            const floats all[] = {theta_dot0, theta_dot1, theta_dot2};
+            give_eachf(item2, entries2, step2, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -3343,12 +5287,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
@@ -3357,7 +5301,19 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -3386,9 +5342,24 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_block)(
         const doubles Q8 = cos_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
-        give_4(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
-        give_1(item1, 8, 3, down1, across1, step1, Q8);
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
+            store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
+            store_1(item1 + 8 * sizeof(double), step1, Q8);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = Q0;
+            PACKED(item1 + entries1[1], 0) = Q1;
+            PACKED(item1 + entries1[2], 0) = Q2;
+            PACKED(item1 + entries1[3], 0) = Q3;
+            PACKED(item1 + entries1[4], 0) = Q4;
+            PACKED(item1 + entries1[5], 0) = Q5;
+            PACKED(item1 + entries1[6], 0) = Q6;
+            PACKED(item1 + entries1[7], 0) = Q7;
+            PACKED(item1 + entries1[8], 0) = Q8;
+        } else {
+            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -3401,12 +5372,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
@@ -3415,7 +5386,19 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -3444,9 +5427,24 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_blockf)(
         const floats Q8 = cos_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
-        give_4f(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
-        give_1f(item1, 8, 3, down1, across1, step1, Q8);
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
+            store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
+            store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = Q0;
+            PACKEDF(item1 + entries1[1], 0) = Q1;
+            PACKEDF(item1 + entries1[2], 0) = Q2;
+            PACKEDF(item1 + entries1[3], 0) = Q3;
+            PACKEDF(item1 + entries1[4], 0) = Q4;
+            PACKEDF(item1 + entries1[5], 0) = Q5;
+            PACKEDF(item1 + entries1[6], 0) = Q6;
+            PACKEDF(item1 + entries1[7], 0) = Q7;
+            PACKEDF(item1 + entries1[8], 0) = Q8;
+        } else {
+            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -3459,12 +5457,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -3473,7 +5471,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -3492,9 +5500,24 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_block)(
         const doubles W5 = W1 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, spread(0.0), W1, W2, spread(0.0));
-        give_4(item1, 4, 3, down1, across1, step1, W4, W5, spread(1.0), spread(0.0));
-        give_1(item1, 8, 3, down1, across1, step1, W8);
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, spread(0.0), W1, W2, spread(0.0));
+            store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(1.0), spread(0.0));
+            store_1(item1 + 8 * sizeof(double), step1, W8);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = spread(0.0);
+            PACKED(item1 + entries1[1], 0) = W1;
+            PACKED(item1 + entries1[2], 0) = W2;
+            PACKED(item1 + entries1[3], 0) = spread(0.0);
+            PACKED(item1 + entries1[4], 0) = W4;
+            PACKED(item1 + entries1[5], 0) = W5;
+            PACKED(item1 + entries1[6], 0) = spread(1.0);
+            PACKED(item1 + entries1[7], 0) = spread(0.0);
+            PACKED(item1 + entries1[8], 0) = W8;
+        } else {
+            const doubles all[] = {spread(0.0), W1, W2, spread(0.0), W4, W5, spread(1.0), spread(0.0), W8};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -3507,12 +5530,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -3521,7 +5544,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -3540,9 +5573,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_blockf)(
         const floats W5 = W1 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
-        give_4f(item1, 4, 3, down1, across1, step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
-        give_1f(item1, 8, 3, down1, across1, step1, W8);
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
+            store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
+            store_1f(item1 + 8 * sizeof(float), step1, W8);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[1], 0) = W1;
+            PACKEDF(item1 + entries1[2], 0) = W2;
+            PACKEDF(item1 + entries1[3], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[4], 0) = W4;
+            PACKEDF(item1 + entries1[5], 0) = W5;
+            PACKEDF(item1 + entries1[6], 0) = spreadf(1.0f);
+            PACKEDF(item1 + entries1[7], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[8], 0) = W8;
+        } else {
+            const floats all[] = {
+            spreadf(0.0f),
+            W1,
+            W2,
+            spreadf(0.0f),
+            W4,
+            W5,
+            spreadf(1.0f),
+            spreadf(0.0f),
+            W8};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -3555,12 +5612,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -3569,7 +5626,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 1, 3, down0, across0, step0, &angles_[1]);
+        if (dense0) {
+            load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
+        } else if (step0 == sizeof(double)) {
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -3588,9 +5655,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_block)(
         const doubles W_body6 = cos_angles_1 * W_body1;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spread(0.0), W_body3);
-        give_4(item1, 4, 3, down1, across1, step1, spread(0.0), spread(1.0), W_body6, W_body7);
-        give_1(item1, 8, 3, down1, across1, step1, spread(0.0));
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, W_body0, W_body1, spread(0.0), W_body3);
+            store_4(item1 + 4 * sizeof(double), step1, spread(0.0), spread(1.0), W_body6, W_body7);
+            store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = W_body0;
+            PACKED(item1 + entries1[1], 0) = W_body1;
+            PACKED(item1 + entries1[2], 0) = spread(0.0);
+            PACKED(item1 + entries1[3], 0) = W_body3;
+            PACKED(item1 + entries1[4], 0) = spread(0.0);
+            PACKED(item1 + entries1[5], 0) = spread(1.0);
+            PACKED(item1 + entries1[6], 0) = W_body6;
+            PACKED(item1 + entries1[7], 0) = W_body7;
+            PACKED(item1 + entries1[8], 0) = spread(0.0);
+        } else {
+            const doubles all[] = {
+            W_body0,
+            W_body1,
+            spread(0.0),
+            W_body3,
+            spread(0.0),
+            spread(1.0),
+            W_body6,
+            W_body7,
+            spread(0.0)};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -3603,12 +5694,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -3617,7 +5708,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 1, 3, down0, across0, step0, &angles_[1]);
+        if (dense0) {
+            load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
+        } else if (step0 == sizeof(float)) {
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -3636,9 +5737,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_blockf)(
         const floats W_body6 = cos_angles_1 * W_body1;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
-        give_4f(item1, 4, 3, down1, across1, step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
-        give_1f(item1, 8, 3, down1, across1, step1, spreadf(0.0f));
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, W_body0, W_body1, spreadf(0.0f), W_body3);
+            store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
+            store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = W_body0;
+            PACKEDF(item1 + entries1[1], 0) = W_body1;
+            PACKEDF(item1 + entries1[2], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[3], 0) = W_body3;
+            PACKEDF(item1 + entries1[4], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[5], 0) = spreadf(1.0f);
+            PACKEDF(item1 + entries1[6], 0) = W_body6;
+            PACKEDF(item1 + entries1[7], 0) = W_body7;
+            PACKEDF(item1 + entries1[8], 0) = spreadf(0.0f);
+        } else {
+            const floats all[] = {
+            W_body0,
+            W_body1,
+            spreadf(0.0f),
+            W_body3,
+            spreadf(0.0f),
+            spreadf(1.0f),
+            W_body6,
+            W_body7,
+            spreadf(0.0f)};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -3651,16 +5776,16 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -3669,7 +5794,17 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -3680,7 +5815,19 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_block)(
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        take_3(item1, 0, 3, down1, across1, step1, omega);
+        if (dense1) {
+            load_3(item1 + 0 * sizeof(double), step1, &omega[0]);
+        } else if (step1 == sizeof(double)) {
+            omega[0] = PACKED_IN(item1 + entries1[0], 0);
+            omega[1] = PACKED_IN(item1 + entries1[1], 0);
+            omega[2] = PACKED_IN(item1 + entries1[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item1, entries1, step1, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -3691,7 +5838,16 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_block)(
         const doubles theta_dot1 = omega[0] * cos_angles_0 + omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 3);
-        give_3(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
+        if (dense2) {
+            store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
+        } else if (step2 == sizeof(double)) {
+            PACKED(item2 + entries2[0], 0) = theta_dot0;
+            PACKED(item2 + entries2[1], 0) = theta_dot1;
+            PACKED(item2 + entries2[2], 0) = theta_dot2;
+        } else {
+            const doubles all[] = {theta_dot0, theta_dot1, theta_dot2};
+            give_each(item2, entries2, step2, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -3704,16 +5860,16 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -3722,7 +5878,17 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -3733,7 +5899,19 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_blockf)(
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        take_3f(item1, 0, 3, down1, across1, step1, omega);
+        if (dense1) {
+            load_3f(item1 + 0 * sizeof(float), step1, &omega[0]);
+        } else if (step1 == sizeof(float)) {
+            omega[0] = PACKEDF_IN(item1 + entries1[0], 0);
+            omega[1] = PACKEDF_IN(item1 + entries1[1], 0);
+            omega[2] = PACKEDF_IN(item1 + entries1[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item1, entries1, step1, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -3745,7 +5923,16 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_blockf)(
         const floats theta_dot1 = omega[0] * cos_angles_0 + omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 3);
-        give_3f(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
+        if (dense2) {
+            store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
+        } else if (step2 == sizeof(float)) {
+            PACKEDF(item2 + entries2[0], 0) = theta_dot0;
+            PACKEDF(item2 + entries2[1], 0) = theta_dot1;
+            PACKEDF(item2 + entries2[2], 0) = theta_dot2;
+        } else {
+            const floats all[] = {theta_dot0, theta_dot1, theta_dot2};
+            give_eachf(item2, entries2, step2, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -3758,12 +5945,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
@@ -3772,7 +5959,19 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -3801,9 +6000,24 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_block)(
         const doubles Q7 = sin_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
-        give_4(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
-        give_1(item1, 8, 3, down1, across1, step1, Q8);
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
+            store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
+            store_1(item1 + 8 * sizeof(double), step1, Q8);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = Q0;
+            PACKED(item1 + entries1[1], 0) = Q1;
+            PACKED(item1 + entries1[2], 0) = Q2;
+            PACKED(item1 + entries1[3], 0) = Q3;
+            PACKED(item1 + entries1[4], 0) = Q4;
+            PACKED(item1 + entries1[5], 0) = Q5;
+            PACKED(item1 + entries1[6], 0) = Q6;
+            PACKED(item1 + entries1[7], 0) = Q7;
+            PACKED(item1 + entries1[8], 0) = Q8;
+        } else {
+            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -3816,12 +6030,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
@@ -3830,7 +6044,19 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -3859,9 +6085,24 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_blockf)(
         const floats Q7 = sin_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
-        give_4f(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
-        give_1f(item1, 8, 3, down1, across1, step1, Q8);
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
+            store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
+            store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = Q0;
+            PACKEDF(item1 + entries1[1], 0) = Q1;
+            PACKEDF(item1 + entries1[2], 0) = Q2;
+            PACKEDF(item1 + entries1[3], 0) = Q3;
+            PACKEDF(item1 + entries1[4], 0) = Q4;
+            PACKEDF(item1 + entries1[5], 0) = Q5;
+            PACKEDF(item1 + entries1[6], 0) = Q6;
+            PACKEDF(item1 + entries1[7], 0) = Q7;
+            PACKEDF(item1 + entries1[8], 0) = Q8;
+        } else {
+            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -3874,12 +6115,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -3888,7 +6129,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -3907,9 +6158,24 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_block)(
         const doubles W5 = -(W1 * sin_angles_1);
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, spread(0.0), W1, W2, spread(0.0));
-        give_4(item1, 4, 3, down1, across1, step1, W4, W5, spread(1.0), spread(0.0));
-        give_1(item1, 8, 3, down1, across1, step1, W8);
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, spread(0.0), W1, W2, spread(0.0));
+            store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(1.0), spread(0.0));
+            store_1(item1 + 8 * sizeof(double), step1, W8);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = spread(0.0);
+            PACKED(item1 + entries1[1], 0) = W1;
+            PACKED(item1 + entries1[2], 0) = W2;
+            PACKED(item1 + entries1[3], 0) = spread(0.0);
+            PACKED(item1 + entries1[4], 0) = W4;
+            PACKED(item1 + entries1[5], 0) = W5;
+            PACKED(item1 + entries1[6], 0) = spread(1.0);
+            PACKED(item1 + entries1[7], 0) = spread(0.0);
+            PACKED(item1 + entries1[8], 0) = W8;
+        } else {
+            const doubles all[] = {spread(0.0), W1, W2, spread(0.0), W4, W5, spread(1.0), spread(0.0), W8};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -3922,12 +6188,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -3936,7 +6202,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -3955,9 +6231,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_blockf)(
         const floats W5 = -(W1 * sin_angles_1);
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
-        give_4f(item1, 4, 3, down1, across1, step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
-        give_1f(item1, 8, 3, down1, across1, step1, W8);
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
+            store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
+            store_1f(item1 + 8 * sizeof(float), step1, W8);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[1], 0) = W1;
+            PACKEDF(item1 + entries1[2], 0) = W2;
+            PACKEDF(item1 + entries1[3], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[4], 0) = W4;
+            PACKEDF(item1 + entries1[5], 0) = W5;
+            PACKEDF(item1 + entries1[6], 0) = spreadf(1.0f);
+            PACKEDF(item1 + entries1[7], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[8], 0) = W8;
+        } else {
+            const floats all[] = {
+            spreadf(0.0f),
+            W1,
+            W2,
+            spreadf(0.0f),
+            W4,
+            W5,
+            spreadf(1.0f),
+            spreadf(0.0f),
+            W8};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -3970,12 +6270,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -3984,7 +6284,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 1, 3, down0, across0, step0, &angles_[1]);
+        if (dense0) {
+            load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
+        } else if (step0 == sizeof(double)) {
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -4003,9 +6313,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_block)(
         const doubles W_body3 = sin_angles_1 * W_body1;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spread(0.0), W_body3);
-        give_4(item1, 4, 3, down1, across1, step1, W_body4, spread(0.0), W_body6, spread(0.0));
-        give_1(item1, 8, 3, down1, across1, step1, spread(1.0));
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, W_body0, W_body1, spread(0.0), W_body3);
+            store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, spread(0.0));
+            store_1(item1 + 8 * sizeof(double), step1, spread(1.0));
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = W_body0;
+            PACKED(item1 + entries1[1], 0) = W_body1;
+            PACKED(item1 + entries1[2], 0) = spread(0.0);
+            PACKED(item1 + entries1[3], 0) = W_body3;
+            PACKED(item1 + entries1[4], 0) = W_body4;
+            PACKED(item1 + entries1[5], 0) = spread(0.0);
+            PACKED(item1 + entries1[6], 0) = W_body6;
+            PACKED(item1 + entries1[7], 0) = spread(0.0);
+            PACKED(item1 + entries1[8], 0) = spread(1.0);
+        } else {
+            const doubles all[] = {
+            W_body0,
+            W_body1,
+            spread(0.0),
+            W_body3,
+            W_body4,
+            spread(0.0),
+            W_body6,
+            spread(0.0),
+            spread(1.0)};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -4018,12 +6352,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -4032,7 +6366,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 1, 3, down0, across0, step0, &angles_[1]);
+        if (dense0) {
+            load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
+        } else if (step0 == sizeof(float)) {
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -4051,9 +6395,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_blockf)(
         const floats W_body3 = sin_angles_1 * W_body1;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
-        give_4f(item1, 4, 3, down1, across1, step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
-        give_1f(item1, 8, 3, down1, across1, step1, spreadf(1.0f));
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, W_body0, W_body1, spreadf(0.0f), W_body3);
+            store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
+            store_1f(item1 + 8 * sizeof(float), step1, spreadf(1.0f));
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = W_body0;
+            PACKEDF(item1 + entries1[1], 0) = W_body1;
+            PACKEDF(item1 + entries1[2], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[3], 0) = W_body3;
+            PACKEDF(item1 + entries1[4], 0) = W_body4;
+            PACKEDF(item1 + entries1[5], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[6], 0) = W_body6;
+            PACKEDF(item1 + entries1[7], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[8], 0) = spreadf(1.0f);
+        } else {
+            const floats all[] = {
+            W_body0,
+            W_body1,
+            spreadf(0.0f),
+            W_body3,
+            W_body4,
+            spreadf(0.0f),
+            W_body6,
+            spreadf(0.0f),
+            spreadf(1.0f)};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -4066,16 +6434,16 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -4084,7 +6452,17 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -4095,7 +6473,19 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_block)(
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        take_3(item1, 0, 3, down1, across1, step1, omega);
+        if (dense1) {
+            load_3(item1 + 0 * sizeof(double), step1, &omega[0]);
+        } else if (step1 == sizeof(double)) {
+            omega[0] = PACKED_IN(item1 + entries1[0], 0);
+            omega[1] = PACKED_IN(item1 + entries1[1], 0);
+            omega[2] = PACKED_IN(item1 + entries1[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item1, entries1, step1, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -4106,7 +6496,16 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_block)(
         const doubles theta_dot1 = omega[0] * cos_angles_0 + omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 3);
-        give_3(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
+        if (dense2) {
+            store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
+        } else if (step2 == sizeof(double)) {
+            PACKED(item2 + entries2[0], 0) = theta_dot0;
+            PACKED(item2 + entries2[1], 0) = theta_dot1;
+            PACKED(item2 + entries2[2], 0) = theta_dot2;
+        } else {
+            const doubles all[] = {theta_dot0, theta_dot1, theta_dot2};
+            give_each(item2, entries2, step2, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -4119,16 +6518,16 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -4137,7 +6536,17 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -4148,7 +6557,19 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_blockf)(
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        take_3f(item1, 0, 3, down1, across1, step1, omega);
+        if (dense1) {
+            load_3f(item1 + 0 * sizeof(float), step1, &omega[0]);
+        } else if (step1 == sizeof(float)) {
+            omega[0] = PACKEDF_IN(item1 + entries1[0], 0);
+            omega[1] = PACKEDF_IN(item1 + entries1[1], 0);
+            omega[2] = PACKEDF_IN(item1 + entries1[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item1, entries1, step1, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -4160,7 +6581,16 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_blockf)(
         const floats theta_dot1 = omega[0] * cos_angles_0 + omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 3);
-        give_3f(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
+        if (dense2) {
+            store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
+        } else if (step2 == sizeof(float)) {
+            PACKEDF(item2 + entries2[0], 0) = theta_dot0;
+            PACKEDF(item2 + entries2[1], 0) = theta_dot1;
+            PACKEDF(item2 + entries2[2], 0) = theta_dot2;
+        } else {
+            const floats all[] = {theta_dot0, theta_dot1, theta_dot2};
+            give_eachf(item2, entries2, step2, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -4173,12 +6603,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
@@ -4187,7 +6617,19 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -4216,9 +6658,24 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_block)(
         const doubles Q8 = cos_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
-        give_4(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
-        give_1(item1, 8, 3, down1, across1, step1, Q8);
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
+            store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
+            store_1(item1 + 8 * sizeof(double), step1, Q8);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = Q0;
+            PACKED(item1 + entries1[1], 0) = Q1;
+            PACKED(item1 + entries1[2], 0) = Q2;
+            PACKED(item1 + entries1[3], 0) = Q3;
+            PACKED(item1 + entries1[4], 0) = Q4;
+            PACKED(item1 + entries1[5], 0) = Q5;
+            PACKED(item1 + entries1[6], 0) = Q6;
+            PACKED(item1 + entries1[7], 0) = Q7;
+            PACKED(item1 + entries1[8], 0) = Q8;
+        } else {
+            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -4231,12 +6688,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
@@ -4245,7 +6702,19 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -4274,9 +6743,24 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_blockf)(
         const floats Q8 = cos_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
-        give_4f(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
-        give_1f(item1, 8, 3, down1, across1, step1, Q8);
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
+            store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
+            store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = Q0;
+            PACKEDF(item1 + entries1[1], 0) = Q1;
+            PACKEDF(item1 + entries1[2], 0) = Q2;
+            PACKEDF(item1 + entries1[3], 0) = Q3;
+            PACKEDF(item1 + entries1[4], 0) = Q4;
+            PACKEDF(item1 + entries1[5], 0) = Q5;
+            PACKEDF(item1 + entries1[6], 0) = Q6;
+            PACKEDF(item1 + entries1[7], 0) = Q7;
+            PACKEDF(item1 + entries1[8], 0) = Q8;
+        } else {
+            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -4289,12 +6773,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -4303,7 +6787,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -4322,9 +6816,24 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_block)(
         const doubles W5 = sin_angles_0 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, spread(0.0), W1, W2, spread(0.0));
-        give_4(item1, 4, 3, down1, across1, step1, W4, W5, spread(1.0), spread(0.0));
-        give_1(item1, 8, 3, down1, across1, step1, W8);
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, spread(0.0), W1, W2, spread(0.0));
+            store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(1.0), spread(0.0));
+            store_1(item1 + 8 * sizeof(double), step1, W8);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = spread(0.0);
+            PACKED(item1 + entries1[1], 0) = W1;
+            PACKED(item1 + entries1[2], 0) = W2;
+            PACKED(item1 + entries1[3], 0) = spread(0.0);
+            PACKED(item1 + entries1[4], 0) = W4;
+            PACKED(item1 + entries1[5], 0) = W5;
+            PACKED(item1 + entries1[6], 0) = spread(1.0);
+            PACKED(item1 + entries1[7], 0) = spread(0.0);
+            PACKED(item1 + entries1[8], 0) = W8;
+        } else {
+            const doubles all[] = {spread(0.0), W1, W2, spread(0.0), W4, W5, spread(1.0), spread(0.0), W8};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -4337,12 +6846,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -4351,7 +6860,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -4370,9 +6889,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_blockf)(
         const floats W5 = sin_angles_0 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
-        give_4f(item1, 4, 3, down1, across1, step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
-        give_1f(item1, 8, 3, down1, across1, step1, W8);
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
+            store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
+            store_1f(item1 + 8 * sizeof(float), step1, W8);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[1], 0) = W1;
+            PACKEDF(item1 + entries1[2], 0) = W2;
+            PACKEDF(item1 + entries1[3], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[4], 0) = W4;
+            PACKEDF(item1 + entries1[5], 0) = W5;
+            PACKEDF(item1 + entries1[6], 0) = spreadf(1.0f);
+            PACKEDF(item1 + entries1[7], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[8], 0) = W8;
+        } else {
+            const floats all[] = {
+            spreadf(0.0f),
+            W1,
+            W2,
+            spreadf(0.0f),
+            W4,
+            W5,
+            spreadf(1.0f),
+            spreadf(0.0f),
+            W8};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -4385,12 +6928,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -4399,7 +6942,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 1, 3, down0, across0, step0, &angles_[1]);
+        if (dense0) {
+            load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
+        } else if (step0 == sizeof(double)) {
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -4418,9 +6971,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_block)(
         const doubles W_body6 = cos_angles_1 * W_body4;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, W_body0, spread(0.0), spread(1.0), W_body3);
-        give_4(item1, 4, 3, down1, across1, step1, W_body4, spread(0.0), W_body6, W_body7);
-        give_1(item1, 8, 3, down1, across1, step1, spread(0.0));
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, W_body0, spread(0.0), spread(1.0), W_body3);
+            store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, W_body7);
+            store_1(item1 + 8 * sizeof(double), step1, spread(0.0));
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = W_body0;
+            PACKED(item1 + entries1[1], 0) = spread(0.0);
+            PACKED(item1 + entries1[2], 0) = spread(1.0);
+            PACKED(item1 + entries1[3], 0) = W_body3;
+            PACKED(item1 + entries1[4], 0) = W_body4;
+            PACKED(item1 + entries1[5], 0) = spread(0.0);
+            PACKED(item1 + entries1[6], 0) = W_body6;
+            PACKED(item1 + entries1[7], 0) = W_body7;
+            PACKED(item1 + entries1[8], 0) = spread(0.0);
+        } else {
+            const doubles all[] = {
+            W_body0,
+            spread(0.0),
+            spread(1.0),
+            W_body3,
+            W_body4,
+            spread(0.0),
+            W_body6,
+            W_body7,
+            spread(0.0)};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -4433,12 +7010,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -4447,7 +7024,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 1, 3, down0, across0, step0, &angles_[1]);
+        if (dense0) {
+            load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
+        } else if (step0 == sizeof(float)) {
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -4466,9 +7053,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_blockf)(
         const floats W_body6 = cos_angles_1 * W_body4;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
-        give_4f(item1, 4, 3, down1, across1, step1, W_body4, spreadf(0.0f), W_body6, W_body7);
-        give_1f(item1, 8, 3, down1, across1, step1, spreadf(0.0f));
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
+            store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, W_body7);
+            store_1f(item1 + 8 * sizeof(float), step1, spreadf(0.0f));
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = W_body0;
+            PACKEDF(item1 + entries1[1], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[2], 0) = spreadf(1.0f);
+            PACKEDF(item1 + entries1[3], 0) = W_body3;
+            PACKEDF(item1 + entries1[4], 0) = W_body4;
+            PACKEDF(item1 + entries1[5], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[6], 0) = W_body6;
+            PACKEDF(item1 + entries1[7], 0) = W_body7;
+            PACKEDF(item1 + entries1[8], 0) = spreadf(0.0f);
+        } else {
+            const floats all[] = {
+            W_body0,
+            spreadf(0.0f),
+            spreadf(1.0f),
+            W_body3,
+            W_body4,
+            spreadf(0.0f),
+            W_body6,
+            W_body7,
+            spreadf(0.0f)};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -4481,16 +7092,16 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -4499,7 +7110,17 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -4510,7 +7131,19 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_block)(
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        take_3(item1, 0, 3, down1, across1, step1, omega);
+        if (dense1) {
+            load_3(item1 + 0 * sizeof(double), step1, &omega[0]);
+        } else if (step1 == sizeof(double)) {
+            omega[0] = PACKED_IN(item1 + entries1[0], 0);
+            omega[1] = PACKED_IN(item1 + entries1[1], 0);
+            omega[2] = PACKED_IN(item1 + entries1[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item1, entries1, step1, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -4521,7 +7154,16 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_block)(
         const doubles theta_dot1 = omega[1] * cos_angles_0 - omega[0] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 3);
-        give_3(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
+        if (dense2) {
+            store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
+        } else if (step2 == sizeof(double)) {
+            PACKED(item2 + entries2[0], 0) = theta_dot0;
+            PACKED(item2 + entries2[1], 0) = theta_dot1;
+            PACKED(item2 + entries2[2], 0) = theta_dot2;
+        } else {
+            const doubles all[] = {theta_dot0, theta_dot1, theta_dot2};
+            give_each(item2, entries2, step2, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -4534,16 +7176,16 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -4552,7 +7194,17 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -4563,7 +7215,19 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_blockf)(
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        take_3f(item1, 0, 3, down1, across1, step1, omega);
+        if (dense1) {
+            load_3f(item1 + 0 * sizeof(float), step1, &omega[0]);
+        } else if (step1 == sizeof(float)) {
+            omega[0] = PACKEDF_IN(item1 + entries1[0], 0);
+            omega[1] = PACKEDF_IN(item1 + entries1[1], 0);
+            omega[2] = PACKEDF_IN(item1 + entries1[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item1, entries1, step1, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -4575,7 +7239,16 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_blockf)(
         const floats theta_dot1 = omega[1] * cos_angles_0 - omega[0] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 3);
-        give_3f(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
+        if (dense2) {
+            store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
+        } else if (step2 == sizeof(float)) {
+            PACKEDF(item2 + entries2[0], 0) = theta_dot0;
+            PACKEDF(item2 + entries2[1], 0) = theta_dot1;
+            PACKEDF(item2 + entries2[2], 0) = theta_dot2;
+        } else {
+            const floats all[] = {theta_dot0, theta_dot1, theta_dot2};
+            give_eachf(item2, entries2, step2, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -4588,12 +7261,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[3][GROUPS];
     doubles sines[3][GROUPS];
@@ -4602,7 +7275,19 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_3(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_3(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -4631,9 +7316,24 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_block)(
         const doubles Q7 = sin_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
-        give_4(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
-        give_1(item1, 8, 3, down1, across1, step1, Q8);
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
+            store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
+            store_1(item1 + 8 * sizeof(double), step1, Q8);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = Q0;
+            PACKED(item1 + entries1[1], 0) = Q1;
+            PACKED(item1 + entries1[2], 0) = Q2;
+            PACKED(item1 + entries1[3], 0) = Q3;
+            PACKED(item1 + entries1[4], 0) = Q4;
+            PACKED(item1 + entries1[5], 0) = Q5;
+            PACKED(item1 + entries1[6], 0) = Q6;
+            PACKED(item1 + entries1[7], 0) = Q7;
+            PACKED(item1 + entries1[8], 0) = Q8;
+        } else {
+            const doubles all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -4646,12 +7346,12 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[3][GROUPSF];
     floats sines[3][GROUPSF];
@@ -4660,7 +7360,19 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_3f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_3f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
         angles[2][g] = angles_[2];
@@ -4689,9 +7401,24 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_blockf)(
         const floats Q7 = sin_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, Q0, Q1, Q2, Q3);
-        give_4f(item1, 4, 3, down1, across1, step1, Q4, Q5, Q6, Q7);
-        give_1f(item1, 8, 3, down1, across1, step1, Q8);
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
+            store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
+            store_1f(item1 + 8 * sizeof(float), step1, Q8);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = Q0;
+            PACKEDF(item1 + entries1[1], 0) = Q1;
+            PACKEDF(item1 + entries1[2], 0) = Q2;
+            PACKEDF(item1 + entries1[3], 0) = Q3;
+            PACKEDF(item1 + entries1[4], 0) = Q4;
+            PACKEDF(item1 + entries1[5], 0) = Q5;
+            PACKEDF(item1 + entries1[6], 0) = Q6;
+            PACKEDF(item1 + entries1[7], 0) = Q7;
+            PACKEDF(item1 + entries1[8], 0) = Q8;
+        } else {
+            const floats all[] = {Q0, Q1, Q2, Q3, Q4, Q5, Q6, Q7, Q8};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -4704,12 +7431,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -4718,7 +7445,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -4737,9 +7474,24 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_block)(
         const doubles W5 = sin_angles_0 * sin_angles_1;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, spread(0.0), W1, W2, spread(0.0));
-        give_4(item1, 4, 3, down1, across1, step1, W4, W5, spread(1.0), spread(0.0));
-        give_1(item1, 8, 3, down1, across1, step1, W8);
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, spread(0.0), W1, W2, spread(0.0));
+            store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(1.0), spread(0.0));
+            store_1(item1 + 8 * sizeof(double), step1, W8);
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = spread(0.0);
+            PACKED(item1 + entries1[1], 0) = W1;
+            PACKED(item1 + entries1[2], 0) = W2;
+            PACKED(item1 + entries1[3], 0) = spread(0.0);
+            PACKED(item1 + entries1[4], 0) = W4;
+            PACKED(item1 + entries1[5], 0) = W5;
+            PACKED(item1 + entries1[6], 0) = spread(1.0);
+            PACKED(item1 + entries1[7], 0) = spread(0.0);
+            PACKED(item1 + entries1[8], 0) = W8;
+        } else {
+            const doubles all[] = {spread(0.0), W1, W2, spread(0.0), W4, W5, spread(1.0), spread(0.0), W8};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -4752,12 +7504,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -4766,7 +7518,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[0];
         angles[1][g] = angles_[1];
     }
@@ -4785,9 +7547,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_blockf)(
         const floats W5 = sin_angles_0 * sin_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
-        give_4f(item1, 4, 3, down1, across1, step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
-        give_1f(item1, 8, 3, down1, across1, step1, W8);
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
+            store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
+            store_1f(item1 + 8 * sizeof(float), step1, W8);
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[1], 0) = W1;
+            PACKEDF(item1 + entries1[2], 0) = W2;
+            PACKEDF(item1 + entries1[3], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[4], 0) = W4;
+            PACKEDF(item1 + entries1[5], 0) = W5;
+            PACKEDF(item1 + entries1[6], 0) = spreadf(1.0f);
+            PACKEDF(item1 + entries1[7], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[8], 0) = W8;
+        } else {
+            const floats all[] = {
+            spreadf(0.0f),
+            W1,
+            W2,
+            spreadf(0.0f),
+            W4,
+            W5,
+            spreadf(1.0f),
+            spreadf(0.0f),
+            W8};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -4800,12 +7586,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(double));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(double), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -4814,7 +7600,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 1, 3, down0, across0, step0, &angles_[1]);
+        if (dense0) {
+            load_2(item0 + 1 * sizeof(double), step0, &angles_[1]);
+        } else if (step0 == sizeof(double)) {
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKED_IN(item0 + entries0[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -4833,9 +7629,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_block)(
         const doubles W_body3 = sin_angles_1 * W_body1;
         char *const item1 = at1 + g * LANES * step1;
         prefetch_to_write(item1, 9);
-        give_4(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spread(0.0), W_body3);
-        give_4(item1, 4, 3, down1, across1, step1, W_body4, spread(0.0), W_body6, spread(0.0));
-        give_1(item1, 8, 3, down1, across1, step1, spread(1.0));
+        if (dense1) {
+            store_4(item1 + 0 * sizeof(double), step1, W_body0, W_body1, spread(0.0), W_body3);
+            store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, spread(0.0));
+            store_1(item1 + 8 * sizeof(double), step1, spread(1.0));
+        } else if (step1 == sizeof(double)) {
+            PACKED(item1 + entries1[0], 0) = W_body0;
+            PACKED(item1 + entries1[1], 0) = W_body1;
+            PACKED(item1 + entries1[2], 0) = spread(0.0);
+            PACKED(item1 + entries1[3], 0) = W_body3;
+            PACKED(item1 + entries1[4], 0) = W_body4;
+            PACKED(item1 + entries1[5], 0) = spread(0.0);
+            PACKED(item1 + entries1[6], 0) = W_body6;
+            PACKED(item1 + entries1[7], 0) = spread(0.0);
+            PACKED(item1 + entries1[8], 0) = spread(1.0);
+        } else {
+            const doubles all[] = {
+            W_body0,
+            W_body1,
+            spread(0.0),
+            W_body3,
+            W_body4,
+            spread(0.0),
+            W_body6,
+            spread(0.0),
+            spread(1.0)};
+            give_each(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -4848,12 +7668,12 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(3, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 2, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 9 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(4, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(5, 1 * sizeof(float));
+    ptrdiff_t entries1[9];
+    const int dense1 = CHASLES_DENSE(find_entries(9, 3, sizeof(float), step1, steps + 4, entries1));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -4862,7 +7682,17 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 1, 3, down0, across0, step0, &angles_[1]);
+        if (dense0) {
+            load_2f(item0 + 1 * sizeof(float), step0, &angles_[1]);
+        } else if (step0 == sizeof(float)) {
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+            angles_[2] = PACKEDF_IN(item0 + entries0[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[1] = all[1];
+            angles_[2] = all[2];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[2];
     }
@@ -4881,9 +7711,33 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_blockf)(
         const floats W_body3 = sin_angles_1 * W_body1;
         char *const item1 = at1 + g * LANESF * step1;
         prefetch_to_write(item1, 9);
-        give_4f(item1, 0, 3, down1, across1, step1, W_body0, W_body1, spreadf(0.0f), W_body3);
-        give_4f(item1, 4, 3, down1, across1, step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
-        give_1f(item1, 8, 3, down1, across1, step1, spreadf(1.0f));
+        if (dense1) {
+            store_4f(item1 + 0 * sizeof(float), step1, W_body0, W_body1, spreadf(0.0f), W_body3);
+            store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
+            store_1f(item1 + 8 * sizeof(float), step1, spreadf(1.0f));
+        } else if (step1 == sizeof(float)) {
+            PACKEDF(item1 + entries1[0], 0) = W_body0;
+            PACKEDF(item1 + entries1[1], 0) = W_body1;
+            PACKEDF(item1 + entries1[2], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[3], 0) = W_body3;
+            PACKEDF(item1 + entries1[4], 0) = W_body4;
+            PACKEDF(item1 + entries1[5], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[6], 0) = W_body6;
+            PACKEDF(item1 + entries1[7], 0) = spreadf(0.0f);
+            PACKEDF(item1 + entries1[8], 0) = spreadf(1.0f);
+        } else {
+            const floats all[] = {
+            W_body0,
+            W_body1,
+            spreadf(0.0f),
+            W_body3,
+            W_body4,
+            spreadf(0.0f),
+            W_body6,
+            spreadf(0.0f),
+            spreadf(1.0f)};
+            give_eachf(item1, entries1, step1, 9, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -4896,16 +7750,16 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_block)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(double));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(double));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(double));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(double));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(double));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(double));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(double));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(double));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(double));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(double), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     doubles angles[2][GROUPS];
     doubles sines[2][GROUPS];
@@ -4914,7 +7768,17 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_block)(
         doubles angles_[3];
         const char *const item0 = at0 + g * LANES * step0;
         prefetch(item0, 3);
-        take_2(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2(item0 + 0 * sizeof(double), step0, &angles_[0]);
+        } else if (step0 == sizeof(double)) {
+            angles_[0] = PACKED_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKED_IN(item0 + entries0[1], 0);
+        } else {
+            doubles all[3];
+            take_each(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -4925,7 +7789,19 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_block)(
         doubles omega[3];
         const char *const item1 = at1 + g * LANES * step1;
         prefetch(item1, 3);
-        take_3(item1, 0, 3, down1, across1, step1, omega);
+        if (dense1) {
+            load_3(item1 + 0 * sizeof(double), step1, &omega[0]);
+        } else if (step1 == sizeof(double)) {
+            omega[0] = PACKED_IN(item1 + entries1[0], 0);
+            omega[1] = PACKED_IN(item1 + entries1[1], 0);
+            omega[2] = PACKED_IN(item1 + entries1[2], 0);
+        } else {
+            doubles all[3];
+            take_each(item1, entries1, step1, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const doubles sin_angles_1 = sines[0][g];
         const doubles cos_angles_1 = cosines[0][g];
         const doubles sin_angles_0 = sines[1][g];
@@ -4936,7 +7812,16 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_block)(
         const doubles theta_dot1 = omega[1] * cos_angles_0 - omega[0] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
         prefetch_to_write(item2, 3);
-        give_3(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
+        if (dense2) {
+            store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
+        } else if (step2 == sizeof(double)) {
+            PACKED(item2 + entries2[0], 0) = theta_dot0;
+            PACKED(item2 + entries2[1], 0) = theta_dot1;
+            PACKED(item2 + entries2[2], 0) = theta_dot2;
+        } else {
+            const doubles all[] = {theta_dot0, theta_dot1, theta_dot2};
+            give_each(item2, entries2, step2, 3, all);
+        }
         stream_lines(&copied);
     }
 }
@@ -4949,16 +7834,16 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_blockf)(
 {
     char *const at0 = at[0];
     const ptrdiff_t step0 = CHASLES_STEP(0, 3 * sizeof(float));
-    const ptrdiff_t down0 = CHASLES_STEP(3, 3 * sizeof(float));
-    const ptrdiff_t across0 = CHASLES_STEP(4, 1 * sizeof(float));
+    ptrdiff_t entries0[3];
+    const int dense0 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step0, steps + 3, entries0));
     char *const at1 = at[1];
     const ptrdiff_t step1 = CHASLES_STEP(1, 3 * sizeof(float));
-    const ptrdiff_t down1 = CHASLES_STEP(5, 3 * sizeof(float));
-    const ptrdiff_t across1 = CHASLES_STEP(6, 1 * sizeof(float));
+    ptrdiff_t entries1[3];
+    const int dense1 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step1, steps + 5, entries1));
     char *const at2 = at[2];
     const ptrdiff_t step2 = CHASLES_STEP(2, 3 * sizeof(float));
-    const ptrdiff_t down2 = CHASLES_STEP(7, 3 * sizeof(float));
-    const ptrdiff_t across2 = CHASLES_STEP(8, 1 * sizeof(float));
+    ptrdiff_t entries2[3];
+    const int dense2 = CHASLES_DENSE(find_entries(3, 3, sizeof(float), step2, steps + 7, entries2));
     chasles_stream copied = *stream;
     floats angles[2][GROUPSF];
     floats sines[2][GROUPSF];
@@ -4967,7 +7852,17 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_blockf)(
         floats angles_[3];
         const char *const item0 = at0 + g * LANESF * step0;
         prefetch(item0, 3);
-        take_2f(item0, 0, 3, down0, across0, step0, angles_);
+        if (dense0) {
+            load_2f(item0 + 0 * sizeof(float), step0, &angles_[0]);
+        } else if (step0 == sizeof(float)) {
+            angles_[0] = PACKEDF_IN(item0 + entries0[0], 0);
+            angles_[1] = PACKEDF_IN(item0 + entries0[1], 0);
+        } else {
+            floats all[3];
+            take_eachf(item0, entries0, step0, 3, all);
+            angles_[0] = all[0];
+            angles_[1] = all[1];
+        }
         angles[0][g] = angles_[1];
         angles[1][g] = angles_[0];
     }
@@ -4978,7 +7873,19 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_blockf)(
         floats omega[3];
         const char *const item1 = at1 + g * LANESF * step1;
         prefetch(item1, 3);
-        take_3f(item1, 0, 3, down1, across1, step1, omega);
+        if (dense1) {
+            load_3f(item1 + 0 * sizeof(float), step1, &omega[0]);
+        } else if (step1 == sizeof(float)) {
+            omega[0] = PACKEDF_IN(item1 + entries1[0], 0);
+            omega[1] = PACKEDF_IN(item1 + entries1[1], 0);
+            omega[2] = PACKEDF_IN(item1 + entries1[2], 0);
+        } else {
+            floats all[3];
+            take_eachf(item1, entries1, step1, 3, all);
+            omega[0] = all[0];
+            omega[1] = all[1];
+            omega[2] = all[2];
+        }
         const floats sin_angles_1 = sines[0][g];
         const floats cos_angles_1 = cosines[0][g];
         const floats sin_angles_0 = sines[1][g];
@@ -4990,7 +7897,16 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_blockf)(
         const floats theta_dot1 = omega[1] * cos_angles_0 - omega[0] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
         prefetch_to_write(item2, 3);
-        give_3f(item2, 0, 3, down2, across2, step2, theta_dot0, theta_dot1, theta_dot2);
+        if (dense2) {
+            store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
+        } else if (step2 == sizeof(float)) {
+            PACKEDF(item2 + entries2[0], 0) = theta_dot0;
+            PACKEDF(item2 + entries2[1], 0) = theta_dot1;
+            PACKEDF(item2 + entries2[2], 0) = theta_dot2;
+        } else {
+            const floats all[] = {theta_dot0, theta_dot1, theta_dot2};
+            give_eachf(item2, entries2, step2, 3, all);
+        }
         stream_lines(&copied);
     }
 }

@@ -49,7 +49,11 @@ typedef float of_16 __attribute__((vector_size(64)));
 #endif
 
 #define CHASLES_INLINE static inline __attribute__((always_inline, unused))
+#ifdef __clang__
 #define CHASLES_APART __attribute__((noinline))
+#else
+#define CHASLES_APART __attribute__((noinline, noclone))
+#endif
 #define CHASLES_VECTOR(bytes) __attribute__((vector_size(bytes), may_alias))
 
 typedef double doubles CHASLES_VECTOR(CHASLES_REGISTER);
@@ -529,251 +533,71 @@ CHASLES_INLINE void store_4f(char *at, ptrdiff_t step, floats x, floats y, float
     put_row(at, step, 3, 4, UPPER(xy_, zw_));
 }
 
-/* Numbers of each item, from its number `first` on, in rows of `columns`: side by side, or else each in the place that
- * steps down and across say, one item after the other. Without a step all items are one. */
-#define PLACE ptrdiff_t first, ptrdiff_t columns, ptrdiff_t down, ptrdiff_t across, ptrdiff_t step
-#define ENTRY(at, k) ((at) + (first + (k)) / columns * down + (first + (k)) % columns * across)
+/* Whether the numbers of an item lie one after the other, and items apart. If not, `entries` says how many bytes each lies
+ * behind the first: `core` has the steps between rows of so many columns, and in a row. */
+static CHASLES_APART __attribute__((unused)) int find_entries(
+    ptrdiff_t count, ptrdiff_t columns, ptrdiff_t size, ptrdiff_t step, const ptrdiff_t *core, ptrdiff_t *entries)
+{
+    if (core[1] == size && core[0] == columns * size && step != 0) {
+        return 1;
+    }
+    for (ptrdiff_t k = 0, row = 0; k < count; row += core[0]) {
+        for (ptrdiff_t entry = row, end = k + columns; k < end; k++, entry += core[1]) {
+            entries[k] = entry;
+        }
+    }
+    return 0;
+}
+
+/* All numbers of each item, wherever they lie. */
 static CHASLES_APART __attribute__((unused)) void take_each(
-    const char *at, PLACE, int count, doubles *to)
+    const char *at, const ptrdiff_t *entries, ptrdiff_t step, int count, doubles *to)
 {
     for (int k = 0; k < count; k++) {
-        const char *const entry = ENTRY(at, k);
-        if (step == 0) {
-            to[k] = spread(*(const double *)entry);
+        if (step == sizeof(double)) {
+            to[k] = PACKED_IN(at + entries[k], 0);
         } else {
-            __builtin_prefetch(entry + 4 * CHASLES_LINE);
-            to[k] = PACKED_IN(entry, 0);
+            load_1(at + entries[k], step, to + k);
         }
     }
 }
 
 static CHASLES_APART __attribute__((unused)) void give_each(
-    char *at, PLACE, int count, const doubles *all)
+    char *at, const ptrdiff_t *entries, ptrdiff_t step, int count, const doubles *all)
 {
     for (int k = 0; k < count; k++) {
-        char *const entry = ENTRY(at, k);
-        if (step == 0) {
-            *(double *)entry = all[k][0];
+        if (step == sizeof(double)) {
+            PACKED(at + entries[k], 0) = all[k];
         } else {
-            __builtin_prefetch(entry + 4 * CHASLES_LINE, 1);
-            PACKED(entry, 0) = all[k];
+            store_1(at + entries[k], step, all[k]);
         }
     }
 }
 
-CHASLES_INLINE void take_1(const char *at, PLACE, doubles *to)
-{
-    if (across == sizeof(double) && step != 0) {
-        load_1(at + first * across, step, to);
-        return;
-    }
-    doubles all[1];
-    take_each(at, first, columns, down, across, step, 1, all);
-    for (int k = 0; k < 1; k++) {
-        to[k] = all[k];
-    }
-}
-
-CHASLES_INLINE void give_1(char *at, PLACE, doubles x)
-{
-    if (across == sizeof(double) && step != 0) {
-        store_1(at + first * across, step, x);
-        return;
-    }
-    const doubles all[] = {x};
-    give_each(at, first, columns, down, across, step, 1, all);
-}
-
-CHASLES_INLINE void take_2(const char *at, PLACE, doubles *to)
-{
-    if (across == sizeof(double) && step != 0) {
-        load_2(at + first * across, step, to);
-        return;
-    }
-    doubles all[2];
-    take_each(at, first, columns, down, across, step, 2, all);
-    for (int k = 0; k < 2; k++) {
-        to[k] = all[k];
-    }
-}
-
-CHASLES_INLINE void give_2(char *at, PLACE, doubles x, doubles y)
-{
-    if (across == sizeof(double) && step != 0) {
-        store_2(at + first * across, step, x, y);
-        return;
-    }
-    const doubles all[] = {x, y};
-    give_each(at, first, columns, down, across, step, 2, all);
-}
-
-CHASLES_INLINE void take_3(const char *at, PLACE, doubles *to)
-{
-    if (across == sizeof(double) && step != 0) {
-        load_3(at + first * across, step, to);
-        return;
-    }
-    doubles all[3];
-    take_each(at, first, columns, down, across, step, 3, all);
-    for (int k = 0; k < 3; k++) {
-        to[k] = all[k];
-    }
-}
-
-CHASLES_INLINE void give_3(char *at, PLACE, doubles x, doubles y, doubles z)
-{
-    if (across == sizeof(double) && step != 0) {
-        store_3(at + first * across, step, x, y, z);
-        return;
-    }
-    const doubles all[] = {x, y, z};
-    give_each(at, first, columns, down, across, step, 3, all);
-}
-
-CHASLES_INLINE void take_4(const char *at, PLACE, doubles *to)
-{
-    if (across == sizeof(double) && step != 0) {
-        load_4(at + first * across, step, to);
-        return;
-    }
-    doubles all[4];
-    take_each(at, first, columns, down, across, step, 4, all);
-    for (int k = 0; k < 4; k++) {
-        to[k] = all[k];
-    }
-}
-
-CHASLES_INLINE void give_4(char *at, PLACE, doubles x, doubles y, doubles z, doubles w)
-{
-    if (across == sizeof(double) && step != 0) {
-        store_4(at + first * across, step, x, y, z, w);
-        return;
-    }
-    const doubles all[] = {x, y, z, w};
-    give_each(at, first, columns, down, across, step, 4, all);
-}
-
 static CHASLES_APART __attribute__((unused)) void take_eachf(
-    const char *at, PLACE, int count, floats *to)
+    const char *at, const ptrdiff_t *entries, ptrdiff_t step, int count, floats *to)
 {
     for (int k = 0; k < count; k++) {
-        const char *const entry = ENTRY(at, k);
-        if (step == 0) {
-            to[k] = spreadf(*(const float *)entry);
+        if (step == sizeof(float)) {
+            to[k] = PACKEDF_IN(at + entries[k], 0);
         } else {
-            __builtin_prefetch(entry + 4 * CHASLES_LINE);
-            to[k] = PACKEDF_IN(entry, 0);
+            load_1f(at + entries[k], step, to + k);
         }
     }
 }
 
 static CHASLES_APART __attribute__((unused)) void give_eachf(
-    char *at, PLACE, int count, const floats *all)
+    char *at, const ptrdiff_t *entries, ptrdiff_t step, int count, const floats *all)
 {
     for (int k = 0; k < count; k++) {
-        char *const entry = ENTRY(at, k);
-        if (step == 0) {
-            *(float *)entry = all[k][0];
+        if (step == sizeof(float)) {
+            PACKEDF(at + entries[k], 0) = all[k];
         } else {
-            __builtin_prefetch(entry + 4 * CHASLES_LINE, 1);
-            PACKEDF(entry, 0) = all[k];
+            store_1f(at + entries[k], step, all[k]);
         }
     }
 }
 
-CHASLES_INLINE void take_1f(const char *at, PLACE, floats *to)
-{
-    if (across == sizeof(float) && step != 0) {
-        load_1f(at + first * across, step, to);
-        return;
-    }
-    floats all[1];
-    take_eachf(at, first, columns, down, across, step, 1, all);
-    for (int k = 0; k < 1; k++) {
-        to[k] = all[k];
-    }
-}
-
-CHASLES_INLINE void give_1f(char *at, PLACE, floats x)
-{
-    if (across == sizeof(float) && step != 0) {
-        store_1f(at + first * across, step, x);
-        return;
-    }
-    const floats all[] = {x};
-    give_eachf(at, first, columns, down, across, step, 1, all);
-}
-
-CHASLES_INLINE void take_2f(const char *at, PLACE, floats *to)
-{
-    if (across == sizeof(float) && step != 0) {
-        load_2f(at + first * across, step, to);
-        return;
-    }
-    floats all[2];
-    take_eachf(at, first, columns, down, across, step, 2, all);
-    for (int k = 0; k < 2; k++) {
-        to[k] = all[k];
-    }
-}
-
-CHASLES_INLINE void give_2f(char *at, PLACE, floats x, floats y)
-{
-    if (across == sizeof(float) && step != 0) {
-        store_2f(at + first * across, step, x, y);
-        return;
-    }
-    const floats all[] = {x, y};
-    give_eachf(at, first, columns, down, across, step, 2, all);
-}
-
-CHASLES_INLINE void take_3f(const char *at, PLACE, floats *to)
-{
-    if (across == sizeof(float) && step != 0) {
-        load_3f(at + first * across, step, to);
-        return;
-    }
-    floats all[3];
-    take_eachf(at, first, columns, down, across, step, 3, all);
-    for (int k = 0; k < 3; k++) {
-        to[k] = all[k];
-    }
-}
-
-CHASLES_INLINE void give_3f(char *at, PLACE, floats x, floats y, floats z)
-{
-    if (across == sizeof(float) && step != 0) {
-        store_3f(at + first * across, step, x, y, z);
-        return;
-    }
-    const floats all[] = {x, y, z};
-    give_eachf(at, first, columns, down, across, step, 3, all);
-}
-
-CHASLES_INLINE void take_4f(const char *at, PLACE, floats *to)
-{
-    if (across == sizeof(float) && step != 0) {
-        load_4f(at + first * across, step, to);
-        return;
-    }
-    floats all[4];
-    take_eachf(at, first, columns, down, across, step, 4, all);
-    for (int k = 0; k < 4; k++) {
-        to[k] = all[k];
-    }
-}
-
-CHASLES_INLINE void give_4f(char *at, PLACE, floats x, floats y, floats z, floats w)
-{
-    if (across == sizeof(float) && step != 0) {
-        store_4f(at + first * across, step, x, y, z, w);
-        return;
-    }
-    const floats all[] = {x, y, z, w};
-    give_eachf(at, first, columns, down, across, step, 4, all);
-}
-
-#undef PLACE
 #ifdef __cplusplus
 extern "C" {
 #endif

@@ -98,17 +98,8 @@ def _batches(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
 
 
 def _words(precision: Precision) -> dict[str, Any]:
-    """How the two precisions differ in what is said once of both, and one to four numbers of each."""
-    suffix, lists = precision.suffix, ("x", "x, y", "x, y, z", "x, y, z, w")
-    several = [
-        {
-            "count": count,
-            "numbers": numbers,
-            "parameters": ", ".join(f"{precision.name}s {name}" for name in numbers.split(", ")),
-        }
-        for count, numbers in enumerate(lists, 1)
-    ]
-    return {"name": precision.name, "suffix": suffix, "mark": suffix.upper(), "several": several}
+    """How the two precisions differ in what is said once of both."""
+    return {"name": precision.name, "suffix": precision.suffix, "mark": precision.suffix.upper()}
 
 
 def _functions(kernel: TargetKernel) -> tuple[Function, ...]:
