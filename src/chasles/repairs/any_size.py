@@ -11,9 +11,9 @@ from itertools import islice
 from chasles import vocabulary as w
 from chasles.checker.any_size.at_sizes import PointAtSizes
 from chasles.points.at_sizes import points_at_sizes
+from chasles.repairs.candidates import Nearest
 from chasles.repairs.modular_testing import ModularTest
 from chasles.repairs.one_term import Change
-from chasles.repairs.ranking import Nearest
 from chasles.repairs.real_values import agree_at
 from chasles.repairs.without_form import edited, edits_of
 from chasles.rewriting.term_basis import fit

@@ -41,8 +41,8 @@ SIGN, FACTOR, LEFT_OUT, REPLACED = 0, 1, 3, 4
 
 
 def other_number(number: Fraction) -> int:
-    """The effort of multiplying a term by a number: least for a sign, and less for whole numbers than for others."""
-    return LEFT_OUT if number == 0 else SIGN if number == -1 else FACTOR + (number.denominator > 1)
+    """The effort of multiplying a term by a number: least for a sign, less for whole numbers and halves than others."""
+    return LEFT_OUT if number == 0 else SIGN if number == -1 else FACTOR + (number.denominator > 2)
 
 
 def other_coefficient(coefficient: Coefficient) -> int:

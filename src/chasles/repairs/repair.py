@@ -6,19 +6,19 @@ little as possible. A definition that does not fit is what makes the claims that
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
 from itertools import chain, islice
-from re import findall
 
 from chasles.algebra.work_limit import OutOfTime, within
 from chasles.deciding import decided
 from chasles.display import Displayed
 from chasles.repairs.any_size import nearest_at_numbers
-from chasles.repairs.idle import ORTHOGONAL, idle_parts
+from chasles.repairs.candidates import Nearest, given_sides
+from chasles.repairs.idle import ORTHOGONAL
 from chasles.repairs.one_term import Change
-from chasles.repairs.ranking import Nearest, given_sides
+from chasles.repairs.ranking import Ranking
 from chasles.repairs.well_formed import WellFormedRepair, fitting
 from chasles.repairs.without_form import edits_of
 from chasles.rewriting.term_basis import fit, term_basis
@@ -26,15 +26,13 @@ from chasles.statements import Claim, Definition, Statement, problem_of
 from chasles.statements.goals import AcceptedSides
 from chasles.statements.problem import default_sides
 from chasles.verdict import Holds, HoldsUnder, Verdict
-from chasles.vocabulary import Misfit, Node, plain, symbols_of, walk
+from chasles.vocabulary import Misfit, Node, plain
 from chasles.vocabulary.families import indices_of
 
 EFFORT = 2e7
 """The work that the search for a repair, its proofs included, may take, in products of terms."""
 MORE_EFFORT, MOST = 2, 8
 """Repairs of the same number of changes as the best are given if they take hardly more effort; so many are tried."""
-IDLE = 2
-"""What each part that has no effect adds to the effort of a change."""
 MOST_DECIDED = 60
 """Edits of a side that are decided, where no points tell which may be right."""
 
@@ -177,51 +175,24 @@ def _marked(fitting: WellFormedRepair, change: Change) -> Change:
 
 def _proved(near: Nearest, changes: Iterable[Change]) -> Iterator[Repair]:
     """The candidates that the prover confirms: those of the least number of changes, the smallest changes first."""
-    left, right = near.statement.printed
-    known = {*walk(left), *walk(right)}
-    hypotheses = chain(near.statement.assuming, *(given.assuming for given in near.statement.given))
+    statement = near.statement
+    hypotheses = chain(statement.assuming, *(given.assuming for given in statement.given))
     orthogonal = {subject for h in hypotheses if h.kind in ORTHOGONAL for subject in h.subjects}
-    ranked = sorted(changes, key=lambda change: _rank(change, (left, right), known, orthogonal))
+    others = (*near.given_sides, *(side for claim in near.context for side in claim.printed))
+    rank = Ranking(statement.printed, others, orthogonal)
     best: Change | None = None
     seen: set[tuple[Node, Node]] = set()
-    for change in ranked:
+    for change in sorted(changes, key=rank):
         if best is not None and (len(change.words) > len(best.words) or change.effort > best.effort + MORE_EFFORT):
             return
         if not change.words or (change.left, change.right) in seen or len(seen) == MOST:
             continue
         seen.add((change.left, change.right))
-        verdict = _verdict(near, near.statement.saying(change.left, change.right))
+        verdict = _verdict(near, statement.saying(change.left, change.right))
         if verdict is not None:
             best = change if best is None else best
             edits = len(change.words)
             yield Repair(change.left, change.right, change.words, edits, verdict, change.modulo, marks=change.marks)
-
-
-def _rank(
-    change: Change, sides: tuple[Node, Node], known: Container[Node], orthogonal: Container[Node]
-) -> tuple[int | str, ...]:
-    """The fewest changes first, then the smallest, those of the fewest marks, what has the most letters, right first.
-
-    A change that leaves parts without effect is larger: it is none that undoes a slip.
-
-    What is put for a letter by mistake makes the equation say less; so one with more letters is the likelier original.
-    """
-    new = change.left, change.right
-    strange = sum(part not in known for side in new for part in walk(side))
-    marks = sum(_changed_marks(plain(one), plain(other)) for one, other in zip(sides, new, strict=True))
-    letters = len({*symbols_of(change.left), *symbols_of(change.right)})
-    left, right = map(plain, new)
-    effort = change.effort + IDLE * sum(idle_parts(side, orthogonal) for side in new)
-    return len(change.words), effort, marks, -letters, change.left != sides[0], strange, len(right), right, left
-
-
-def _changed_marks(one: str, other: str) -> int:
-    """How many letters, numbers and signs stand between what two texts begin and what they end with alike."""
-    old, new = (findall(r"\w+|\S", text) for text in (one, other))
-    while old and new and old[-1] == new[-1]:
-        old.pop(), new.pop()
-    before = next((k for k, (a, b) in enumerate(zip(old, new, strict=False)) if a != b), min(len(old), len(new)))
-    return max(len(old), len(new)) - before
 
 
 def _verdict(near: Nearest, claim: Statement) -> Holds | HoldsUnder | None:
