@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -193,3 +194,12 @@ def test_an_angle_between_two_has_all_values_between_them_and_no_other(
     assert max(values) == pytest.approx(float(most), abs=1e-6)
     exact = {angle.xreplace(pair) for pair in pairs if not others or any(pair.values())}
     assert (least in exact, most in exact) == (not after, not before)
+
+
+def test_a_proof_that_does_not_say_what_its_symbols_are_is_rejected() -> None:
+    asked = (sqrt((1 - cos(x)) / 2), sin(x / 2), [x >= 0, x <= 2 * pi])
+    verdict = prove(*asked)
+    recheck(verdict, *asked)
+    for said in verdict.needs:
+        with pytest.raises(Rejected):
+            recheck(replace(verdict, needs=tuple(text for text in verdict.needs if text != said)), *asked)

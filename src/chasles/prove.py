@@ -128,9 +128,13 @@ def recheck(verdict: Verdict, lhs: Any, rhs: Any, given: Any = (), nonzero: Any 
     A certificate proves what was asked from the verdict's `needs`, which the witness satisfies; a counterexample
     satisfies what is given, and the two sides differ there. Raises `Rejected` with the reason if not.
     """
-    asked = without_inequalities(_said(exact, lhs, rhs, given, nonzero))
+    said = _said(exact, lhs, rhs, given, nonzero)
+    asked = without_inequalities(said)
     match verdict:
         case Holds() | HoldsUnder():
+            for text in definitions(said, asked):
+                if text not in verdict.needs:
+                    raise Rejected(f"the verdict is on {text}, and does not say so")
             check_proof(verdict, *asked)
         case Fails(found):
             check_refutation(found, *asked)
