@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from contextvars import ContextVar
 from fractions import Fraction
 from functools import reduce
-from math import lcm
+from math import inf, lcm
 from operator import add, mul, or_
 
 MALFORMED = (ArithmeticError, AssertionError, AttributeError, LookupError, RecursionError, TypeError, ValueError)
+MOST_PRODUCTS = 10_000_000
+"""So many products of terms does a check form at most."""
+_left: ContextVar[list[float]] = ContextVar("left", default=[inf])  # noqa: B039 - infinity stays what it is
 
 
 class Rejected(ValueError):
@@ -17,14 +21,32 @@ class Rejected(ValueError):
 
 
 @contextmanager
-def well_formed(what: str) -> Iterator[None]:
-    """Whatever goes wrong in reading `what` is malformed, and `Rejected`."""
+def limited(products: int) -> Iterator[None]:
+    """So many products of terms are formed inside at most; more are `Rejected`, on every machine alike."""
+    token = _left.set([float(products)])
     try:
         yield
+    finally:
+        _left.reset(token)
+
+
+@contextmanager
+def well_formed(what: str) -> Iterator[None]:
+    """Whatever goes wrong in reading `what` is malformed, or takes too much work, and `Rejected`."""
+    try:
+        with limited(MOST_PRODUCTS):
+            yield
     except Rejected:
         raise
     except MALFORMED as error:
         raise Rejected(f"the {what} is malformed: {type(error).__name__}: {error}") from error
+
+
+def _count(products: int) -> None:
+    left = _left.get()
+    left[0] -= products
+    if left[0] < 0:
+        raise Rejected("it takes more products of terms than are formed at most")
 
 
 class Polynomial:
@@ -62,6 +84,7 @@ class Polynomial:
     def __mul__(self, other: Polynomial) -> Polynomial:
         if not self or not other:
             return ZERO
+        _count(len(self.terms) * len(other.terms))
         total: dict[int, int] = {}
         for one, coefficient in self.terms.items():
             for another, factor in other.terms.items():

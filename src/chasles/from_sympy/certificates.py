@@ -15,7 +15,7 @@ from chasles.checker.expressions.complexes import differences
 from chasles.checker.expressions.facts import Facts
 from chasles.checker.expressions.proof import claims_of
 from chasles.checker.expressions.reading_of_proof import Proven
-from chasles.checker.sparse import ZERO, Polynomial, Rejected, parsed
+from chasles.checker.sparse import ZERO, Polynomial, Rejected, limited, parsed
 from chasles.from_sympy.elementary import Elementary
 from chasles.from_sympy.given import SideConditions
 from chasles.from_sympy.naming import spelled, written
@@ -29,6 +29,8 @@ from chasles.prover.certifying import ProvedEntry
 from chasles.vocabulary import Node, Power, Scale
 
 Key = frozenset[tuple[int, int]]
+MOST_PRODUCTS = 500_000
+"""So many products of terms are formed at most to see which facts of the checker a proof rests on."""
 ALWAYS = ("variant", "names", "witness")
 """What a certificate says even where there is nothing to be said."""
 
@@ -74,7 +76,8 @@ class Writing:
         }
         certificate = {part: said for part, said in certificate.items() if said or part in ALWAYS}
         try:
-            entries = dict(self._entries(context, done, certificate))
+            with limited(MOST_PRODUCTS):
+                entries = dict(self._entries(context, done, certificate))
         except Rejected as reason:
             return certificate | {"unread": str(reason)}
         if not any("times" in said for said in entries.values()):
