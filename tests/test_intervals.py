@@ -39,12 +39,20 @@ def test_elementary_functions(x: Fraction) -> None:
             holds(FINE.exp(interval), mpmath.exp(of(x)))
         if x > 0:
             holds(FINE.log(interval), mpmath.log(of(x)), 2**40)
-            for degree in (2, 3, 4, 7):
+            for degree in (2, 3, 4, 7, 65, 10**9):
                 holds(FINE.root(interval, degree), mpmath.root(of(x), degree), 2**60)
         if x:
             holds(FINE.inverse(interval), 1 / of(x), 2**60)
         for exponent in (0, 1, 2, 3, 5):
             holds(FINE.power(interval, exponent), of(x) ** exponent, 2**40)
+
+
+@pytest.mark.parametrize("size", [-90, 20, 1000, 10**5])
+def test_the_logarithm_of_a_very_large_or_small_number_is_as_narrow_as_others(size: int) -> None:
+    x = Fraction(5, 3) * Fraction(2) ** size
+    with mpmath.workdps(120):
+        found, width = FINE.log(FINE.number(x)), 2**92 if size < 0 else 8
+        holds(found, mpmath.log(mpmath.mpf(5) / 3) + size * mpmath.log(2), width)
 
 
 def test_pi() -> None:

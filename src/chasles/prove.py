@@ -13,9 +13,10 @@ from chasles.checker.expressions.counterexample import check_refutation
 from chasles.checker.expressions.proof import check_proof
 from chasles.checker.sparse import Rejected
 from chasles.from_sympy import Question, ask
-from chasles.from_sympy.complex_symbols import by_parts
+from chasles.from_sympy.complex_symbols import by_parts, expressions_in
 from chasles.from_sympy.contradiction import contradiction
 from chasles.from_sympy.decimals import as_decimals
+from chasles.from_sympy.exponents import require_moderate_exponents
 from chasles.from_sympy.inequalities import definitions, without_inequalities
 from chasles.from_sympy.splitting import Splitting
 from chasles.problems.context import build
@@ -61,6 +62,7 @@ def prove(lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), budget: float 
     """
     try:
         said = _said(exact, lhs, rhs, given, nonzero)
+        require_moderate_exponents(expressions_in(said))
         asked = without_inequalities(said)
         with within(EFFORT, budget):
             verdict = _verdict(*asked)

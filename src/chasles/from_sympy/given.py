@@ -11,6 +11,7 @@ from sympy.core.function import AppliedUndef
 
 from chasles.from_sympy.atoms import nonzero_by_sign, real_copy
 from chasles.from_sympy.complexes import Parts
+from chasles.from_sympy.exponents import may_be_factored
 from chasles.from_sympy.given_angles import without_given_angles
 from chasles.from_sympy.opening import parts_of, sides
 from chasles.from_sympy.pantelides import offsets
@@ -114,7 +115,9 @@ def evident(given: SideConditions, sides: Sequence[Any]) -> Iterator[Any]:
 
 
 def _factors(difference: Any) -> list[Any]:
-    """The factors of a polynomial that has several."""
+    """The factors of a polynomial that has several, if its degree is moderate."""
+    if not may_be_factored(difference):
+        return []
     try:
         _, factors = sympy.factor_list(difference)
     except sympy.PolynomialError:

@@ -17,11 +17,10 @@ from chasles.checker.expressions.elementary import FUNCTIONS
 from chasles.from_sympy.angles import Angles
 from chasles.from_sympy.atoms import QuantityNames
 from chasles.from_sympy.divisors import DivisorText, divides, divisor_of, in_sines, is_reciprocal
+from chasles.from_sympy.exponents import LARGEST_EXPONENT
 from chasles.from_sympy.opening import excerpt, is_atom
 from chasles.problems.variables import Untreatable
 from chasles.vocabulary import PI, Negative, Node, Number, Power, Quotient, Scale, Sum, Symbol
-
-LARGEST_EXPONENT = 10_000
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,6 +9,7 @@ from typing import Any
 
 import sympy
 
+from chasles.from_sympy.exponents import may_be_factored
 from chasles.from_sympy.opening import atoms_of
 from chasles.from_sympy.positivity import Terms, is_definite, sum_of_squares
 
@@ -34,6 +35,8 @@ def squares_in(label: str, difference: Any) -> Iterator[SquaresGiven]:
     """The sums of squares among the factors of what is given to vanish, multiplied by the square of the others."""
     atoms = sorted(set(atoms_of(difference)), key=str)
     if not atoms or not difference.is_polynomial(*atoms) or len(sympy.Add.make_args(difference)) > MOST_TERMS:
+        return
+    if not may_be_factored(difference):
         return
     polynomial = sympy.Poly(difference, *atoms)
     if polynomial.is_zero:

@@ -15,6 +15,8 @@ from math import isqrt
 HALVINGS = 8
 LARGEST = 4096
 """Arguments of the exponential function are no larger than this."""
+HIGH_DEGREE = 64
+"""Roots of a higher degree are found by logarithms: integers would have so many times the digits."""
 
 
 class Unbounded(ArithmeticError):
@@ -91,8 +93,17 @@ class Enclosing:
         """The nonnegative root; raises `Unbounded` if the number may be negative."""
         if x.low < 0:
             raise Unbounded("a radicand may be negative")
+        if degree > HIGH_DEGREE:
+            return Enclosure(self._by_logarithm(x.low, degree).low, self._by_logarithm(x.high, degree).high)
         unit = self.one ** (degree - 1)
         return Enclosure(_root(x.low * unit, degree), _root(x.high * unit, degree) + 1 if x.high else 0)
+
+    def _by_logarithm(self, x: int, degree: int) -> Enclosure:
+        """A root of high degree: x^(1/n) = exp(log(x) / n)."""
+        if not x:
+            return Enclosure(0, 0)
+        exponent = self.log(Enclosure(x, x))
+        return self.exp(Enclosure(exponent.low // degree, -(-exponent.high // degree)))
 
     def value(self, function: str, x: Enclosure) -> Enclosure:
         """The value of exp, log, atan, cos or sin."""
@@ -166,18 +177,22 @@ class Enclosing:
         return self.increasing(self._log, x)
 
     def _log(self, x: int) -> Enclosure:
-        """Log x = 2^n log(x^(1/2^n)), and log y = 2 artanh((y - 1) / (y + 1))."""
-        size = abs(x.bit_length() - self.bits)
-        halvings = HALVINGS + size.bit_length()
-        finer = Enclosing(self.bits + 2 * halvings + 2 * size + HALVINGS)
-        y = finer.number(Fraction(x, self.one))
-        for _ in range(halvings):
-            y = finer.root(y, 2)
-        ratio = finer.times(y - finer.number(1), finer.inverse(y + finer.number(1)))
-        square = finer.times(ratio, ratio)
-        series = finer.series(square, lambda k: Fraction(2 * k - 1, 2 * k + 1))
-        total = finer.times(ratio, series)
-        return self.coarser(Enclosure(total.low << halvings + 1, total.high << halvings + 1), finer)
+        """Log x = n log 2 + log(x / 2^n)."""
+        size = x.bit_length() - self.bits
+        finer = Enclosing(self.bits + 4 * HALVINGS + size.bit_length())
+        rest = finer.log_of_moderate(finer.number(Fraction(x, self.one) / Fraction(2) ** size))
+        two = _log_2(finer.bits)
+        low, high = sorted((size * two.low, size * two.high))
+        return self.coarser(rest + Enclosure(low, high), finer)
+
+    def log_of_moderate(self, x: Enclosure) -> Enclosure:
+        """Log x = 2^n log(x^(1/2^n)), and log y = 2 artanh((y - 1) / (y + 1)), for x from 1/2 to 2."""
+        for _ in range(HALVINGS):
+            x = self.root(x, 2)
+        ratio = self.times(x - self.number(1), self.inverse(x + self.number(1)))
+        square = self.times(ratio, ratio)
+        total = self.times(ratio, self.series(square, lambda k: Fraction(2 * k - 1, 2 * k + 1)))
+        return Enclosure(total.low << HALVINGS + 1, total.high << HALVINGS + 1)
 
     def atan(self, x: Enclosure) -> Enclosure:
         """The inverse tangent."""
@@ -192,6 +207,12 @@ class Enclosing:
         series = finer.series(-finer.power(y, 2), lambda k: Fraction(2 * k - 1, 2 * k + 1))
         total = finer.times(y, series)
         return self.coarser(Enclosure(total.low << HALVINGS, total.high << HALVINGS), finer)
+
+
+@cache
+def _log_2(bits: int) -> Enclosure:
+    finer = Enclosing(bits + 4 * HALVINGS)
+    return Enclosing(bits).coarser(finer.log_of_moderate(finer.number(2)), finer)
 
 
 @cache
