@@ -70,8 +70,16 @@ def test_they_are_posed_with_a_point(posed: Condition) -> None:
     assert isinstance(Session().decide(posed).verdict, Posed)
 
 
-def test_what_says_nothing_by_itself_is_not_differentiated() -> None:
-    said = claim(partial(y, x), a, given=(Condition("0", y**2, lifted(x), on=(y,)),))
+@pytest.mark.parametrize(
+    "said",
+    [
+        claim(partial(y, x), a, given=(Condition("0", y**2, lifted(x), on=(y,)),)),
+        claim(partial(y, c), 0, given=(Condition("0", x + y, lifted(c), on=(x, y)),)),
+        claim(partial(y, c), 1, given=(Condition("0", x + y, lifted(c), on=(y, x)),)),
+    ],
+    ids=str,
+)
+def test_what_does_not_say_what_depends_on_what_is_not_differentiated(said: Claim) -> None:
     assert isinstance(Session().decide(said).verdict, Undecided)
 
 

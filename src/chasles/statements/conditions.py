@@ -12,6 +12,7 @@ from chasles.statements.rules import refuse_circles
 from chasles.statements.statement import Equation
 from chasles.statements.varied import opened_parts
 from chasles.vocabulary import Node
+from chasles.vocabulary.shorthand import Shorthand
 from chasles.vocabulary.sizes import sizes_of
 
 
@@ -95,6 +96,8 @@ def _degree(node: Node, unknowns: set[w.Symbol], rules: Mapping[Node, Node]) -> 
             return 1
         case w.Symbol() if (inner := rules.get(node, node.stands_for)) is not None:
             return degree(inner)
+        case Shorthand():
+            return degree(node.definition)
         case w.Scale() | w.Contract() | w.Dot() | w.Cross():
             return sum(map(degree, w.children(node)))
         case w.Power(base, int(exponent)):

@@ -67,28 +67,36 @@ def with_rates_said(problem: Problem) -> Problem:
 
 def _differentiated(problem: Problem) -> Problem:
     """The same problem with partial derivatives carried out; TypeError where conditions do not say what symbols are."""
-    from chasles.vocabulary.partial import differentiates, with_derivatives  # of no use to most claims
+    from chasles.vocabulary.partial import with_derivatives  # of no use to most claims
 
-    if not any(
-        differentiates(side) for side in (*sides_of(problem), *(side for rule in problem.rules for side in rule))
-    ):
+    if not _takes_derivatives(problem):
         return problem
     problem = _without_conditions(problem, "a derivative")
     rules = dict(problem.rules)
     return said_otherwise(problem, lambda side: with_derivatives(side, rules), lambda said: said)
 
 
+def _takes_derivatives(problem: Problem) -> bool:
+    from chasles.vocabulary.partial import differentiates  # of no use to most claims
+
+    return any(map(differentiates, (*sides_of(problem), *(side for rule in problem.rules for side in rule))))
+
+
 def _without_conditions(problem: Problem, taken: str) -> Problem:
-    """The same problem with a definition for each condition, which may be differentiated."""
+    """The same problem with a definition for each condition, which may be differentiated.
+
+    Raises TypeError where conditions are none, or where a partial derivative depends on which symbol one defines.
+    """
     if not problem.conditions:
         return problem
     bound = {part for h in problem.hypotheses for pair in h.equations for side in pair for part in opened_parts(side)}
     bound |= {subject for hypothesis in problem.hypotheses for subject in hypothesis.subjects}
     found = as_rules(problem.conditions, problem.unknowns, problem.rules, bound)
-    if found is None:
+    open_choice = len(problem.unknowns) > len(problem.conditions) and _takes_derivatives(problem)
+    if found is None or open_choice:
         raise TypeError(
             f"{taken} is taken: what a statement with one is given has to be definitions, "
-            "or conditions in which a symbol that they are posed on stands alone"
+            "or conditions that are posed on one symbol each, which stands alone in it"
         )
     return with_fields(problem, rules=found, conditions=(), unknowns=())
 
