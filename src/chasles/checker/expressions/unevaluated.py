@@ -89,10 +89,12 @@ def summed(e: Any) -> Any:
         elif isinstance(e, sympy.Sum) and size.xreplace(outer).is_integer:
             number = sympy.Dummy(integer=low.xreplace(outer).is_integer)
             inside = term.subs(outer | {index: number}).replace(sympy.Sum, lambda *args: summed(sympy.Sum(*args)))
-            before = _before(inside, number).xreplace({value: known for known, value in outer.items()})
-            term = before.xreplace({number: high + 1}) - before.xreplace({number: low})
+            before = _before(e, inside, number).xreplace({value: known for known, value in outer.items()})
+            term = sympy.expand(before.xreplace({number: high + 1}) - before.xreplace({number: low}))
+        elif size.is_Integer or isinstance(e, sympy.Product):
+            raise Rejected(f"{e} is not treated: it may have more than {MOST_TERMS} terms")
         else:
-            raise Rejected(f"{e} has limits that are no numbers, or too many terms")
+            raise Rejected(f"{e} is not treated: nothing says that {size} is an integer")
     return term
 
 
@@ -104,15 +106,17 @@ def _integers(limits: Any) -> dict[Any, Any]:
     return known
 
 
-def _before(term: Any, index: Any) -> Any:
-    """What grows by the term from an index to the next: Newton's series, tried."""
-    differences = [sympy.expand(term.xreplace({index: sympy.Integer(k)})) for k in range(MOST_POWERS)]
+def _before(e: Any, term: Any, index: Any) -> Any:
+    """What grows by the term from an index to the next: Newton's series, tried; from above to below a sum is Karr's."""
+    known = range(MOST_POWERS if term.is_polynomial(index) else 0)
+    differences = [sympy.expand(term.xreplace({index: sympy.Integer(k)})) for k in known]
     total, choices = sympy.S.Zero, index
-    for k in range(len(differences)):
-        total, choices = total + differences[0] * choices, choices * (index - k - 1) / (k + 2)
-        differences = [b - a for a, b in pairwise(differences)]
-    if sympy.expand(total.xreplace({index: index + 1}) - total - term) != 0:
-        raise Rejected(f"{term} is no polynomial in {index}")
+    while any(differences):
+        total, choices = total + differences[0] * choices, choices * (index - MOST_POWERS + len(differences) - 1)
+        choices /= MOST_POWERS - len(differences) + 2
+        differences = [sympy.expand(b - a) for a, b in pairwise(differences)]
+    if not known or sympy.expand(total.xreplace({index: index + 1}) - total - term) != 0:
+        raise Rejected(f"{e} is not treated: of so many terms, only sums of polynomials in the index are")
     return total
 
 
