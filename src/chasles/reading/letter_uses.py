@@ -28,6 +28,8 @@ PSEUDOINVERSES = ("+", r"\sharp")
 RATES = (r"\dot", r"\ddot", r"\dddot")
 OPERATORS = (*RATES, r"\tilde")
 """Accents that are put on a letter; any other is part of its name."""
+ITERATE = re.compile(r"\( [a-z](?: [+-] 1)? \)")
+"""What numbers the members of a sequence above them."""
 NO_LETTERS = frozenset([*WITHOUT_WORD, r"\partial"])
 DIFFERENTIAL = re.compile(r"\\o?int\b|\bd t\b|\\mathrm \{ d \}")
 GRID = re.compile(r"\\begin\{(?:\w*matrix|array)\}|[])] \^ \{ (?:- 1|T) \}")
@@ -251,7 +253,7 @@ def _note(terms: Terms | None, within: str, noting: _Noting) -> None:
                 _note_letter(letter_of(joined((piece, after)) or piece), around, noting)
                 before = within
                 continue
-            inside = piece.text if piece.text in (r"\|\|", "||", r"\lfloor\rfloor", r"\sqrt") else before
+            inside = piece.text if piece.text in (r"\|\|", "||", r"\lfloor\rfloor", r"\sqrt", "e") else before
             inside = (
                 r"[]_\times"
                 if piece.kind == "BRACKET" and r"\times" in map(said_of, (piece.sub or (), *piece.sups))
@@ -299,7 +301,8 @@ def stem_of(own: Glyph) -> Glyph:
 
 def is_declared(letter: Glyph, bare: frozenset[str]) -> bool:
     """Whether it is a letter of the page, and not one that has a meaning everywhere."""
-    is_bare = letter.base in bare and (letter.base != "e" or bool(letter.sups))
+    is_exponential = letter.base == "e" and bool(letter.sups) and not ITERATE.fullmatch(letter.sups[0])
+    is_bare = letter.base in bare and (letter.base != "e" or is_exponential)
     has_size = letter.base != r"\pi" and bool(SIZE.fullmatch(letter.sub))
     is_bare = is_bare and (not letter.sub or has_size) and not {*letter.accents} - {*RATES}
     is_name = letter.base.startswith(("[", "(", r"\begin")) or " , " in letter.base or letter.loose.base in NO_LETTERS

@@ -85,7 +85,8 @@ def _otherwise(stem: Glyph, use: LetterUse, of_operators: bool) -> str:
     """
     bold, large = looks(stem)
     are_entries = all(ENTRY.fullmatch(glyph.sub) for glyph in use.letters)
-    if use.kind == "scalar" and not (use.is_number or are_entries) and (use.has_order or (large and of_operators)):
+    is_number = use.is_number or are_entries or ("e" in use.signs and not large)
+    if use.kind == "scalar" and not is_number and (use.has_order or (large and of_operators)):
         return "matrix"
     is_vector = bold or use.signs & {r"\cdot", r"\|\|", *SKEW, *(f"^{each}" for each in TRANSPOSES)}
     return "scalar" if use.kind == "vector" and r"\times" in use.signs and not is_vector else ""
