@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 
 from chasles.statements import Hypothesis, definite, nonzero, positive, rotation, symmetric, unit
-from chasles.vocabulary import Group, Misfit, Negative, Node, Norm, Number, Power, Quotient, Scale, Symbol, walk
+from chasles.vocabulary import Dot, Group, Misfit, Negative, Node, Norm, Number, Power, Quotient, Scale, Symbol, walk
 
 HYPOTHESES: dict[str, Callable[[Node], Hypothesis]] = {
     "unit quaternion": unit,
@@ -63,7 +63,7 @@ def _factors(node: Node) -> Iterator[Node]:
             yield from _factors(of)
         case Power(base, _) if base.is_scalar:
             yield from _factors(base)
-        case Scale(factor, term) if term.is_scalar:
+        case Scale(factor, term) | Dot(factor, term) if factor.is_scalar and term.is_scalar:
             yield from _factors(factor)
             yield from _factors(term)
         case Quotient(numerator, _):

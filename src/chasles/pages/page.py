@@ -35,6 +35,8 @@ MOST_READINGS = 4
 AHEAD = 2
 """So many equations that follow may say what new symbols are."""
 PROVED = ("holds", "holds-under")
+UNDECIDED = frozenset({"defined", "open"})
+"""Where nothing else is said, it makes no difference how the equation is read."""
 Notes = Mapping[tuple[str, int], EquationNote]
 """What a person says of a relation, by the name of its equation and its part."""
 DISPLAYS = ("$$", "\\[", "\\begin{", "```", ".. math::")
@@ -205,7 +207,7 @@ def _decided(
     told = []
     for other, fork in () if _is_meant(usual) else forks:
         verdicts = [_verdict(finding) for _, finding in _said(other, number, first, notes, fork, ahead, display)]
-        if verdicts != usual:
+        if verdicts != usual and not UNDECIDED.issuperset((*verdicts, *usual)):
             told.append((", ".join(verdicts), _in_latex(other)))
     for place, (part, finding) in enumerate(findings, first):
         yield PageEquation(equation, number, place, part, finding, tuple(told))

@@ -6,15 +6,13 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations
-from typing import NamedTuple
 
-from chasles.reading.applying import EVALUATED
 from chasles.reading.atoms import TYPEFACES, Atom, Atoms, said_of
 from chasles.reading.commands import MARKS
 from chasles.reading.derivatives import differential
 from chasles.reading.glyphs import ARROWS, Glyph, joined, letter_of, pieces_of, spelled, text_of
 from chasles.reading.grammar import Chain, Terms, terms_in
-from chasles.reading.marks import SIZE, WITHOUT_WORD
+from chasles.reading.letter_names import INVERSES, TRANSPOSES, NameMarks, is_declared, parted, stem_of
 from chasles.reading.notation_file import load_notation
 from chasles.reading.page_functions import DIFFERENCES, makes_difference, shown_alone
 from chasles.reading.page_notation import PageNotation
@@ -23,27 +21,9 @@ from chasles.reading.segments import chains_of
 from chasles.reading.spellings import called
 from chasles.vocabulary.measure import Extent
 
-TRANSPOSES, INVERSES = ("T", r"\top", r"\intercal"), ("- 1", "- T", r"- \top")
-PSEUDOINVERSES = ("+", r"\sharp")
-RATES = (r"\dot", r"\ddot", r"\dddot")
-OPERATORS = (*RATES, r"\tilde")
-"""Accents that are put on a letter; any other is part of its name."""
-ITERATE = re.compile(r"\( [a-z](?: [+-] 1)? \)")
-"""What numbers the members of a sequence above them."""
-NO_LETTERS = frozenset([*WITHOUT_WORD, r"\partial"])
 DIFFERENTIAL = re.compile(r"\\o?int\b|\bd t\b|\\mathrm \{ d \}")
 GRID = re.compile(r"\\begin\{(?:\w*matrix|array)\}|[])] \^ \{ (?:- 1|T) \}")
 """A matrix that is written out, or brackets that are inverted or transposed."""
-IDENTITIES = (r"\mathbf 1", r"\mathbf I", "I")
-BARE = (r"\pi", "e", "0", r"\mathbf 0", r"\mathrm d", *IDENTITIES)
-"""What is no letter of the page where it has no subscript."""
-INERTIA = re.compile(
-    r"(?:(\\mathbf) \{ I \}|(?<!\{ )\bI)"
-    r" (?:\\(?:[a-z]*dot|vec|mathbf|boldsymbol|omega|alpha) |[A-Za-z(] |\^ \{ - 1|_ \{? ?1 )"
-    r"|(\\mathbf) \{ 1 \} \^ \{ (?:T|\\top|\\mathsf \{ T \}|\\mathrm \{ T \}) \}"
-)
-"""An I before a letter or brackets, or inverted, is no identity, nor one of one row, nor a 1 that is transposed."""
-WORDS = (*TRANSPOSES, *INVERSES, r"\wedge", r"\vee", r"\times")
 MANY = 3
 NUMBERS = frozenset({"1/", r"\sqrt", r"\sin", r"\cos", r"\tan"})
 SKEW = frozenset({r"^\wedge", r"^\times", r"[]_\times"})
@@ -81,27 +61,6 @@ class LetterUse:
         return self.is_square or any(f"^{sup}" in self.signs for sup in (*TRANSPOSES, r"\dagger"))
 
 
-class NameMarks(NamedTuple):
-    """Which marks are no part of a letter's name: accents that are `operators`, and numbers above letters.
-
-    Above those that are `labelled` a number is part of the name, as in x^1, where others have x^{k + 1} at its place.
-    """
-
-    operators: tuple[str, ...]
-    labelled: frozenset[str] = frozenset()
-
-    @classmethod
-    def on_page(cls, texts: Iterable[str], operators: tuple[str, ...]) -> NameMarks:
-        """Those of a page whose equations are these, as one text each."""
-        return cls(operators, frozenset("".join(found) for text in texts for found in _LABELLED.findall(f"= {text}")))
-
-
-_LABELLED = re.compile(
-    r"(\\?[A-Za-z]+)(?: \})?(?: _ \{ [^{}]* \})? \^ \{ [01] \}"
-    r"|(?<== )(?:\\\w+ \{ )*(\\?[A-Za-z]+)(?: \})*(?: _ \{ [^{}]* \})? \^ \{ [a-z] [+] 1 \} (?:=|-|:=)"
-)
-
-
 @dataclass(frozen=True, slots=True)
 class _Noting:
     """Where letters are noted: in an equation at a place, with the marks that are no part of their names."""
@@ -110,13 +69,10 @@ class _Noting:
     usual: PageNotation
     at: int
     marks: NameMarks
-    bare: frozenset[str]
     alone: frozenset[str]
 
 
-def letter_uses(
-    equations: Sequence[PrintedEquation], texts: Sequence[str], marks: NameMarks, bare: frozenset[str]
-) -> dict[Glyph, LetterUse]:
+def letter_uses(equations: Sequence[PrintedEquation], texts: Sequence[str], marks: NameMarks) -> dict[Glyph, LetterUse]:
     """The letters in their order, with how they are used and what they may be.
 
     `texts` are the equations' tokens as one text each. `marks` are no part of a letter's name.
@@ -127,7 +83,7 @@ def letter_uses(
     alone = shown_alone(chain for chains in found for chain in chains)
     for place, chains in enumerate(found):
         for side in (side for chain in chains for side in chain.sides):
-            _note(side, "", _Noting(uses, usual, place, marks, bare, alone))
+            _note(side, "", _Noting(uses, usual, place, marks, alone))
     if any(map(DIFFERENTIAL.search, texts)):
         uses.pop(Glyph("d"), None)
     products = [[each for chain in chains for each in _products(chain)] for chains in found]
@@ -185,11 +141,6 @@ def _oblong(letter: str, texts: Sequence[str]) -> tuple[Extent, ...]:
     )
     shapes = [shape for shape, end in zip(((4, 3), (3, 4)), ends, strict=True) if any(re.search(end, t) for t in texts)]
     return shapes[0] if len(shapes) == 1 else ()
-
-
-def inertias(text: str) -> set[str]:
-    """The letters for an identity that are something else in this equation, given as one text."""
-    return {r"\mathbf 1" if ones else f"{face} I".strip() for face, ones in INERTIA.findall(f"{text} ")}
 
 
 def _kind(stem: Glyph, use: LetterUse, are_bold: bool, are_thin: bool, has_parts: bool) -> tuple[str, str]:
@@ -253,26 +204,24 @@ def _note(terms: Terms | None, within: str, noting: _Noting) -> None:
                 _note_letter(letter_of(joined((piece, after)) or piece), around, noting)
                 before = within
                 continue
-            inside = piece.text if piece.text in (r"\|\|", "||", r"\lfloor\rfloor", r"\sqrt", "e") else before
-            inside = (
-                r"[]_\times"
-                if piece.kind == "BRACKET" and r"\times" in map(said_of, (piece.sub or (), *piece.sups))
-                else inside
-            )
-            inside = "[]" if piece.text == "[]" and _is_letter_alone(piece) else inside
-            inside = (
-                "d" if len(piece.arguments) == 2 and differential(piece.arguments[0]) in ("d", r"\partial") else inside
-            )
-            is_divided = piece.text.endswith("frac") and inside != "d"
-            for held in range(len(within_it := [*terms_in(piece)])):
-                _note(within_it[held], "1/" if is_divided and held == len(within_it) - 1 else inside, noting)
+            inside, held = _sign_around(piece, before), [*terms_in(piece)]
+            divisor = held[-1] if piece.text.endswith("frac") and inside != "d" and held else None
+            for inner in held:
+                _note(inner, "1/" if inner is divisor else inside, noting)
             if piece.kind == "LETTER" or piece.text in TYPEFACES or piece.text in MARKS:
                 _note_letter(letter_of(piece), around, noting)
             before = within
 
 
-def _is_letter_alone(bracket: Atom) -> bool:
-    return len(pieces_of(bracket)) == 1
+def _sign_around(piece: Atom, before: str) -> str:
+    """What is noted of the letters that a piece holds: its own sign, or that before it."""
+    if len(piece.arguments) == 2 and differential(piece.arguments[0]) in ("d", r"\partial"):
+        return "d"
+    if piece.text == "[]" and len(pieces_of(piece)) == 1:
+        return "[]"
+    if piece.kind == "BRACKET" and r"\times" in map(said_of, (piece.sub or (), *piece.sups)):
+        return r"[]_\times"
+    return piece.text if piece.text in (r"\|\|", "||", r"\lfloor\rfloor", r"\sqrt", "e") else before
 
 
 def _is_derivative(terms: Terms | None, within: str) -> bool:
@@ -280,37 +229,8 @@ def _is_derivative(terms: Terms | None, within: str) -> bool:
     return within == "d" or terms is None or "int" in text_of(terms)
 
 
-def parted(letter: Glyph, marks: NameMarks) -> tuple[Glyph, tuple[str, ...]]:
-    """The letter with all that is part of its name, and the accents and superscripts that are not."""
-    plain = {re.sub(r"\\math\w+ ", "", sup): sup for sup in letter.sups}
-    is_power = letter.base.split()[-1] not in marks.labelled
-    numbers = {sup for sup in plain if sup.isdigit() and sup != "0" and is_power}
-    scripts = tuple(sup for sup in plain if sup in WORDS or sup in numbers or sup.startswith(EVALUATED))
-    accents = tuple(accent for accent in letter.accents if accent not in marks.operators)
-    own = tuple(sup for said, sup in plain.items() if said not in scripts)
-    made = tuple(accent for accent in letter.accents if accent in marks.operators and accent not in RATES)
-    return Glyph(letter.base, accents, letter.sub, letter.primes, own, letter.before), (*made, *scripts)
-
-
-def stem_of(own: Glyph) -> Glyph:
-    """What the letters have in common that are most likely of one kind: V, those as V_x, those as V_{xx}, and V^+."""
-    count = sum(word.isalpha() for word in own.sub.split())
-    sub = "" if not own.sub else "#" if count < 2 else f"# {count}"
-    return Glyph(own.base, own.accents, sub, sups=tuple(sup for sup in own.sups if sup in PSEUDOINVERSES))
-
-
-def is_declared(letter: Glyph, bare: frozenset[str]) -> bool:
-    """Whether it is a letter of the page, and not one that has a meaning everywhere."""
-    is_exponential = letter.base == "e" and bool(letter.sups) and not ITERATE.fullmatch(letter.sups[0])
-    is_bare = letter.base in bare and (letter.base != "e" or is_exponential)
-    has_size = letter.base != r"\pi" and bool(SIZE.fullmatch(letter.sub))
-    is_bare = is_bare and (not letter.sub or has_size) and not {*letter.accents} - {*RATES}
-    is_name = letter.base.startswith(("[", "(", r"\begin")) or " , " in letter.base or letter.loose.base in NO_LETTERS
-    return not (is_bare or is_name)
-
-
 def _note_letter(letter: Glyph, around: set[str], noting: _Noting) -> None:
-    if is_declared(letter, noting.bare):
+    if is_declared(letter, noting.marks.bare):
         own, marks = parted(letter, noting.marks)
         use = noting.uses.setdefault(stem_of(own), LetterUse())
         use.letters.setdefault(own, {})[noting.at] = use.places[noting.at] = None

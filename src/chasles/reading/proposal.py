@@ -12,18 +12,8 @@ from typing import Any
 from chasles.reading.atoms import TYPEFACES, Unread, marks_of
 from chasles.reading.commands import LETTERS, MARKS
 from chasles.reading.glyphs import Glyph, in_latex, letter_in, spelled
-from chasles.reading.letter_uses import (
-    BARE,
-    IDENTITIES,
-    OPERATORS,
-    RATES,
-    SKEW,
-    TRANSPOSES,
-    LetterUse,
-    NameMarks,
-    inertias,
-    looks,
-)
+from chasles.reading.letter_names import BARE, IDENTITIES, OPERATORS, RATES, TRANSPOSES, NameMarks, inertias
+from chasles.reading.letter_uses import SKEW, LetterUse, looks
 from chasles.reading.lexemes import BadPage
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.shape_search import shaped_letters
@@ -46,9 +36,9 @@ def proposed(equations: Sequence[PrintedEquation]) -> str:
     texts = [_text_of(equation) for equation in equations]
     inertia = set().union(*map(inertias, texts))
     bare = frozenset(BARE) - inertia
-    uses, faults = shaped_letters(equations, texts, NameMarks.on_page(texts, OPERATORS), bare)
+    uses, faults = shaped_letters(equations, texts, NameMarks.on_page(texts, OPERATORS, bare))
     if any(r"tilde " in text for text in texts):
-        other, fewer = shaped_letters(equations, texts, NameMarks.on_page(texts, RATES), bare)
+        other, fewer = shaped_letters(equations, texts, NameMarks.on_page(texts, RATES, bare))
         uses = other if fewer < faults else uses
     primes = {prime for text in texts for prime in PRIMED.findall(text)}
     signs = ", ".join(f'"#{each.replace(" ", "")}"' for each in sorted(primes))

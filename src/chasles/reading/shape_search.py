@@ -8,8 +8,9 @@ from itertools import combinations, islice, product
 
 from chasles.reading.glyphs import ARROWS, Glyph, letter_of, spelled
 from chasles.reading.grammar import Chain, Terms
+from chasles.reading.letter_names import NameMarks, is_declared, parted, stem_of
 from chasles.reading.letter_shapes import Misshapen, Shape, shape_of_chain
-from chasles.reading.letter_uses import SKEW, LetterUse, NameMarks, is_declared, letter_uses, looks, parted, stem_of
+from chasles.reading.letter_uses import SKEW, LetterUse, letter_uses, looks
 from chasles.reading.notation_file import load_notation
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.segments import chains_of
@@ -34,11 +35,11 @@ UNLIKELY = 0.3
 
 
 def shaped_letters(
-    equations: Sequence[PrintedEquation], texts: Sequence[str], marks: NameMarks, bare: frozenset[str]
+    equations: Sequence[PrintedEquation], texts: Sequence[str], marks: NameMarks
 ) -> tuple[dict[Glyph, LetterUse], int]:
     """The letters with what they are, and how many equations do not fit together even so."""
-    uses = letter_uses(equations, texts, marks, bare)
-    search = _KindSearch([chains_of(equation) for equation in equations], uses, marks, bare)
+    uses = letter_uses(equations, texts, marks)
+    search = _KindSearch([chains_of(equation) for equation in equations], uses, marks)
     search.go_through()
     return dict(sorted(search.uses.items(), key=lambda each: spelled(each[0]))), search.all_faults
 
@@ -51,9 +52,8 @@ class _KindSearch:
         chains: Sequence[Sequence[Chain]],
         uses: dict[Glyph, LetterUse],
         marks: NameMarks,
-        bare: frozenset[str],
     ) -> None:
-        self.chains, self.uses, self.bare = chains, uses, bare
+        self.chains, self.uses, self.bare = chains, uses, marks.bare
         self.names = frozenset(load_notation("").spellings.names)
         self.stems: dict[int, list[Glyph]] = {}
         for stem, use in uses.items():
