@@ -255,6 +255,7 @@ def test_what_holds_of_numbers_alone_or_of_another_reading_is_not_said_to_hold(c
         ("n = n / 2",),
         ("u(t)^2 = u(t)",),
         (r"\Theta(n^2) = \Theta(2 n^2)",),
+        (r"x = \frac{-b + \sqrt{b^2 - 4 a c}}{2 a}", r"x = \frac{-b - \sqrt{b^2 - 4 a c}}{2 a}"),
         (r"S = I - \frac{1}{n} \mathbf{1} \mathbf{1}^T", "S^2 = S", r"S \mathbf{1} = 0"),
     ],
 )
@@ -270,3 +271,9 @@ def test_what_holds_of_letters_of_either_kind_holds() -> None:
     assert "if A, B are scalars" in told(said)
     (known,) = chasles.read("A B = B A", notation).equations
     assert known.verdict == "holds"
+
+
+def test_what_is_said_of_events_is_one_quantity() -> None:
+    page = r"P(X = 1) = p, \quad P(X = 0) = 1 - p, \quad P(X = 1) + P(X = 0) = 1", r"P(A \mid B) P(B) = P(B | A) P(A)"
+    assert verdicts_as_proposed(*page) == ["defined", "defined", "holds", "open"]
+    assert verdicts_as_proposed(r"P(X \in (a, b]) = P(X \leq b) - P(X \leq a)") == ["defined"]

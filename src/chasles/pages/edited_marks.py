@@ -12,7 +12,9 @@ from itertools import chain, islice, zip_longest
 
 from chasles.repairs.single_edits import in_letters, placed, single_edits
 from chasles.rewriting.places import everywhere
-from chasles.vocabulary import Negative, Node, Number, Quotient, Scale, Sum, Symbol, Transpose, symbols_of, walk
+from chasles.vocabulary import Group, Negative, Node, Number, Quotient, Scale, Sum, Symbol, Transpose, symbols_of, walk
+from chasles.vocabulary.functions import FunctionOf
+from chasles.vocabulary.tree import replace
 
 IsKnown = Callable[[Symbol], bool]
 TWO = Number(Fraction(2))
@@ -26,14 +28,31 @@ def one_mark_away(
     The letters that one may be meant for are those of the sides, and `more`.
     """
     seen, turned = {(left, right)}, _turned((left, right), is_known)
+    printed = _with_roots_taken(left), _with_roots_taken(right)
     letters = tuple(dict.fromkeys((*symbols_of(left), *symbols_of(right), *more)))
     of_right = ((left, changed, said) for changed, said in chain(_scaled(right), _edits(right, letters)))
     of_left = ((changed, right, said) for changed, said in _edits(left, letters))
     for one, other, said in filter(None, chain.from_iterable(zip_longest(of_right, of_left))):
         fits = one.fault is other.fault is None and one.shape == other.shape == left.shape and one != other
-        if fits and (one, other) not in seen and _turned((one, other), is_known) == turned:
+        is_other_root = (_with_roots_taken(one), _with_roots_taken(other)) == printed
+        if fits and not is_other_root and (one, other) not in seen and _turned((one, other), is_known) == turned:
             seen.add((one, other))
             yield one, other, said
+
+
+def _with_roots_taken(node: Node) -> Node:
+    """The expression with one sign for every root: with the other it speaks of the other solution."""
+    signs = {part: part.term for part in walk(node) if isinstance(part, Negative) and _is_root(part.term)}
+    return replace(node, {**signs})
+
+
+def _is_root(node: Node) -> bool:
+    match node:
+        case FunctionOf("sqrt"):
+            return True
+        case Group() | Scale() | Quotient():
+            return any(map(_is_root, node.below))
+    return False
 
 
 def _turned(sides: tuple[Node, Node], is_known: IsKnown) -> Counter[Node]:

@@ -45,7 +45,8 @@ class Atom:
     """What scripts are put on, and its scripts; the nuclei of commands are their arguments.
 
     `kind` is LETTER, NUMBER, COMMAND (with one argument), COMMAND_OF_TWO, GROUP (of several things in braces), GRID (an
-    environment: its name is the text), or one of `KINDS`; the grammar makes a BRACKET of what stands `inside` one.
+    environment: its name is the text), or one of `KINDS`. The grammar makes a BRACKET of what stands `inside` one, and
+    an EVENT of what is said of a relation: P(X = 1).
     `before` are a subscript and a superscript that are printed at its left.
     """
 

@@ -16,7 +16,7 @@ from lark import Token as Terminal
 from lark.exceptions import UnexpectedInput, VisitError
 from lark.lexer import Lexer
 
-from chasles.reading.atoms import CLOSING, OPENING, Atom, Atoms, Unread
+from chasles.reading.atoms import CLOSING, OPENING, Atom, Atoms, Unread, in_braces
 from chasles.reading.lexemes import Token
 
 GRAMMAR = r"""
@@ -126,6 +126,7 @@ def _terminals(atoms: Atoms) -> list[Terminal]:
     """The terminals of the grammar; a bar that says where something is taken is a script of what stands before it."""
     found: list[Terminal] = []
     open_bars = [""]
+    atoms = _with_events(atoms)
     for place, atom in enumerate(atoms):
         kind, text = atom.kind, atom.text
         is_behind = bool(found) and found[-1].type not in WITHOUT_SCRIPTS
@@ -149,6 +150,40 @@ def _terminals(atoms: Atoms) -> list[Terminal]:
             open_bars.pop()
         found.append(Terminal(kind if kind in (*WITHOUT_SCRIPTS, "CLOSE") else "ATOM", atom))
     return found
+
+
+def _with_events(atoms: Atoms) -> Atoms:
+    """The atoms with what is said of an event as one: P(X = 1), p(x | y)."""
+    found: list[Atom] = []
+    place = 0
+    while place < len(atoms):
+        atom, end = atoms[place], _closing(atoms, place)
+        is_behind = bool(found) and found[-1].kind in ("LETTER", "COMMAND", "EVENT") and not found[-1].sups
+        if atom.kind == "OPEN" and is_behind and end and _says_event(atoms[place + 1 : end]):
+            name, closing = found.pop(), atoms[end]
+            inside = (name, *atoms[place:end], closing.bare)
+            found.append(replace(closing, kind="EVENT", text=in_braces(inside), place=name.place))
+            place = end
+        else:
+            found.append(atom)
+        place += 1
+    return tuple(found)
+
+
+def _closing(atoms: Atoms, start: int) -> int:
+    """Where the bracket that opens there is closed; 0 where it is not."""
+    depth = 0
+    for place in range(start, len(atoms)):
+        depth += (atoms[place].text in OPENING) - (atoms[place].text in CLOSING)
+        if depth <= 0:
+            return place if place > start else 0
+    return 0
+
+
+def _says_event(inside: Atoms) -> bool:
+    """Whether a relation stands there, or one stroke that says under which condition."""
+    texts = [atom.text for atom in inside]
+    return r"\mid" in texts or texts.count("|") == 1 or any(atom.kind == "RELATION" for atom in inside)
 
 
 def _is_closed(behind: Atoms, bar: str) -> bool:

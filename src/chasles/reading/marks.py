@@ -12,7 +12,7 @@ from chasles.reading.atoms import Atom, said_of
 from chasles.reading.case_grids import ENVIRONMENTS, case_fits
 from chasles.reading.context import KINDS, FittingContext
 from chasles.reading.fits import UNUSUAL, Fit, Shape, kept
-from chasles.reading.glyphs import Glyph, latex_of, letter_of, spelled
+from chasles.reading.glyphs import Glyph, in_latex, latex_of, letter_of, spelled
 from chasles.reading.grammar import Terms
 from chasles.reading.matrices import block_fits, grid_fits, row_of_blocks
 from chasles.reading.quotients import exponential_fits, fraction_fits, of_atoms
@@ -135,10 +135,14 @@ def _nucleus(atom: Atom, letter: Glyph, ctx: FittingContext) -> list[Fit]:
             return _column(atom, rest, ctx)
         case "GRID" if any(said_of(each) in DOTS for row in atom.rows for each in row):
             fits = ctx.of_its_own(latex_of(atom))
+        case "EVENT":
+            fits = ctx.of_its_own(in_latex(atom.text))
         case "COMMAND_OF_TWO" if atom.text == r"\binom":
             fits = ctx.of_its_own(latex_of(atom))
+        case "GRID" if atom.text in ENVIRONMENTS:
+            fits = case_fits(atom, ctx, of_atoms) or ctx.of_its_own(latex_of(atom))
         case "GRID":
-            fits = (case_fits if atom.text in ENVIRONMENTS else grid_fits)(atom, ctx, of_atoms)
+            fits = grid_fits(atom, ctx, of_atoms)
         case "COMMAND_OF_TWO" if "frac" in atom.text:
             fits = fraction_fits(atom, ctx)
         case "GROUP" if atom.arguments[0]:

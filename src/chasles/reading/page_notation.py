@@ -130,8 +130,8 @@ def _determinant(of: Node) -> Node:
 
 
 def _number_times(left: Node, right: Node) -> Node:
-    """A number multiplied by another with the sign that vectors have."""
-    if not isinstance(left, Number):
+    """A number, or a scalar and another, multiplied with the sign that vectors have."""
+    if not (isinstance(left, Number) or left.is_scalar is right.is_scalar is True):
         raise Misfit(f"{left} is no number")
     return Scale(left, right)
 

@@ -54,6 +54,8 @@ def _signed(pieces: Atoms, ctx: FittingContext) -> list[Fit]:
         if sign.text == "*" and _has_value(pieces, ctx):
             ctx.note("* between functions may be a convolution", sign.place)
             return []
+        if not makes and ctx.notation.proposed and sign.text != "|":
+            return ctx.of_its_own(in_latex(text_of_row(pieces)))
         if not makes:
             ctx.note(f"no word for {sign.text}", sign.place)
             return []
@@ -72,7 +74,8 @@ def _with_total(pieces: Atoms, place: int, ctx: FittingContext) -> list[Fit]:
         found = [each for one in found for other in _signed(inside[end:], ctx) for each in times(one, other, ctx)]
     cut = max((k for k, piece in enumerate(before) if piece.kind == "INFIX"), default=-1)
     last = before[-1] if before else None
-    if last and (operators := operators_of(last, ctx)):
+    functions = ctx.notation.spellings.names.get(called(last), []) if last and not last.is_marked else []
+    if last and (operators := operators_of(last, ctx) or functions):
         found, before = list(made_of(operators, [[fit] for fit in found], None, ctx)), before[:-1]
     if before[cut + 1 :]:
         factors = _signed(before[cut + 1 :], ctx)
