@@ -42,8 +42,9 @@ def one_mark_away(
 
 def _with_roots_taken(node: Node) -> Node:
     """The expression with one sign for every root: with the other it speaks of the other solution."""
-    signs = {part: part.term for part in walk(node) if isinstance(part, Negative) and _is_root(part.term)}
-    return replace(node, {**signs})
+    negative = [part for part in walk(node) if isinstance(part, Negative) and _is_root(part.term)]
+    signs: dict[Node, Node] = {part: part.term for part in negative}
+    return replace(node, signs)
 
 
 def _is_root(node: Node) -> bool:
