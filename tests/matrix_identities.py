@@ -187,6 +187,12 @@ IDENTITIES: tuple[Equality, ...] = (
     ("residual is normal", U.T @ (I - U @ inverse(U.T @ U) @ U.T) @ b, Zero(m, 1), ()),
     ("normal equations", (U.T @ U) @ (inverse(U.T @ U) @ U.T @ b), U.T @ b, ()),
     ("left inverse", (inverse(U.T @ U) @ U.T) @ U, J, ()),
+    (
+        "resolvents",
+        inverse(s * I - A) - inverse(s * I - B),
+        inverse(s * I - A) @ (A - B) @ inverse(s * I - B),
+        (invertible(s * I - A), invertible(s * I - B)),
+    ),
     ("right inverse", V @ (V.T @ inverse(V @ V.T)), J, ()),
     ("Penrose 1", U @ (inverse(U.T @ U) @ U.T) @ U, U, ()),
     ("Penrose 2", (inverse(U.T @ U) @ U.T) @ U @ (inverse(U.T @ U) @ U.T), inverse(U.T @ U) @ U.T, ()),

@@ -148,7 +148,8 @@ class _Proofs:
                 self.completion.subtract(claim, back, place, Fraction(1))
                 for (scalars, word), coefficient in words.items():
                     around = ((), word) if side == "left" else (word, ())
-                    claim.proof[Multiple(scalars, around[0], label, False, around[1], "", ())] = coefficient
+                    term = Multiple(scalars, around[0], label, False, around[1], "", ())
+                    claim.proof[term] = claim.proof.get(term, Fraction(0)) + coefficient
                 claim.words = {}
                 return
 
