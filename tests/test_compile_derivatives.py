@@ -79,6 +79,7 @@ def direction(request, monkeypatch):
     return request.param
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("expression", EXPRESSIONS, ids=str)
 def test_all_kinds_are_those_of_sympy_in_both_directions(expression, direction):
     symbols = (x, y, z)

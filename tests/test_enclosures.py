@@ -87,6 +87,7 @@ def test_given_equations_hold_at_the_point(one: Any, given: list[Any]) -> None:
     assert abs(sp.N(one.subs(values), 40)) > Rational(1, 10**10)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     "sides",
     [

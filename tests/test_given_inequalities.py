@@ -112,6 +112,7 @@ FALSE: list[tuple[Any, Any, list[Any]]] = [
 ]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("left", "right", "given"), [*TRUE, *BETWEEN, *NONE_IS_NEGATIVE], ids=str)
 def test_what_holds_where_they_do_is_proved(left: Any, right: Any, given: list[Any]) -> None:
     verdict = prove(left, right, given)

@@ -126,6 +126,7 @@ SUMS = [
 ]
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(("left", "right"), SUMS, ids=str)
 def test_sums_of_polynomials_to_any_limit(left: Any, right: Any) -> None:
     verdict = prove(left, right)

@@ -58,6 +58,7 @@ def test_where_an_item_stands_does_not_matter(loops, name, sample, kind):
             assert all(same(got[i], value) for got, value in zip(together, alone, strict=True)), (length, i)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("length", [1, 3, 64, 65, 200])
 def test_strides_of_every_kind_change_no_bit(loops, name, sample, kind, length):
