@@ -13,6 +13,10 @@ from sympy.codegen import cfunctions
 
 import chasles
 from chasles.bounds.model import precision
+from chasles.compiling.derived import derived_from
+from chasles.compiling.operands import inputs_of, outputs_of
+from chasles.compiling.program_of import program_of
+from chasles.lowering.evaluate import decimals, run
 from chasles.lowering.program import Op
 
 x, y = sp.symbols("x y", real=True)
@@ -145,3 +149,39 @@ def test_functions_are_within_what_error_bounds_suppose(name):
             with np.errstate(all="ignore"):
                 found = way(given)
             assert (abs(found[plain].astype(wider) - wanted[plain]) / unit).max() <= float(within) + 1e-3
+
+
+SPECIAL = [
+    *(sp.Ei(x), sp.E1(x), sp.expint(3, x), sp.li(x + 2), sp.Si(x), sp.Ci(x), sp.Shi(x), sp.Chi(x)),
+    *(sp.fresnels(x), sp.fresnelc(x), sp.airyai(x), sp.airybi(x), sp.airyaiprime(x), sp.airybiprime(x)),
+    *(sp.LambertW(x), sp.erfi(x), sp.erfinv(x), sp.erfcinv(x), sp.besselj(2, x), sp.polygamma(1, x)),
+]
+
+
+def test_functions_of_scipy_have_their_rates():
+    given, arithmetic = inputs_of([x]), decimals(30)
+    for expression in SPECIAL:
+        results = outputs_of(expression, given, None)
+        program = program_of("f", given, results, derived_from(given, results, ("jacobian",), None, coo=False))
+
+        def value(at, program=program):
+            return run(program, [[arithmetic.context.mpf(at)]], arithmetic)[0][0]
+
+        for at in (0.3, 0.8):
+            _, [slope] = run(program, [[arithmetic.context.mpf(at)]], arithmetic)
+            assert abs(slope - arithmetic.context.diff(value, at)) < 1e-12, (expression, at)
+
+
+def test_orders_of_exponential_integrals_are_whole():
+    with pytest.raises(chasles.compiling.LoweringError, match="whole numbers"):
+        chasles.compile(sp.expint(x, y), [x, y])
+
+
+def test_functions_of_scipy_have_no_value_where_it_is_not_real():
+    scipy = pytest.importorskip("scipy.special")
+    at = np.array([-0.5, 0.4, 2.0])
+    found = chasles.compile([sp.Ci(x), sp.Chi(x), sp.LambertW(x), sp.erfinv(x), sp.airybiprime(x)], [x])(at)
+    wanted = [scipy.sici(at)[1], scipy.shichi(at)[1], scipy.lambertw(at).real, scipy.erfinv(at), scipy.airy(at)[3]]
+    for number, (got, value) in enumerate(zip(found, wanted, strict=True)):
+        assert np.array_equal(np.isnan(got), [number < 3, False, number == 3])
+        assert np.array_equal(got[~np.isnan(got)], value[~np.isnan(got)])

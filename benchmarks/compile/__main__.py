@@ -21,7 +21,7 @@ from typing import Any
 import mpmath
 import numpy as np
 from benchmarks.compile.formula import Formula
-from benchmarks.compile.making import compiled, in_new_process, timed
+from benchmarks.compile.making import compiled, in_new_process, method_compiled
 from benchmarks.compile.models import METHODS, MODELS, Model, chain_in_the_plane, of_method
 from benchmarks.compile.page import page
 from benchmarks.kernels import machine
@@ -115,22 +115,27 @@ def measured(model: Model, modules: Mapping[str, Any], rounds: int) -> dict[str,
     return row
 
 
-def solved(method: Any, modules: Mapping[str, Any], rounds: int) -> dict[str, Any]:
+def solved(name: str, modules: Mapping[str, Any], rounds: int) -> dict[str, Any]:
     """Accelerations of a method: solved on the way, or by NumPy from mass matrix and forcing."""
+    method = METHODS[name]()
     model = of_method("method", "accelerations", method, whole=True)
     formula, inputs, size = Formula(model), points(model, BATCH), len(method.u)
     right = references(formula, inputs)
     with mpmath.workdps(DIGITS):
         matrices = [(mpmath.matrix(row[: size**2].reshape(size, size).tolist()), row[size**2 :]) for row in right]
         right = np.array([list(mpmath.lu_solve(M, mpmath.matrix(f.tolist()))) for M, f in matrices], dtype=object)
-    row: dict[str, Any] = {"says": "accelerations", "results": size, "tools": {"chasles": {}}}
-    kernel, row["tools"]["chasles"]["cold"] = timed(lambda: method_compiled(method))
+    row: dict[str, Any] = {"says": "accelerations", "results": size, "tools": {}}
+    with tempfile.TemporaryDirectory() as cache:
+        row["tools"]["chasles"] = {when: in_new_process(name, cache, PATIENCE) for when in ("cold", "warm")}
+        with_cache(cache)
+        kernel = method_compiled(method)
     row["tools"]["chasles"]["operations"] = sum(kernel.operations.values())
     calls: dict[str, Call] = {"chasles": in_order(kernel, method, model)}
-    for name, module in modules.items():
-        row["tools"][name] = tool = {}
+    for peer, module in modules.items():
+        with tempfile.TemporaryDirectory() as room:
+            row["tools"][peer] = tool = {"cold": in_new_process(name, room, PATIENCE, peer)}
         try:
-            made, tool["cold"] = timed(lambda module=module: module.make([formula])["model"])
+            made = module.make([formula])["model"]
         except Exception as failure:
             tool["cold"] = f"{type(failure).__name__}: {failure}"[:200]
             continue
@@ -140,22 +145,15 @@ def solved(method: Any, modules: Mapping[str, Any], rounds: int) -> dict[str, An
             matrix, force = flat[..., : size**2], flat[..., size**2 :, None]
             return np.linalg.solve(matrix.reshape(*matrix.shape[:-1], size, size), force)[..., 0]
 
-        calls[name] = both
-    for name, call in calls.items():
-        row["tools"][name]["error"] = error(call, inputs, right)
+        calls[peer] = both
+    for each, call in calls.items():
+        row["tools"][each]["error"] = error(call, inputs, right)
     first = [np.ascontiguousarray(x[0]) for x in inputs]
     running = interleaved({name: lambda c=call: c(*inputs) for name, call in calls.items()}, rounds)
     single = interleaved({name: lambda c=call: c(*first) for name, call in calls.items()}, rounds)
-    for name in calls:
-        row["tools"][name] |= {"batch": median(running[name]) / BATCH * 1e9, "call": median(single[name]) * 1e6}
+    for each in calls:
+        row["tools"][each] |= {"batch": median(running[each]) / BATCH * 1e9, "call": median(single[each]) * 1e6}
     return row
-
-
-def method_compiled(method: Any) -> Any:
-    """The accelerations of a method of SymPy."""
-    import chasles
-
-    return chasles.compile(method, outputs="accelerations", name="model")
 
 
 def in_order(kernel: Any, method: Any, model: Model) -> Call:
@@ -209,7 +207,7 @@ def main() -> None:
         print(name, json.dumps(found["models"][name]["tools"]), file=sys.stderr, flush=True)
         keep(found)
     if given.methods:
-        found["methods"] = {name: solved(method(), modules, given.rounds) for name, method in METHODS.items()}
+        found["methods"] = {name: solved(name, modules, given.rounds) for name in METHODS}
     if given.curve:
         found["curve"] = curve(modules, given.rounds)
     keep(found)

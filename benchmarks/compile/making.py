@@ -17,9 +17,9 @@ from typing import Any
 
 import sympy as sp
 from benchmarks.compile.formula import Formula
-from benchmarks.compile.models import Model
+from benchmarks.compile.models import METHODS, Model, of_method
 
-__all__ = ["compiled", "in_new_process", "timed"]
+__all__ = ["compiled", "in_new_process", "method_compiled"]
 
 
 def spent() -> float:
@@ -43,8 +43,18 @@ def compiled(model: Model) -> Any:
     return chasles.compile(sp.Matrix(model.entries), inputs, name="model")
 
 
-def in_new_process(model: Model, cache: str, limit: float, tool: str = "chasles") -> float | str:
-    """Seconds of a tool in a new process with this cache; the last line of what it says where it fails."""
+def method_compiled(method: Any) -> Any:
+    """The accelerations of a method of SymPy."""
+    import chasles
+
+    return chasles.compile(method, outputs="accelerations", name="model")
+
+
+def in_new_process(model: Model | str, cache: str, limit: float, tool: str = "chasles") -> float | str:
+    """Seconds of a tool in a new process with this cache; the last line of what it says where it fails.
+
+    For the name of a method chasles makes the accelerations, a peer the mass matrix and the forcing.
+    """
     held = Path(cache) / "model.pickle"
     held.parent.mkdir(parents=True, exist_ok=True)
     held.write_bytes(pickle.dumps(model))
@@ -69,10 +79,14 @@ if __name__ == "__main__":
     sys.setrecursionlimit(100_000)
     held = pickle.loads(Path(sys.argv[1]).read_bytes())
 
+    if isinstance(held, str):
+        method = METHODS[held]()
+        held = method if sys.argv[2] == "chasles" else of_method("method", held, method, whole=True)
+
     def made() -> object:
         """The tool's kernel, with what it imports."""
         if sys.argv[2] == "chasles":
-            return compiled(held)
+            return compiled(held) if isinstance(held, Model) else method_compiled(held)
         return import_module(f"benchmarks.peers.{sys.argv[2]}").make([Formula(held)])
 
     logging.disable(logging.WARNING)

@@ -114,6 +114,13 @@ def _device(xp: Any, values: list[Any]) -> Any:
 
 _PLACES = {"jax": "jax.scipy.special", "torch": "torch.special", "cupy": "cupyx.scipy.special"}
 _CALLED = {"tgamma": "gamma", "lgamma": "gammaln", "digamma": "psi"}
+_PARTS = {
+    **{name: ("sici", place) for place, name in enumerate(("si", "ci"))},
+    **{name: ("shichi", place) for place, name in enumerate(("shi", "chi"))},
+    **{name: ("fresnel", place) for place, name in enumerate(("fresnel_s", "fresnel_c"))},
+    **{f"airy_{name}": ("airy", place) for place, name in enumerate(("ai", "ai_prime", "bi", "bi_prime"))},
+}
+"""Which of the results of a function."""
 
 
 def _special(xp: Any, name: str) -> Any:
@@ -123,12 +130,21 @@ def _special(xp: Any, name: str) -> Any:
         module = import_module(_PLACES.get(library, "scipy.special"))
     except ModuleNotFoundError:
         module = None
+    if name in _PARTS and hasattr(module, _PARTS[name][0]):
+        called, part = _PARTS[name]
+        return lambda *arrays: getattr(module, called)(*arrays)[part]
     for called in (name, _CALLED.get(name, name)):
         if hasattr(module, called):
-            return getattr(module, called)
+            found = getattr(module, called)
+            return found if name != "lambertw" else lambda *arrays: _where_real(xp, found(*arrays))
     if xp is numpy and hasattr(math, name.removeprefix("t")):
         return numpy.vectorize(_quiet(getattr(math, name.removeprefix("t"))), otypes=[float])
     raise NotImplementedError(f"{name}: {library} has no such function; with SciPy installed NumPy has")
+
+
+def _where_real(xp: Any, value: Any) -> Any:
+    """The real numbers among complex ones, NaN in place of the others."""
+    return xp.where(xp.imag(value) == 0, xp.real(value), xp.nan)
 
 
 def _quiet(function: Any) -> Any:

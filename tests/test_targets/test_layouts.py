@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+import sympy as sp
 from benchmarks.strides import LAYOUTS, NAMES, batches, compiled, shapes_of
 
+import chasles
 from chasles import kernels
 
 LAID = {"contiguous": lambda a: a, **LAYOUTS}
@@ -30,3 +32,14 @@ def test_every_layout_gives_the_same_bits(which, dtype, ufuncs_by_level):
                         kernel(*some, out=outputs)
                         for a, b in zip(outputs, expected, strict=True):
                             assert np.array_equal(a, b), (there, back, count)
+
+
+def test_rows_may_lie_far_from_each_other():
+    """Items as far apart as if they were without gaps, and so many that results without gaps go around the cache."""
+    x = sp.Symbol("x")
+    kernel = chasles.compile(sp.Matrix(3, 3, [k + x for k in range(9)]), [x])
+    room = np.zeros((3, 240_000, 9))
+    kernel(np.arange(240_000.0), out=room[:, :, :3].transpose(1, 0, 2))
+    rows = np.arange(9.0).reshape(3, 1, 3) + np.arange(240_000.0)[:, None]
+    assert np.array_equal(room[:, :, :3], rows)
+    assert not room[:, :, 3:].any()

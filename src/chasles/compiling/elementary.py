@@ -11,6 +11,7 @@ from sympy.codegen import cfunctions
 
 from chasles.compiling.sums_of_angles import Stumpff
 from chasles.lowering.builder import Builder
+from chasles.lowering.refusal import LoweringError
 
 MOST_FACTORS = 32
 """A whole power of more factors is left to the function `pow`: so many roundings would add up."""
@@ -32,6 +33,19 @@ _SAME_IN_C: Mapping[type, str] = {
     sympy.bessely: "yv",
     sympy.besseli: "iv",
     sympy.besselk: "kv",
+    sympy.Ei: "expi",
+    sympy.Si: "si",
+    sympy.Shi: "shi",
+    sympy.fresnels: "fresnel_s",
+    sympy.fresnelc: "fresnel_c",
+    sympy.airyai: "airy_ai",
+    sympy.airybi: "airy_bi",
+    sympy.airyaiprime: "airy_ai_prime",
+    sympy.airybiprime: "airy_bi_prime",
+    sympy.LambertW: "lambertw",
+    sympy.erfi: "erfi",
+    sympy.erfinv: "erfinv",
+    sympy.erfcinv: "erfcinv",
     sympy.zeta: "zeta",
     sympy.elliptic_k: "ellipk",
     sympy.elliptic_e: "ellipe",
@@ -71,6 +85,10 @@ def functions_by_class(build: Builder) -> dict[type, Callable[..., int]]:
         sympy.acoth: lambda a: build.function("atanh", over(a)),
         sympy.asech: partial(_inverse_hyperbolic_secant, build),
         sympy.acsch: lambda a: build.function("asinh", over(a)),
+        sympy.expint: partial(_exponential_integral, build),
+        sympy.Ci: lambda a: _where_nonnegative(build, a, build.function("ci", a)),
+        sympy.Chi: lambda a: _where_nonnegative(build, a, build.function("chi", a)),
+        sympy.li: lambda a: build.function("expi", build.function("log", a)),
         sympy.polygamma: partial(_polygamma, build),
         sympy.loggamma: lambda a: _where_nonnegative(build, a, build.function("lgamma", a)),
         sympy.factorial: lambda a: build.function("tgamma", build.add(a, build.one)),
@@ -149,6 +167,13 @@ def _arccotangent(build: Builder, a: int) -> int:
 
 def _polygamma(build: Builder, order: int, a: int) -> int:
     return build.function("digamma", a) if build.value(order) == 0 else build.function("polygamma", order, a)
+
+
+def _exponential_integral(build: Builder, order: int, a: int) -> int:
+    value = build.value(order)
+    if value is None or value.denominator > 1 or value < 1:
+        raise LoweringError("expint is computed for orders that are positive whole numbers")
+    return build.function("expn", order, a)
 
 
 def _sign(build: Builder, a: int) -> int:

@@ -30,7 +30,8 @@ _LONG = 500
 
 KNOWN = (
     "sums, products, quotients, powers, roots, exp, log, circular and hyperbolic functions and their inverses, sinc, "
-    "erf, gamma, Bessel functions, floor, ceiling, Mod, Abs, sign, Heaviside, Min, Max, Piecewise and comparisons"
+    "erf, gamma, functions of Bessel, Airy, Fresnel and Lambert, integrals of exponentials and sines, floor, ceiling, "
+    "Mod, Abs, sign, Heaviside, Min, Max, Piecewise and comparisons"
 )
 
 

@@ -131,6 +131,42 @@ def _neighbours(name: str, sign: int) -> Rates:
     return rates
 
 
+def _preceding(arithmetic: Any, value: Any, order: Any, a: Any) -> tuple[Any, ...]:
+    """The function of the order before it, which is e^(-a)/a before the first; there is none by the order."""
+    one = _number(arithmetic, 1)
+    first = arithmetic.divide(arithmetic.function("exp", arithmetic.negate(a)), a)
+    below = arithmetic.function("expn", arithmetic.subtract(order, one), a)
+    return arithmetic.not_a_number(), arithmetic.negate(arithmetic.select(arithmetic.equal(order, one), first, below))
+
+
+def _of_shi(arithmetic: Any, value: Any, a: Any) -> tuple[Any, ...]:
+    zero, one = _number(arithmetic, 0), _number(arithmetic, 1)
+    quotient = arithmetic.divide(arithmetic.function("sinh", a), a)
+    return (arithmetic.select(arithmetic.equal(a, zero), one, quotient),)
+
+
+def _of_fresnel(arithmetic: Any, a: Any) -> Any:
+    """The angle pi a^2 / 2."""
+    return arithmetic.multiply(_number(arithmetic, 2 * _HALF_ROOT**2), _square(arithmetic, a))
+
+
+def _slope(name: str) -> Rates:
+    return lambda arithmetic, value, a: (arithmetic.function(name, a),)
+
+
+def _airy_prime(kind: str) -> Callable[..., Any]:
+    return lambda context, a: getattr(context, f"airy{kind}")(a, derivative=1)
+
+
+def _of_airy_prime(kind: str) -> Rates:
+    return lambda arithmetic, value, a: (arithmetic.multiply(a, arithmetic.function(f"airy_{kind}", a)),)
+
+
+def _of_lambert(arithmetic: Any, value: Any, a: Any) -> tuple[Any, ...]:
+    """1 / ((1 + w) e^w), which has a value at zero."""
+    return _one_over(arithmetic, arithmetic.add(_number(arithmetic, 1), value), arithmetic.function("exp", value))
+
+
 FUNCTIONS: dict[str, KnownFunction] = {
     "fabs": KnownFunction(1, "fabs", _sign, exact=True),
     "floor": KnownFunction(1, "floor", _without_rate, exact=True),
@@ -173,6 +209,36 @@ FUNCTIONS: dict[str, KnownFunction] = {
     "yv": KnownFunction(2, "bessely", _neighbours("yv", 0), special=True),
     "iv": KnownFunction(2, "besseli", _neighbours("iv", 1), special=True),
     "kv": KnownFunction(2, "besselk", _neighbours("kv", -1), special=True),
+    "expi": KnownFunction(1, "ei", lambda on, value, a: (on.divide(on.function("exp", a), a),), special=True),
+    "expn": KnownFunction(2, "expint", _preceding, special=True),
+    "si": KnownFunction(1, "si", lambda on, value, a: (on.function("stumpff", _number(on, 1), a),), special=True),
+    "ci": KnownFunction(1, "ci", lambda on, value, a: (on.divide(on.cosine(a), a),), special=True),
+    "shi": KnownFunction(1, "shi", _of_shi, special=True),
+    "chi": KnownFunction(1, "chi", lambda on, value, a: (on.divide(on.function("cosh", a), a),), special=True),
+    "fresnel_s": KnownFunction(1, "fresnels", lambda on, value, a: (on.sine(_of_fresnel(on, a)),), special=True),
+    "fresnel_c": KnownFunction(1, "fresnelc", lambda on, value, a: (on.cosine(_of_fresnel(on, a)),), special=True),
+    **{
+        f"airy_{kind}": KnownFunction(1, f"airy{kind}", _slope(f"airy_{kind}_prime"), special=True)
+        for kind in ("ai", "bi")
+    },
+    **{
+        f"airy_{kind}_prime": KnownFunction(1, _airy_prime(kind), _of_airy_prime(kind), special=True)
+        for kind in ("ai", "bi")
+    },
+    "lambertw": KnownFunction(1, "lambertw", _of_lambert, special=True),
+    "erfi": KnownFunction(
+        1,
+        "erfi",
+        lambda on, value, a: _one_over(on, _number(on, _HALF_ROOT**2), _bell(on, a)),
+        special=True,
+    ),
+    "erfinv": KnownFunction(1, "erfinv", lambda on, value, a: _one_over(on, _bell(on, value)), special=True),
+    "erfcinv": KnownFunction(
+        1,
+        lambda context, a: context.erfinv(1 - a),
+        lambda on, value, a: (on.negate(_one_over(on, _bell(on, value))[0]),),
+        special=True,
+    ),
     "zeta": KnownFunction(1, "zeta", None, special=True),
     "ellipk": KnownFunction(1, "ellipk", None, special=True),
     "ellipe": KnownFunction(1, "ellipe", None, special=True),

@@ -161,6 +161,9 @@ class _Doubles(Operators):
 
     constant = staticmethod(np.float64)
     square_root = staticmethod(np.sqrt)
+    sine = staticmethod(np.sin)
+    cosine = staticmethod(np.cos)
+    arctangent2 = staticmethod(np.arctan2)
     select = staticmethod(np.where)  # type: ignore[assignment]
 
     def not_a_number(self) -> Any:
