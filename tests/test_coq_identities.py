@@ -9,12 +9,19 @@ from typing import Any
 import pytest
 from sympy import (
     Abs,
+    Determinant,
     Eq,
     Function,
+    Identity,
+    Inverse,
     Matrix,
+    MatrixSymbol,
     Max,
     Min,
     Rational,
+    Sum,
+    Trace,
+    ZeroMatrix,
     acos,
     asin,
     cos,
@@ -41,6 +48,8 @@ from chasles.coq.theorems import Claimed
 
 x, y, t, phi = symbols("x y t phi")
 p = symbols("p", positive=True)
+A, B = MatrixSymbol("A", 2, 2), MatrixSymbol("B", 2, 2)
+k = symbols("k", integer=True)
 f, g = Function("f")(t), Function("g")(t)
 e = Matrix(symbols("e1:4"))
 CROSS = Matrix([[0, -e[2], e[1]], [e[2], 0, -e[0]], [-e[1], e[0], 0]])
@@ -84,6 +93,10 @@ QUESTIONS: list[tuple[Any, ...]] = [
     (sqrt(sqrt(2) + 2), 2 * sqrt(sqrt(2) / 4 + Rational(1, 2))),
     (-coth(x), -coth(x)),
     (p * x * sign(x), p * Abs(x)),
+    (Determinant(A * B), Determinant(A) * Determinant(B)),
+    (Inverse(A * B), Inverse(B) * Inverse(A)),
+    (A**2 - Trace(A) * A + Determinant(A) * Identity(2), ZeroMatrix(2, 2)),
+    (Sum(x * k**2, (k, 1, 4)), 30 * x),
 ]
 
 

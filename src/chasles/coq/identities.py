@@ -20,7 +20,7 @@ from chasles.checker.expressions.asked import Asked
 from chasles.checker.sparse import Rejected
 from chasles.coq.exponentials import exponential, logarithm
 from chasles.coq.expressions import Unsaid
-from chasles.coq.of_sympy import ScalarStatement
+from chasles.coq.of_sympy import ScalarStatement, in_entries
 from chasles.coq.plain import PlainExpressions
 from chasles.coq.proof import theorem
 from chasles.coq.rational import text_of
@@ -61,7 +61,7 @@ def as_theorem(
     claim = Claimed(name, "asked", name, f"{lhs} = {rhs}")
     said = ""
     try:
-        statement = ScalarStatement(Asked(lhs, rhs, given, nonzero), verdict.needs)
+        statement = ScalarStatement(Asked(*map(in_entries, (lhs, rhs, given, nonzero))), verdict.needs)
         said = holding(name, statement)
         if all(left == right for left, right in statement.goals) and not statement.timed:
             steps: Iterable[str] = AS_SPELLED

@@ -13,12 +13,15 @@ from typing import Any
 
 import sympy
 from sympy.core.function import AppliedUndef
+from sympy.matrices import MatrixBase, MatrixExpr
+from sympy.matrices.expressions.matexpr import MatrixElement
 
 from chasles import vocabulary as w
 from chasles.checker.expressions.asked import Asked
 from chasles.coq.expressions import APPLIED, ATOM, LOOSE, PLUS, Spelled, Spelling, Unsaid
 from chasles.coq.names import CoqNames
 from chasles.coq.statement import CoqStatement
+from chasles.from_sympy.unevaluated import explicit, written_out
 from chasles.statements import Goal, Hypothesis, Problem
 from chasles.vocabulary.dimension import NO_DIMENSION
 from chasles.vocabulary.fitting import SCALAR
@@ -50,6 +53,17 @@ SIGNS = {
 RELATIONS = {" != 0": "nonzero", " >= 0": "nonnegative", " > 0": "positive"}
 
 
+def in_entries(value: Any) -> Any:
+    """The scalar, matrix, equation or list with matrices, what is made of them, and finite sums in their entries."""
+    if isinstance(value, list | tuple):
+        return type(value)(map(in_entries, value))
+    if isinstance(value, sympy.Equality):
+        return sympy.Eq(*map(in_entries, value.args), evaluate=False)
+    if isinstance(value, MatrixBase | MatrixExpr):
+        return explicit(value)
+    return written_out(value) if isinstance(value, sympy.Expr) else value
+
+
 class SympyWords:
     """Expressions of SymPy in words: `atoms` are the symbols, functions and rates; `time` is what functions are of."""
 
@@ -60,10 +74,11 @@ class SympyWords:
             raise Unsaid("functions of something else than one symbol")
         self.time = next(iter(times), None)
         self.atoms: dict[Any, w.Node] = {}
-        for each in (*sorted(expressions.free_symbols, key=str), *functions):
-            name = each.name if each.is_Symbol else each.func.__name__
+        variables = {each for each in expressions.free_symbols if each.is_Symbol} | expressions.atoms(MatrixElement)
+        for each in (*sorted(variables, key=str), *functions):
+            name = each.func.__name__ if each in functions else str(each)
             size = uniform(SCALAR, NO_DIMENSION)
-            self.atoms[each] = w.Symbol(name, name, size, constant=each.is_Symbol, home=__name__)
+            self.atoms[each] = w.Symbol(name, name, size, constant=each in variables, home=__name__)
         for each in sorted(expressions.atoms(sympy.Derivative), key=str):
             if each.expr not in functions:
                 raise Unsaid(f"the rate of {each.expr}")
@@ -180,6 +195,7 @@ class ScalarStatement(CoqStatement):
         atoms = self.words.atoms
         said = {*self.asked.real, *(item.text for item in self.asked.given)}
         names = {str(atom): atom for atom in atoms if str(atom).isidentifier()}
+        names |= {str(atom.parent): atom.parent for atom in atoms if isinstance(atom, MatrixElement)}
         names |= {str(atom.func): atom.func for atom in atoms if isinstance(atom, AppliedUndef)}
         for text in (need for need in needs if need not in said):
             ending = next((each for each in RELATIONS if text.endswith(each)), None)
