@@ -43,6 +43,7 @@ TRUE = [
     claim(t, M @ rate(v) + h - J.T @ f, given=(motion,)),
     claim(rate(V), -(v.T @ P @ v), given=(*decay, lyapunov)),
     claim(partial(y, x), a, given=(line,)),
+    claim(abs(x), 2, given=(Condition("0", x**2, lifted(4), on=(x,)),)),
 ]
 FALSE = [
     claim(V * K, i * R * K - w, given=(motor,)),

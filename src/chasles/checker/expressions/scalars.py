@@ -87,7 +87,8 @@ def scalar_question(problem: Problem, proving: bool = True) -> ScalarQuestion:
     sources: dict[str, str] = {}
     stated = [("", goal.left, goal.right) for goal in problem.conditions]
     assumed = [hypothesis for hypothesis in problem.hypotheses if hypothesis.text not in settled]
-    stated += [(h.text, *_spoken(h, pair)) for h in assumed for pair in h.equations]
+    # That a condition holds is given: it is no condition of a verdict.
+    stated += [("" if h.kind == "condition" else h.text, *_spoken(h, p)) for h in assumed for p in h.equations]
     stated += [(h.text, abs(s), s) for h in assumed if h.kind == "positive" for s in h.subjects if s in entries.rules]
     stated += [("", abs(symbol), symbol) for symbol in problem.nonnegative if symbol in entries.rules]
     for text, one, other in stated:
