@@ -166,7 +166,12 @@ def test_an_angle_that_a_condition_determines(left: Node, right: Node | int, giv
 
 
 def test_a_condition_that_says_more_of_an_angle_is_refused_in_words() -> None:
-    for condition in (Condition("1", cos(phi), number(1), on=(phi,)), Condition("1", k * phi, theta, on=(phi,))):
-        verdict = verdict_on(sin(phi), 0, given=(condition,))
-        assert isinstance(verdict, Undecided)
-        assert "is to determine the angle phi" in verdict.reason
+    verdict = verdict_on(sin(phi), 0, given=(Condition("1", k * phi, theta, on=(phi,)),))
+    assert isinstance(verdict, Undecided)
+    assert "is to determine the angle phi" in verdict.reason
+
+
+def test_a_condition_on_the_cosine_of_an_angle_is_assumed() -> None:
+    upright = Condition("1", cos(phi), number(0), on=(phi,))
+    assert verdict_on(sin(phi) ** 2, 1, given=(upright,)).true
+    assert isinstance(verdict_on(sin(phi), 1, given=(upright,)), Fails)
