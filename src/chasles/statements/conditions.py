@@ -98,6 +98,8 @@ def _degree(node: Node, unknowns: set[w.Symbol], rules: Mapping[Node, Node]) -> 
             return degree(inner)
         case Shorthand():
             return degree(node.definition)
+        case w.Scale(w.Number(value)) if not value:
+            return 0
         case w.Scale() | w.Contract() | w.Dot() | w.Cross():
             return sum(map(degree, w.children(node)))
         case w.Power(base, int(exponent)):
