@@ -21,6 +21,7 @@ from chasles.reading.glyphs import (
     text_of_atom,
     with_arguments,
 )
+from chasles.reading.letter_names import RATES
 from chasles.reading.marks import atom_fits, letter_fits
 from chasles.reading.page_functions import lists_letters, makes_difference
 from chasles.reading.page_notation import repeated_rate
@@ -31,7 +32,6 @@ from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.partial import PartialDerivative
 from chasles.vocabulary.pieces import Precedence
 
-RATES = frozenset({r"\dot", r"\ddot", r"\dddot"})
 COUNTERS = ("n", "k", "i", "j", "m", "t")
 """Letters that number the members of a sequence."""
 
@@ -129,7 +129,8 @@ def _value_fits(atom: Atom, bracket: Atom, ctx: FittingContext) -> list[Fit]:
     if is_function and is_operator(letter) and next(ctx.notation.letters.meanings(letter), None) is None:
         return ctx.of_its_own(spelled(letter))
     (place, *more) = pieces_of(bracket)
-    if RATES.issuperset(letter.accents) and letter.accents and not more and (place.kind == "NUMBER" or place.sub):
+    is_rate = bool(letter.accents) and {*RATES}.issuperset(letter.accents)
+    if is_rate and not more and (place.kind == "NUMBER" or place.sub):
         bare = letter_fits(replace(letter, arguments=""), ctx)  # the rate is taken before the place is
         return ctx.of_its_own(spelled(letter), [fit.node for fit in bare if fit.node is not None])
     fits = letter_fits(letter, ctx, is_function=is_function is not None)

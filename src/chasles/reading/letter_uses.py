@@ -13,9 +13,8 @@ from chasles.reading.derivatives import differential
 from chasles.reading.glyphs import ARROWS, Glyph, joined, letter_of, pieces_of, spelled, text_of
 from chasles.reading.grammar import Chain, Terms, terms_in
 from chasles.reading.letter_names import INVERSES, TRANSPOSES, NameMarks, is_declared, parted, stem_of
-from chasles.reading.notation_file import load_notation
+from chasles.reading.notation_file import usual_names
 from chasles.reading.page_functions import DIFFERENCES, makes_difference, shown_alone
-from chasles.reading.page_notation import PageNotation
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.segments import chains_of
 from chasles.reading.spellings import called
@@ -66,7 +65,6 @@ class _Noting:
     """Where letters are noted: in an equation at a place, with the marks that are no part of their names."""
 
     uses: dict[Glyph, LetterUse]
-    usual: PageNotation
     at: int
     marks: NameMarks
     alone: frozenset[str]
@@ -77,13 +75,12 @@ def letter_uses(equations: Sequence[PrintedEquation], texts: Sequence[str], mark
 
     `texts` are the equations' tokens as one text each. `marks` are no part of a letter's name.
     """
-    usual = load_notation("")
     uses: dict[Glyph, LetterUse] = {}
     found = [chains_of(equation) for equation in equations]
     alone = shown_alone(chain for chains in found for chain in chains)
     for place, chains in enumerate(found):
         for side in (side for chain in chains for side in chain.sides):
-            _note(side, "", _Noting(uses, usual, place, marks, alone))
+            _note(side, "", _Noting(uses, place, marks, alone))
     if any(map(DIFFERENTIAL.search, texts)):
         uses.pop(Glyph("d"), None)
     products = [[each for chain in chains for each in _products(chain)] for chains in found]
@@ -192,7 +189,7 @@ def _note(terms: Terms | None, within: str, noting: _Noting) -> None:
             around |= {"{}"} if after and after.kind == "GROUP" else set()
             around |= {"1/"} if before == "/" else set()
             name = called(piece)
-            if piece.kind == "LETTER" and name in noting.usual.spellings.names:
+            if piece.kind == "LETTER" and name in usual_names():
                 before = name
                 continue
             if (

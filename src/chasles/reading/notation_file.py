@@ -7,7 +7,7 @@ import sys
 import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from functools import partial
+from functools import cache, partial
 from hashlib import sha256
 from importlib import import_module
 from pathlib import Path
@@ -73,6 +73,12 @@ def load_notation(source: str | Path | ModuleType | Mapping[str, Any]) -> PageNo
     for name, said in tables.items():
         require(said, dict, f"[{name}]")
     return _of_module(tables) if "notation" in tables.get("page", {}) else _Loading(tables).notation
+
+
+@cache
+def usual_names() -> frozenset[str]:
+    """The names of functions that no file need name."""
+    return frozenset(load_notation("").spellings.names)
 
 
 def _of_module(tables: Mapping[str, Any]) -> PageNotation:

@@ -11,7 +11,7 @@ from chasles.reading.grammar import Chain, Terms
 from chasles.reading.letter_names import NameMarks, is_declared, parted, stem_of
 from chasles.reading.letter_shapes import Misshapen, Shape, shape_of_chain
 from chasles.reading.letter_uses import SKEW, LetterUse, letter_uses, looks
-from chasles.reading.notation_file import load_notation
+from chasles.reading.notation_file import usual_names
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.segments import chains_of
 from chasles.vocabulary.measure import Extent
@@ -54,7 +54,7 @@ class _KindSearch:
         marks: NameMarks,
     ) -> None:
         self.chains, self.uses, self.bare = chains, uses, marks.bare
-        self.names = frozenset(load_notation("").spellings.names)
+        self.names = usual_names()
         self.stems: dict[int, list[Glyph]] = {}
         for stem, use in uses.items():
             for place in use.places:
