@@ -30,13 +30,12 @@ from chasles.pages.defining import definition_of, is_new, meant_by, said_to_be
 from chasles.pages.finding import PageFinding
 from chasles.pages.named_hypotheses import as_hypothesis
 from chasles.pages.notes import DEFINING, NOTHING, EquationNote
-from chasles.pages.other_kinds import follows_of, in_doubt
+from chasles.pages.other_kinds import doubt_of_falsity, doubt_of_truth
 from chasles.pages.premises import PosedEquation, Premises, chosen_rules, free_quantities
 from chasles.pages.quantities import Quantity, quantities, quantity, symbols_in
 from chasles.pages.refutation import expanded, refuted
 from chasles.pages.unsaid_derivatives import UnsaidDerivatives
 from chasles.reading.reading import Part, Reading
-from chasles.repairs.repair import Repair
 from chasles.statements import Claim, Statement, nonzero
 from chasles.verdict import Assumed, Contradictory, Defined, Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
 from chasles.vocabulary import PI, Node, plain, walk
@@ -177,7 +176,7 @@ class Deduction:
                 may_define=meant is not None,
             )
         if isinstance(finding.verdict, Fails) and not finding.open and isinstance(finding.statement, Claim):
-            doubt = self._doubt(finding.statement, False, finding.instead)
+            doubt = doubt_of_falsity(finding.statement, finding.instead, self.consequences) if self.is_proposed else ""
             finding = with_fields(finding, open=bool(doubt), doubt=doubt)
         is_case = key is not None and self._said_here[1].get(key, claim.right) != claim.right
         if not finding.open and not (is_case and isinstance(finding.verdict, Fails)):
@@ -240,25 +239,10 @@ class Deduction:
             verdict = proof_of(attempt.claim, self.session, attempt.likely)
             if verdict is not None:
                 verdict = _resting_on(attempt.assumed, verdict)
-                if doubt := self._doubt(attempt.claim, is_true=True):
+                if self.is_proposed and (doubt := doubt_of_truth(attempt.claim, self.consequences)):
                     return PageFinding("claim", verdict, attempt.claim, open=True, doubt=doubt)
                 return self._proved(attempt.claim, verdict)
         return None
-
-    def _doubt(self, claim: Claim, is_true: bool, instead: Repair | None = None) -> str:
-        """Of which kind letters must be for the verdict on a claim, where another kind of them is as likely."""
-        kinds = in_doubt(claim) if self.is_proposed else {}
-        if is_true:
-            kinds = {symbol: other for symbol, other in kinds.items() if symbol.is_scalar}
-        if not kinds:
-            return ""
-        found = follows_of(claim, kinds, self.consequences)
-        if not is_true and instead is not None and not found:
-            meant = with_fields(claim, left=instead.left, right=instead.right)
-            found = follows_of(meant, kinds, self.consequences) is False
-        kind = "scalar" if next(iter(kinds)).is_scalar else "vector"
-        are = f"are {kind}s" if len(kinds) > 1 else f"is a {kind}"
-        return f"{', '.join(map(str, kinds))} {are}" if (found is False if is_true else found) else ""
 
     def _under(self, claim: Claim, given: Iterable[tuple[str, Claim]]) -> PageFinding:
         """The finding on a claim under the premises that a person gives, and no others of the page.

@@ -13,6 +13,7 @@ from functools import reduce
 from chasles.pages.consequences import Consequences
 from chasles.pages.premises import PosedEquation
 from chasles.pages.quantities import Quantity, quantity, symbols_in
+from chasles.repairs.repair import Repair
 from chasles.statements import Claim, Condition, Hypothesis, Statement
 from chasles.vocabulary import (
     NO_DIMENSION,
@@ -38,7 +39,28 @@ SHAPES = {"matrix": (3, 3), "scalar": (1, 1)}
 Kinds = Mapping[Symbol, Symbol]
 
 
-def in_doubt(claim: Claim) -> dict[Symbol, Symbol]:
+def doubt_of_truth(claim: Claim, consequences: Consequences) -> str:
+    """Of which kind letters must be for a proved claim, where it does not follow of matrices; empty for no doubt."""
+    kinds = {symbol: other for symbol, other in _in_doubt(claim).items() if symbol.is_scalar}
+    return _told(kinds) if kinds and _follows(claim, kinds, consequences) is False else ""
+
+
+def doubt_of_falsity(claim: Claim, instead: Repair | None, consequences: Consequences) -> str:
+    """The same for a claim that fails: where it follows of other kinds, or what is true instead does not."""
+    kinds = _in_doubt(claim)
+    if not kinds:
+        return ""
+    meant = with_fields(claim, left=instead.left, right=instead.right) if instead else claim
+    is_meant = instead is None or _follows(meant, kinds, consequences) is not False
+    return "" if is_meant and not _follows(claim, kinds, consequences) else _told(kinds)
+
+
+def _told(kinds: Kinds) -> str:
+    kind = "scalar" if next(iter(kinds)).is_scalar else "vector"
+    return f"{', '.join(map(str, kinds))} {f'are {kind}s' if len(kinds) > 1 else f'is a {kind}'}"
+
+
+def _in_doubt(claim: Claim) -> dict[Symbol, Symbol]:
     """The letters of a claim and its premises that may be of another kind, and as what."""
     sides = (*claim.printed, *(side for each in claim.given for side in each.printed))
     sides += tuple(side for each in claim.assuming for pair in each.equations for side in pair)
@@ -50,7 +72,7 @@ def in_doubt(claim: Claim) -> dict[Symbol, Symbol]:
     return found
 
 
-def follows_of(claim: Claim, kinds: Kinds, consequences: Consequences) -> bool | None:
+def _follows(claim: Claim, kinds: Kinds, consequences: Consequences) -> bool | None:
     """Whether a claim may follow from its premises with letters of these kinds; None where they do not fit in it.
 
     Of functions of matrices nothing is known, hence nothing follows.
