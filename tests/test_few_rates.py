@@ -57,6 +57,12 @@ def test_rates_that_follow_from_each_other_without_end_are_not_taken_without_end
     check(asked, "", verdict.certificate)
 
 
+def test_an_equation_between_rates_alone_is_one_of_them() -> None:
+    asked = problem(dot(a, b), v, posed(rate(a), rate(b)))
+    assert {g.order for g in build(asked).generators} == {0}
+    assert isinstance(decide_problem(asked), Fails)
+
+
 def test_what_only_higher_rates_restrict_is_not_refuted() -> None:
     first = posed(rate(a), c)
     assert not isinstance(decide_problem(problem(rate(c), rate(d), first, posed(rate(a), d, "(2)"))), Fails)

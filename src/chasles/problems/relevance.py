@@ -73,7 +73,7 @@ def _order(
         return 0
     reached = {symbol: _reached(found, symbol, rates, frozenset()) for symbol in symbols}
     stated = [each for node in hypothesis.subjects for each in _spoken_of(node, rules).items()]
-    most = min(MOST, max((reached[symbol] - order for symbol, order in stated), default=0))
+    most = min(MOST, max((0, *(reached[symbol] - order for symbol, order in stated))))
     highest = max(found.orders.values(), default=0)
     return next((order for order in range(most) if _highest(hypothesis, order + 1, rules) > highest), most)
 
