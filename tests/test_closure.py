@@ -9,7 +9,7 @@ import pytest
 
 from chasles.report.closure import CHECKERS, closure, lines
 
-MOST = {"declared": 6_390, "prove": 5_275}
+MOST = {"declared": 6_410, "prove": 5_295}
 """It may become less."""
 
 
