@@ -26,7 +26,6 @@ SHARED_CLASS_NAMES = {
     "Entry": "public in `statements`, an entry of a chapter; and a word, an entry of a family",
     "Inverse": "public in `statements`, an inverse function; and a word, the inverse of a matrix",
     "Page": "public in `pages`, a page that was read; and a file of a target, in every target that others write",
-    "Part": "public in `reading`, a part of an equation; and one of a statement in the report",
     "Reading": "public in `reading`, one way to read an equation; and a certificate read by the checker",
     "Step": "public in `statements`, a step of a derivation; and one of a program",
 }

@@ -13,7 +13,7 @@ from chasles.problems.context import Context, build
 from chasles.problems.divisors import UndeclaredDivisor
 from chasles.problems.variables import Untreatable, entry_name
 from chasles.prover.counterexample import transcendental_name
-from chasles.report.entry_parts import Part, parts_of_entry
+from chasles.report.entry_parts import EntryPart, parts_of_entry
 from chasles.statements import Statement, problem_of
 from chasles.verdict import Counterexample
 from chasles.vocabulary import PI, Misfit, Node, Rate, Symbol
@@ -54,7 +54,7 @@ def worked_out(statement: Statement, decision: Decision, found: Counterexample) 
     return ByHand(values, *definitions)
 
 
-def _entries(context: Context, part: Part, found: Counterexample) -> Iterator[tuple[str, str]]:
+def _entries(context: Context, part: EntryPart, found: Counterexample) -> Iterator[tuple[str, str]]:
     """The entries of a scalar or a vector, or the one entry of a matrix that counts."""
     symbol, order, place = part
     is_matrix = symbol.shape[1] > 1

@@ -25,11 +25,11 @@ from chasles.vocabulary import (
 )
 
 Place = tuple[int, int]
-Part = tuple[Symbol, int, Place | None]
+EntryPart = tuple[Symbol, int, Place | None]
 """A symbol, which rate of it, and the entry that counts, row and column from zero; None where several count."""
 
 
-def parts_of_entry(node: Node, place: Place, order: int = 0) -> Iterator[Part]:
+def parts_of_entry(node: Node, place: Place, order: int = 0) -> Iterator[EntryPart]:
     """What the entry of the expression's rate of that order is made of; some of it may cancel."""
     row, column = place
     match node:
@@ -61,7 +61,7 @@ def parts_of_entry(node: Node, place: Place, order: int = 0) -> Iterator[Part]:
             yield from ((symbol, k, None) for symbol in symbols_of(node) for k in range(order + 1))
 
 
-def _of_block(rows: Sequence[Sequence[Node]], place: Place, order: int) -> Iterator[Part]:
+def _of_block(rows: Sequence[Sequence[Node]], place: Place, order: int) -> Iterator[EntryPart]:
     """The block in which the entry is, and where in it."""
     heights, widths = [line[0].shape[0] for line in rows], [block.shape[1] for block in rows[0]]
     (i, row), (j, column) = _within(heights, place[0]), _within(widths, place[1])

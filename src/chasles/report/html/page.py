@@ -21,7 +21,7 @@ from chasles.report.html.measured import measured
 from chasles.report.html.notation import notation_of
 from chasles.report.html.overview import overview
 from chasles.report.html.palette import DARK, LIGHT
-from chasles.report.html.shown import Badge, DerivationView, KernelRow, NumberShown, Part, badge_of
+from chasles.report.html.shown import Badge, DerivationView, KernelRow, NumberShown, StatementShown, badge_of
 from chasles.report.html.statements import part_of, place_of_part
 from chasles.report.html.trusted import Trusted
 from chasles.report.verdict_page import WORST_FIRST
@@ -101,7 +101,9 @@ def contents(chapter: Chapter, decisions: DecisionsByName, sources: PageContents
     }
 
 
-def _errata(decided: Pairs, numbers: Sequence[NumberShown]) -> list[tuple[str, list[tuple[NumberShown, Part]]]]:
+def _errata(
+    decided: Pairs, numbers: Sequence[NumberShown]
+) -> list[tuple[str, list[tuple[NumberShown, StatementShown]]]]:
     """What is wrong as printed, by whose slip it probably is."""
     shown = {part.place: (number, part) for number in numbers for part in number.parts}
     found = slips(decided)

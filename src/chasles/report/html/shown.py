@@ -108,7 +108,7 @@ class KernelRow:
 
 
 @dataclass(frozen=True, slots=True)
-class Part:
+class StatementShown:
     """A statement: what it says, the equations as printed, the verdict with what it needs, and all else about it."""
 
     place: str
@@ -133,5 +133,5 @@ class NumberShown:
     cited: str
     badge: Badge
     classes: str
-    parts: tuple[Part, ...]
+    parts: tuple[StatementShown, ...]
     roads: tuple[DerivationView, ...]

@@ -17,7 +17,7 @@ from chasles.report.html.certificates import proof_in_words
 from chasles.report.html.citing import Book, Link, place_of_number
 from chasles.report.html.differences import mark_differences
 from chasles.report.html.formulas import equation_tree, latex_for_mathml, markup, math
-from chasles.report.html.shown import Equation, Fact, KernelRow, Part, Related, Repaired, badge_of
+from chasles.report.html.shown import Equation, Fact, KernelRow, Related, Repaired, StatementShown, badge_of
 from chasles.report.html.words import with_formulas
 from chasles.report.records import certificate_hash
 from chasles.report.words import point_in_words, reason
@@ -35,11 +35,11 @@ def place_of_part(entry: Entry) -> str:
     return f"{place_of_number(entry.number)}-part-{entry.statement.part}"
 
 
-def part_of(book: Book, entry: Entry, decision: Decision, kernels: Sequence[KernelRow]) -> Part:
+def part_of(book: Book, entry: Entry, decision: Decision, kernels: Sequence[KernelRow]) -> StatementShown:
     """All that is said of a statement; `kernels` are those that it asks for."""
     found = replacements(entry, decision)
     wrong = decision.verdict.wrong
-    return Part(
+    return StatementShown(
         place=place_of_part(entry),
         name=entry.name,
         role=entry.statement.role,
