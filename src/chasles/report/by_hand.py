@@ -15,7 +15,7 @@ from chasles.problems.variables import Untreatable, entry_name
 from chasles.prover.counterexample import transcendental_name
 from chasles.report.entry_parts import EntryPart, parts_of_entry
 from chasles.statements import Statement, problem_of
-from chasles.verdict import Counterexample
+from chasles.verdict import Counterexample, Fails
 from chasles.vocabulary import PI, Misfit, Node, Rate, Symbol
 
 
@@ -26,6 +26,30 @@ class ByHand:
     values: dict[str, str] = field(default_factory=dict)
     left: tuple[Statement, ...] = ()
     right: tuple[Statement, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Refutation:
+    """A `form` of an equation that fails: what it says, the counterexample, and that worked out by hand."""
+
+    form: str
+    statement: Statement
+    found: Counterexample
+    by_hand: ByHand
+
+
+def refutations(decision: Decision) -> Iterator[Refutation]:
+    """Each form of an equation that fails: as printed, then as read or corrected."""
+    statement, correction = decision.statement, decision.correction
+    if not isinstance(statement, Statement):
+        return
+    forms = [("printed", statement, decision.verdict)]
+    tried = () if correction is None else (*correction.others, correction)
+    forms += [(each.form, statement.saying(*each.sides), each.verdict) for each in tried]
+    for form, said, verdict in forms:
+        if isinstance(verdict, Fails):
+            found = verdict.counterexample
+            yield Refutation(form, said, found, worked_out(said, decision, found))
 
 
 def worked_out(statement: Statement, decision: Decision, found: Counterexample) -> ByHand:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from chasles.decisions.session import Decision
-from chasles.report.by_hand import worked_out
+from chasles.report.by_hand import Refutation, refutations
 from chasles.report.details import number_in_words
 from chasles.report.equations import in_latex, in_words
 from chasles.report.findings import (
@@ -22,7 +22,7 @@ from chasles.report.markdown import code, displayed, escaped
 from chasles.report.words import point_in_words, said
 from chasles.statements import Chapter, Entry, Statement
 from chasles.statements.elsewhere import chapter_of, cited
-from chasles.verdict import Counterexample, Fails, IllFormed
+from chasles.verdict import IllFormed
 from chasles.vocabulary import latex, plain
 
 ABOUT = """\
@@ -61,7 +61,7 @@ def _slip(entry: Entry, decision: Decision) -> Iterator[str]:
     yield ""
     for formula, words in zip(in_latex(entry.statement), in_words(entry.statement), strict=True):
         yield from _equation(formula, words)
-    yield from _why(entry, decision)
+    yield from _why(decision)
     found = replacements(entry, decision)
     if not found:
         yield from ("No correct form has been found.", "")
@@ -70,38 +70,29 @@ def _slip(entry: Entry, decision: Decision) -> Iterator[str]:
     yield f"Probably {likely_slip(entry, decision)}."
 
 
-def _why(entry: Entry, decision: Decision) -> Iterator[str]:
-    match decision.verdict:
-        case IllFormed(reason):
-            yield f"It does not fit together: {escaped(reason)}."
-        case Fails(counterexample):
+def _why(decision: Decision) -> Iterator[str]:
+    if isinstance(decision.verdict, IllFormed):
+        yield from (f"It does not fit together: {escaped(decision.verdict.reason)}.", "")
+    for refuted in refutations(decision):
+        if refuted.form == "printed":
             yield "It fails:"
+        else:
+            yield "With the marks that the scan may have lost, it reads" if refuted.form == "reading" else "Corrected:"
             yield ""
-            assert isinstance(entry.statement, Statement)
-            yield from _by_hand(entry.statement, decision, counterexample)
-    yield ""
-    correction = decision.correction
-    for tried in () if correction is None else (*correction.others, correction):
-        if isinstance(entry.statement, Statement) and isinstance(tried.verdict, Fails):
-            yield from _in_vain(entry.statement.saying(*tried.sides), tried.form, tried.verdict, decision)
+            left, right = refuted.statement.printed
+            yield from _equation(
+                f"{latex(left)} {refuted.statement.sign} {latex(right)}", f"{plain(left)} = {plain(right)}"
+            )
+            yield "and fails:"
+        yield ""
+        yield from _by_hand(refuted, chapter_of(decision.statement))
+        yield ""
 
 
-def _in_vain(statement: Statement, form: str, verdict: Fails, decision: Decision) -> Iterator[str]:
-    """Another form that fails too."""
-    yield "With the marks that the scan may have lost, it reads" if form == "reading" else "Corrected:"
-    yield ""
-    left, right = statement.printed
-    yield from _equation(f"{latex(left)} {statement.sign} {latex(right)}", f"{plain(left)} = {plain(right)}")
-    yield "and fails:"
-    yield ""
-    yield from _by_hand(statement, decision, verdict.counterexample)
-    yield ""
-
-
-def _by_hand(statement: Statement, decision: Decision, found: Counterexample) -> Iterator[str]:
+def _by_hand(refuted: Refutation, here: str) -> Iterator[str]:
     """The values, the left side and the right side there, and by which definitions."""
+    found, by_hand = refuted.found, refuted.by_hand
     row, column = found.entry
-    by_hand, here = worked_out(statement, decision, found), chapter_of(decision.statement)
     so = f", so that {code(point_in_words(by_hand.values))}" if by_hand.values else ""
     if found.goal:
         yield f"- {escaped(found.goal)}:"

@@ -9,7 +9,7 @@ from markupsafe import Markup, escape
 
 from chasles.coq.recorded import checked_by_coq
 from chasles.decisions.session import Decision
-from chasles.report.by_hand import worked_out
+from chasles.report.by_hand import Refutation, refutations
 from chasles.report.details import number_in_words
 from chasles.report.equations import Sentence, labelled_equations
 from chasles.report.findings import Replacement, likely_slip, replacements
@@ -23,7 +23,7 @@ from chasles.report.records import certificate_hash
 from chasles.report.words import point_in_words, reason
 from chasles.statements import Entry, Statement
 from chasles.statements.elsewhere import chapter_of, cited, other_chapter
-from chasles.verdict import Counterexample, Fails, IllFormed
+from chasles.verdict import Fails, IllFormed
 from chasles.vocabulary import Node, Rate, plain, symbols_of
 
 Sides = tuple[Node, Node]
@@ -72,21 +72,16 @@ def as_printed(sentence: Sentence, found: Sequence[Replacement]) -> tuple[Equati
 
 def _why(entry: Entry, decision: Decision) -> Iterator[Fact]:
     """Why the equation is wrong as printed; what the reading or the correction comes to where that fails as well."""
-    match decision.verdict:
-        case IllFormed(words):
-            yield Fact("does not fit", with_formulas(words, _sides(entry, decision)))
-        case Fails(counterexample):
-            assert isinstance(entry.statement, Statement)
-            yield from _by_hand(entry.statement, decision, counterexample)
-        case verdict if not verdict.true:
-            yield Fact("because", escape(reason(verdict)))
-    correction = decision.correction
-    for tried in () if correction is None else (*correction.others, correction):
-        if isinstance(entry.statement, Statement) and isinstance(tried.verdict, Fails):
-            left, right = tried.sides
-            read = "as likely read" if tried.form == "reading" else "as corrected"
-            yield Fact(read, Markup("{}, which fails too").format(_formula(left, right)))
-            yield from _by_hand(entry.statement.saying(left, right), decision, tried.verdict.counterexample)
+    verdict = decision.verdict
+    if isinstance(verdict, IllFormed):
+        yield Fact("does not fit", with_formulas(verdict.reason, _sides(entry, decision)))
+    elif not verdict.true and not isinstance(verdict, Fails):
+        yield Fact("because", escape(reason(verdict)))
+    for refuted in refutations(decision):
+        if refuted.form != "printed":
+            read = "as likely read" if refuted.form == "reading" else "as corrected"
+            yield Fact(read, Markup("{}, which fails too").format(_formula(*refuted.statement.printed)))
+        yield from _by_hand(refuted, chapter_of(decision.statement))
 
 
 def _sides(entry: Entry, decision: Decision) -> tuple[Node, ...]:
@@ -95,18 +90,18 @@ def _sides(entry: Entry, decision: Decision) -> tuple[Node, ...]:
     return (*statement.printed, *_read(statement), *decision.sides) if isinstance(statement, Statement) else ()
 
 
-def _by_hand(statement: Statement, decision: Decision, found: Counterexample) -> Iterator[Fact]:
+def _by_hand(refuted: Refutation, here: str) -> Iterator[Fact]:
     """The values, the left side and the right side there, and by which definitions."""
+    found, by_hand = refuted.found, refuted.by_hand
     row, column = found.entry
-    by_hand = worked_out(statement, decision, found)
-    known = _with_rates(side for given in (statement, *by_hand.left, *by_hand.right) for side in given.printed)
+    defining = (refuted.statement, *by_hand.left, *by_hand.right)
+    known = _with_rates(side for given in defining for side in given.printed)
     if found.goal:
         yield Fact("what fails", escape(found.goal))
     yield Fact("at", with_formulas(point_in_words(found.at) or "every point", known, of_words=False))
     if by_hand.values:
         yield Fact("so that", with_formulas(point_in_words(by_hand.values), known, of_words=False))
     where = Markup("<code>{}</code> in row {}, column {}{}")
-    here = chapter_of(decision.statement)
     yield Fact("the left side is", where.format(found.left, row, column, _by(by_hand.left, here)))
     yield Fact("the right side is", Markup("<code>{}</code>{}").format(found.right, _by(by_hand.right, here)))
 
