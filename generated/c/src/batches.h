@@ -89,8 +89,7 @@ typedef struct {
 } chasles_stream;
 
 /* Computes groups * lanes items: that of operand k starts at at[k], the next one steps[k] bytes on. Its rows are
- * steps[operands + 2 * k] bytes apart, and what is in a row steps[operands + 2 * k + 1]: so much as a number has, or else
- * the items lie side by side. */
+ * steps[operands + 2 * k] bytes apart, and what is in a row steps[operands + 2 * k + 1]. */
 typedef void chasles_block(ptrdiff_t groups, char *const *at, const ptrdiff_t *steps, const chasles_stream *stream);
 
 /* The core shape of an operand: how many axes, and the rows and columns, 1 where there is no such axis. */

@@ -5,12 +5,13 @@ registers, each of which holds one number of several items, as the block of a ba
 of instructions (a level) and one of the results is taken when the program runs; nothing is to be linked.
 
 - `batches.c` knows no kernel and no instructions. It cuts a batch into blocks of 64 items. Operands that a block cannot
-  load as they lie (core axes with gaps, a few items, outputs over inputs) it copies to a small store and back, so that
+  load as they lie (a few items, outputs over inputs) it copies to a small store and back, so that
   a block has one path and an item's result never depends on where the item lies.
-- A block (`blocks.py`) loads the items of a register's lanes and transposes them between registers, since items are
-  arrays of structures and memory is the bottleneck; it computes, transposes and stores. What lies the other way, each
-  number of all items side by side, as in Fortran order, it loads and stores without. Before that it finds the sines
-  and cosines of all 64 items (`sincos.py`), in a loop of their own.
+- A block (`blocks.py`, its loads and stores in `moves.py`) loads the items of a register's lanes and transposes them
+  between registers, since items are arrays of structures and memory is the bottleneck; it computes, transposes and
+  stores. What lies the other way, each number of all items side by side, as in Fortran order, it loads and stores
+  without; what lies otherwise, number by number. Before that it finds the sines and cosines of all 64 items
+  (`sincos.py`), in a loop of their own.
 - A program of many steps is cut into parts (`parts.py`), functions that leave what others need in an array.
 - `trigonometry_blocks.c` holds those: no branch for angles below 1.6e6, libm beyond. In single precision they are
   computed in double, which is hardly slower and right to the last digit.
