@@ -57,6 +57,8 @@ class Enclosing:
     def __init__(self, bits: int) -> None:
         self.bits = bits
         self.one = 1 << bits
+        # As many as make up for the terms of a series that they save: Brent, Fast multiple-precision evaluation (1976).
+        self.halvings = max(HALVINGS, isqrt(bits) // 2)
 
     def number(self, value: Fraction | int) -> Enclosure:
         """A rational number."""
@@ -67,6 +69,10 @@ class Enclosing:
         """The product."""
         if one.low >= 0 <= other.low:
             return Enclosure(one.low * other.low >> self.bits, -(-one.high * other.high >> self.bits))
+        if one.high <= 0:
+            return -self.times(-one, other)
+        if other.high <= 0:
+            return -self.times(one, -other)
         ends = [a * b for a in (one.low, one.high) for b in (other.low, other.high)]
         return Enclosure(min(ends) >> self.bits, -(-max(ends) >> self.bits))
 
@@ -127,7 +133,7 @@ class Enclosing:
         return self.increasing(self._exp, x)
 
     def _exp(self, x: int) -> Enclosure:
-        halvings = max(HALVINGS, abs(x).bit_length() - self.bits + HALVINGS)
+        halvings = max(self.halvings, abs(x).bit_length() - self.bits + self.halvings)
         finer = Enclosing(self.bits + 2 * halvings + max(0, 2 * (x >> self.bits)) + HALVINGS)
         small = finer.number(Fraction(x, self.one << halvings))
         total = finer.series(small, lambda k: Fraction(1, k))
@@ -156,7 +162,7 @@ class Enclosing:
     def cosine_and_sine(self, x: Enclosure) -> tuple[Enclosure, Enclosure]:
         """Of an angle: at its middle, widened by half its width, since neither changes faster than the angle."""
         middle, reach = (x.low + x.high) // 2, (x.high - x.low) // 2 + 1
-        doublings = max(HALVINGS, abs(middle).bit_length() - self.bits + HALVINGS)
+        doublings = max(self.halvings, abs(middle).bit_length() - self.bits + self.halvings)
         finer = Enclosing(self.bits + 2 * doublings + HALVINGS)
         small = finer.number(Fraction(middle, self.one << doublings))
         square = -finer.times(small, small)
@@ -179,7 +185,7 @@ class Enclosing:
     def _log(self, x: int) -> Enclosure:
         """Log x = n log 2 + log(x / 2^n)."""
         size = x.bit_length() - self.bits
-        finer = Enclosing(self.bits + 4 * HALVINGS + size.bit_length())
+        finer = Enclosing(self.bits + 4 * self.halvings + size.bit_length())
         rest = finer.log_of_moderate(finer.number(Fraction(x, self.one) / Fraction(2) ** size))
         two = _log_2(finer.bits)
         low, high = sorted((size * two.low, size * two.high))
@@ -187,12 +193,12 @@ class Enclosing:
 
     def log_of_moderate(self, x: Enclosure) -> Enclosure:
         """Log x = 2^n log(x^(1/2^n)), and log y = 2 artanh((y - 1) / (y + 1)), for x from 1/2 to 2."""
-        for _ in range(HALVINGS):
+        for _ in range(self.halvings):
             x = self.root(x, 2)
         ratio = self.times(x - self.number(1), self.inverse(x + self.number(1)))
         square = self.times(ratio, ratio)
         total = self.times(ratio, self.series(square, lambda k: Fraction(2 * k - 1, 2 * k + 1)))
-        return Enclosure(total.low << HALVINGS + 1, total.high << HALVINGS + 1)
+        return Enclosure(total.low << self.halvings + 1, total.high << self.halvings + 1)
 
     def atan(self, x: Enclosure) -> Enclosure:
         """The inverse tangent."""
@@ -211,7 +217,7 @@ class Enclosing:
 
 @cache
 def _log_2(bits: int) -> Enclosure:
-    finer = Enclosing(bits + 4 * HALVINGS)
+    finer = Enclosing(bits + 4 * Enclosing(bits).halvings)
     return Enclosing(bits).coarser(finer.log_of_moderate(finer.number(2)), finer)
 
 
