@@ -63,6 +63,15 @@ def test_pi() -> None:
         assert found.high - found.low < 20
 
 
+def test_products_of_all_signs() -> None:
+    ends = [(Fraction(a), Fraction(b)) for a in range(-2, 3) for b in range(a, 3)]
+    for one in ends:
+        for other in ends:
+            found = FINE.times(*(Enclosure(FINE.number(low).low, FINE.number(high).high) for low, high in (one, other)))
+            exact = sorted(a * b for a in one for b in other)
+            assert found == Enclosure(FINE.number(exact[0]).low, FINE.number(exact[-1]).high)
+
+
 def test_wide_intervals_hold_what_is_between() -> None:
     wide = Enclosure(-FINE.one, 2 * FINE.one)
     assert FINE.power(wide, 2).low == 0

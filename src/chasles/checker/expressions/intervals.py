@@ -69,9 +69,9 @@ class Enclosing:
         """The product."""
         if one.low >= 0 <= other.low:
             return Enclosure(one.low * other.low >> self.bits, -(-one.high * other.high >> self.bits))
-        if one.high <= 0:
+        if one.low < 0 >= one.high:
             return -self.times(-one, other)
-        if other.high <= 0:
+        if other.low < 0 >= other.high:
             return -self.times(one, -other)
         ends = [a * b for a in (one.low, one.high) for b in (other.low, other.high)]
         return Enclosure(min(ends) >> self.bits, -(-max(ends) >> self.bits))
