@@ -54,6 +54,10 @@ FIT = [
     ('Claim("1.2", x, x, kernel=Kernel(of=x))', "`of` is the expression x, and must be a tuple"),
     ('Claim("1.2", x, x', "'(' was never closed"),
 ]
+LOST = [
+    ('one = Claim("1.2", x, x)\none = Claim("1.3", v, v)', "line 8: one is what line 7 declares already"),
+    ('one = Claim("1.2", x, x)\nother = Section("1", "T")\ntwo = Claim("1.3", v, v)', "1 is called 'S' and 'T'"),
+]
 WHEN_EMITTED = [
     ('Claim("1.2", x, x, kernel=Kernel(of=(a,)))', "x is free: it is not among the arguments (a)"),
     ('Definition("1.2", tr(A), a, kernel=Kernel(of=(a,), form=2 * a))', "the offered form is not equal to (1.2)"),
@@ -86,6 +90,14 @@ def told(tmp_path: Path):
 def test_what_does_not_fit_is_told_by_file_and_line(told, declaration: str, said: str, command: str) -> None:
     text, status = told(f"made = {declaration}", command)
     assert text.startswith("chasles: CHAPTER/s1.py, line 7: ")
+    assert said in text
+    assert (text.count("\n"), status) == (1, 2)
+
+
+@pytest.mark.parametrize(("declarations", "said"), LOST)
+def test_what_would_be_lost_or_has_two_titles_is_told(told, declarations: str, said: str) -> None:
+    text, status = told(declarations, "list")
+    assert text.startswith("chasles: CHAPTER/s1.py, line ")
     assert said in text
     assert (text.count("\n"), status) == (1, 2)
 

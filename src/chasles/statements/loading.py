@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import ast
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from importlib import import_module
 from importlib.util import find_spec
 from itertools import combinations
+from pathlib import Path
 from pkgutil import iter_modules
 from types import ModuleType
 from typing import Any
@@ -25,12 +27,35 @@ def declared_by(book: ModuleType) -> tuple[Entry, ...]:
     if not isinstance(getattr(book, "UNITS", True), bool):
         raise DeclarationError(f"UNITS of {book.__name__} is {book.UNITS!r}: write UNITS = False for a chapter without")
     for module in _modules(book):
+        _refuse_lost(module)
         own = [each for each in _entries(module, seen) if not is_of_another(each.statement, book.__name__)]
         entries += _in_own_sections(module.__name__, own)
         seen.update(id(entry.statement) for entry in entries)
+    titles: dict[str, str] = {}
+    for section, place in ((entry.section, entry.place) for entry in entries):
+        if titles.setdefault(section.number, section.title) != section.title:
+            raise DeclarationError(
+                f"{place}Section {section.number} is called {titles[section.number]!r} and {section.title!r}: give "
+                "one of them another number"
+            )
     if not entries:
         raise DeclarationError(f"{book.__name__} has no statements: none of its SECTIONS declares one")
     return tuple(entries)
+
+
+def _refuse_lost(module: ModuleType) -> None:
+    """Raise `DeclarationError` if a name of the module is that of a statement and was given before: that is lost."""
+    file = getattr(module, "__file__", None)
+    lines: dict[str, int] = {}
+    for each in ast.parse(Path(file).read_bytes()).body if file and file.endswith(".py") else ():
+        if isinstance(each, ast.Assign) and isinstance(each.value, ast.Call):
+            for name in (target.id for target in each.targets if isinstance(target, ast.Name)):
+                if name in lines and isinstance(vars(module).get(name), Statement | Theorem | Inverse):
+                    raise DeclarationError(
+                        f"{file}, line {each.lineno}: {name} is what line {lines[name]} declares already, which would "
+                        "be lost: give one of them another name"
+                    )
+                lines[name] = each.lineno
 
 
 def _modules(book: ModuleType) -> Iterator[ModuleType]:
