@@ -59,7 +59,9 @@ from chasles.vocabulary.expansions import limit, up_to
 from chasles.vocabulary.fitting import word
 from chasles.vocabulary.functions import cases, sqrt
 from chasles.vocabulary.partial import partial
-from chasles.vocabulary.shorthand import Shorthand
+from chasles.vocabulary.products import kronecker_product, vec
+from chasles.vocabulary.shorthand import Shorthand, opened
+from chasles.vocabulary.sizes import Size
 
 e, a, a_, p = (vector(name, name, "") for name in ("e", "a", "a'", "p"))
 p_0 = vector("p_0", "p_0", "")
@@ -74,6 +76,7 @@ E = abbreviation("E", "E", CPM(e), "")
 N_tilde = array("N~", r"\tilde{\mathbf{N}}", "", uniform((3, 4)))
 rho = scalar("rho", r"\rho", "")
 one, O = Identity(3), Zero(3, 3)
+K = square("K", "K", "", size=Size("n"))
 half = Number(Fraction(1, 2))
 i, j = Index("i"), Index("j")
 members = tuple(vector(f"e_{k}", f"e_{k}", "") for k in (1, 2, 3))
@@ -359,6 +362,9 @@ TABLE: list[tuple[Node, str, str]] = [
     (partial(s * phi, phi), r"\frac{\partial \left( s \phi \right)}{\partial \phi}", "d(s phi) / dphi"),
     (limit(s * phi, phi), r"\lim_{\phi \to 0} s \phi", "lim phi -> 0 s phi"),
     (up_to(s, phi, 3), r"s + O\left( \phi^3 \right)", "s + O(phi^3)"),
+    # products of any size
+    (opened(kronecker_product(K, K)), r"\text{kron}\left( \mathbf{K}, \mathbf{K} \right)", "kron(K, K)"),
+    (opened(vec(K)), r"\text{vec}\left( \mathbf{K} \right)", "vec(K)"),
     # constants
     (O @ e, r"\mathbf{O} \mathbf{e}", "0 e"),
     (PI * s, r"\pi s", "pi s"),

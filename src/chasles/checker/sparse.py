@@ -7,13 +7,13 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from fractions import Fraction
 from functools import reduce
-from math import inf, lcm
+from math import lcm
 from operator import add, mul, or_
 
 MALFORMED = (ArithmeticError, AssertionError, AttributeError, LookupError, RecursionError, TypeError, ValueError)
 MOST_PRODUCTS = 10_000_000
 """So many products of terms does a check form at most."""
-_left: ContextVar[list[float]] = ContextVar("left", default=[inf])  # noqa: B039 - infinity stays what it is
+_left: ContextVar[list[int]] = ContextVar("left", default=[])  # noqa: B039 - nothing is counted there
 
 
 class Rejected(ValueError):
@@ -23,7 +23,7 @@ class Rejected(ValueError):
 @contextmanager
 def limited(products: int) -> Iterator[None]:
     """So many products of terms are formed inside at most; more are `Rejected`, on every machine alike."""
-    token = _left.set([float(products)])
+    token = _left.set([products])
     try:
         yield
     finally:
@@ -43,9 +43,9 @@ def well_formed(what: str) -> Iterator[None]:
 
 
 def _count(products: int) -> None:
-    left = _left.get()
-    left[0] -= products
-    if left[0] < 0:
+    if left := _left.get():
+        left[0] -= products
+    if left and left[0] < 0:
         raise Rejected("it takes more products of terms than are formed at most")
 
 

@@ -12,7 +12,7 @@ from typing import Any
 
 import sympy
 
-from chasles.checker.expressions.defined_functions import VALUED, Recurrences, assumed_of, defined_by
+from chasles.checker.expressions.defined_functions import VALUED, Recurrences, assumed_of, defined_by, remainder
 from chasles.checker.expressions.enclosed import sign_of_number
 from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.expressions.readings import CIRCULAR
@@ -46,8 +46,7 @@ class Generalised:
         if self.rooted and is_root_of_number(e):
             return self._root(e.base, int(e.exp.q)) ** int(e.exp.p)
         if isinstance(e, sympy.Mod):
-            a, b = e.args
-            return self(a) - self(b) * self(sympy.floor(a / b))
+            return self(remainder(e))
         if isinstance(e, VALUED):
             factor, quantity, power = self.multiple(e)
             if not defined_by(quantity):

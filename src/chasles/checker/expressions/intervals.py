@@ -106,9 +106,7 @@ class Enclosing:
 
     def _by_logarithm(self, x: int, degree: int) -> Enclosure:
         """A root of high degree: x^(1/n) = exp(log(x) / n)."""
-        if not x:
-            return Enclosure(0, 0)
-        exponent = self.log(Enclosure(x, x))
+        exponent = self.log(Enclosure(x, x)) if x else Enclosure(-LARGEST * self.one * degree, 0)
         return self.exp(Enclosure(exponent.low // degree, -(-exponent.high // degree)))
 
     def value(self, function: str, x: Enclosure) -> Enclosure:
