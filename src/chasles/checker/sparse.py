@@ -45,8 +45,8 @@ def well_formed(what: str) -> Iterator[None]:
 def _count(products: int) -> None:
     if left := _left.get():
         left[0] -= products
-    if left and left[0] < 0:
-        raise Rejected("it takes more products of terms than are formed at most")
+        if left[0] < 0:
+            raise Rejected("it takes more products of terms than are formed at most")
 
 
 class Polynomial:

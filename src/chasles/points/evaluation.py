@@ -14,8 +14,6 @@ from chasles.problems.context import Context
 from chasles.statements import Hypothesis
 
 Point = dict[str, Fraction]
-A_TERM = 1
-"""What the evaluation of a term counts as, in products of terms."""
 Term = tuple[tuple[int, int], tuple[tuple[str, int], ...], int]
 
 
@@ -25,7 +23,7 @@ def evaluate(context: Context, polynomial: Polynomial, point: Point) -> Value:
     Numerators and denominators are multiplied on their own: a fraction in lowest terms after each step takes longer.
     """
     terms = terms_of(context, polynomial)
-    spend(A_TERM * len(terms))
+    spend(len(terms))
     total: dict[int, tuple[int, int]] = {}
     for coefficient, factors, power in terms:
         above, below = coefficient

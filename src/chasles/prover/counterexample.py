@@ -60,7 +60,10 @@ def refute(
 
 
 def _is_accepted(context: Context, found: Counterexample) -> bool:
-    """Whether the checker, which imports nothing of the search, finds a motion through the point that refutes."""
+    """Whether the checker, which imports nothing of the search, finds a motion through the point that refutes.
+
+    What the hypotheses say of rates higher than all that occur may restrict those that do: the checker sees to that.
+    """
     try:
         check_counterexample(context.problem, found)
     except Rejected:

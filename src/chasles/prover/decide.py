@@ -11,8 +11,6 @@ from typing import Any
 from chasles.algebra.groebner import Basis, combined, completed
 from chasles.algebra.work_limit import OutOfTime, remaining, within
 from chasles.checker.any_size.at_sizes import sizes_in
-from chasles.checker.refutation import check_counterexample
-from chasles.checker.sparse import Rejected
 from chasles.points import sampling as points
 from chasles.points.evaluation import measured
 from chasles.problems.context import Context, build, difference, entries
@@ -46,24 +44,11 @@ def decide_problem(
     """
     try:
         with within(budget):
-            return _followed(problem, _decide(problem, own, search or DECLARED), search or DECLARED)
+            return _decide(problem, own, search or DECLARED)
     except OutOfTime as error:
         if remaining() < inf:
             raise
         return Undecided(str(error))
-
-
-def _followed(problem: Problem, verdict: Verdict, source: PointSource) -> Verdict:
-    """The verdict, unless it is a counterexample that the checker does not follow; others than declared ones have own.
-
-    What the hypotheses say of rates higher than all that occur may restrict those that do: the checker sees to that.
-    """
-    if isinstance(verdict, Fails) and source.write is None:
-        try:
-            check_counterexample(problem, verdict.counterexample)
-        except Rejected as reason:
-            return Undecided(f"a counterexample was found that the checker does not follow: {reason}")
-    return verdict
 
 
 def _decide(problem: Problem, own: tuple[Hypothesis, ...], source: PointSource) -> Verdict:

@@ -45,9 +45,12 @@ def declared_by(book: ModuleType) -> tuple[Entry, ...]:
 
 def _refuse_lost(module: ModuleType) -> None:
     """Raise `DeclarationError` if a name of the module is that of a statement and was given before: that is lost."""
-    file = getattr(module, "__file__", None)
+    file = getattr(module, "__file__", None) or ""
+    text = Path(file).read_text("utf-8") if file.endswith(".py") else ""
+    assigned = re.findall(r"^(\w+) = ", text, re.MULTILINE)
     lines: dict[str, int] = {}
-    for each in ast.parse(Path(file).read_bytes()).body if file and file.endswith(".py") else ():
+    # Few modules have a name twice, and only these are worth the time of a parser.
+    for each in ast.parse(text).body if len({*assigned}) < len(assigned) else ():
         if isinstance(each, ast.Assign) and isinstance(each.value, ast.Call):
             for name in (target.id for target in each.targets if isinstance(target, ast.Name)):
                 if name in lines and isinstance(vars(module).get(name), Statement | Theorem | Inverse):
