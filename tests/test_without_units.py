@@ -16,6 +16,7 @@ import chasles.vocabulary
 from chasles.decisions.session import Session
 from chasles.statements import DeclarationError, load
 from chasles.vocabulary import Misfit
+from chasles.vocabulary.shorthand import opened
 
 SYMBOLS = """\
 from chasles.statements import *
@@ -121,3 +122,11 @@ def test_units_do_not_come_with_all_names_of_another_module(tmp_path: Path, monk
     with pytest.raises(Misfit, match="cannot add"):
         resting.x + resting.v
     assert (choosing.x + choosing.v).shape == (3, 1)
+
+
+def test_a_chapter_with_units_beside_it_changes_nothing(module: Callable[..., Any]) -> None:
+    """What is known of an equal expression of the other chapter is not taken for it: its dimension is another one."""
+    for units in (True, False):
+        made = module("made = rate(a)", units).made
+        assert opened(made).measure == made.measure
+    assert made != module("made = rate(a)", True).made

@@ -14,7 +14,6 @@ from chasles.pages.python_layout import laid_out
 from chasles.pages.python_source import PythonSource, imports
 from chasles.statements import Chapter, Entry, Section
 from chasles.vocabulary import Symbol, abbreviation, scalar, square, vector
-from chasles.vocabulary.dimension import has_units
 from chasles.vocabulary.notation import BOOK, notation_of
 from chasles.vocabulary.sizes import rectangular
 
@@ -68,7 +67,7 @@ class _Modules:
             f"TITLE = {self.notation.text(self.chapter.title)}",
             laid_out(f"SECTIONS = {self.notation.text(tuple(self.modules.values()))}"),
         ]
-        own += [] if all(map(has_units, self.homes)) else ["UNITS = False"]
+        own += [] if all(each.has_units for each in self.homes.values()) else ["UNITS = False"]
         forms = next((forms for each in self.homes.values() if (forms := notation_of(each)) is not BOOK), None)
         last = [] if forms is None else [laid_out(f"NOTATION = {self.notation.text(forms)}")]
         return {

@@ -79,7 +79,8 @@ def _quantity(notation: PageNotation, table: LetterTable, letter: Glyph, text: s
     notation.sizes.update((rows, columns))
     notation.quaternions |= kind.endswith("quaternion")
     dimension = _dimension(said.get("unit", ""), where)
-    measure = uniform((rows, columns), dimension if has_units(notation.home) else NO_DIMENSION)
+    in_units = has_units(notation.home)
+    measure = uniform((rows, columns), dimension if in_units else NO_DIMENSION)
     if said.get("or", OTHERWISE[0]) not in OTHERWISE:
         raise BadNotation(f"{where}: or = {said['or']!r}; expected one of {', '.join(OTHERWISE)}")
     other = f"or {said['or']}" if "or" in said else ""
@@ -107,7 +108,7 @@ def _quantity(notation: PageNotation, table: LetterTable, letter: Glyph, text: s
         size = measure if stands_for is None or stands_for.measure is None else stands_for.measure
         constant = bool(said.get("constant", False))
         waiting.discard(found)
-        made[found] = Symbol(named(found), latex, size, meaning, constant, stands_for, notation.home)
+        made[found] = Symbol(named(found), latex, size, meaning, constant, stands_for, notation.home, in_units)
         return made[found]
 
     table.add(letter, symbol, text)

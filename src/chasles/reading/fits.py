@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from chasles.vocabulary import Misfit, Node, Symbol, printed, symbols_of
+from chasles.vocabulary.dimension import has_units
 from chasles.vocabulary.measure import Extent, Measure
 
 Shape = tuple[Extent, Extent]
@@ -22,7 +23,7 @@ OF_ITS_OWN = "a quantity of its own"
 
 def own_quantity(letter: str, measure: Measure, home: str, name: str = "") -> Symbol:
     """What is printed so, and of which nothing else is known."""
-    return Symbol(name or letter, letter, measure, OF_ITS_OWN, home=home)
+    return Symbol(name or letter, letter, measure, OF_ITS_OWN, home=home, has_units=has_units(home))
 
 
 @dataclass(frozen=True, slots=True)

@@ -71,8 +71,9 @@ class SizedRates:
     def _lettered(self, node: Node) -> Node:
         if isinstance(node, Rate):
             base, _ = w.undotted(node)
-            home = base.home if isinstance(base, w.Symbol) else ""
-            made = w.Symbol(w.plain(node), w.plain(node), measured(node), f"the rate of {base}", home=home)
+            home, in_units = (base.home, base.has_units) if isinstance(base, w.Symbol) else ("", True)
+            name = w.plain(node)
+            made = w.Symbol(name, name, measured(node), f"the rate of {base}", home=home, has_units=in_units)
             return self.letters.setdefault(node, made)
         parts = w.children(node)
         changed = tuple(map(self._lettered, parts))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import field
 
-from chasles.vocabulary.dimension import NO_DIMENSION, has_units
+from chasles.vocabulary.dimension import NO_DIMENSION
 from chasles.vocabulary.fitting import word
 from chasles.vocabulary.measure import Extent, Measure, uniform
 from chasles.vocabulary.nodes import Node
@@ -15,7 +15,8 @@ class Symbol(Node):
     """A named quantity. `stands_for` makes it an abbreviation, as E is for the cross-product matrix of e.
 
     `constant` says that it does not change with time. Two symbols of different `name` are different even where the
-    book prints the same letter. `home` is the module that declares it, whose notation it is printed in.
+    book prints the same letter. `home` is the module that declares it, whose notation it is printed in; without
+    `has_units` its rate has no dimension either.
     """
 
     name: str
@@ -25,6 +26,7 @@ class Symbol(Node):
     constant: bool = False
     stands_for: Node | None = None
     home: str = field(default="", compare=False, repr=False)
+    has_units: bool = field(default=True, repr=False)
 
     def _measured(self) -> Measure:
         return self.size
@@ -66,7 +68,7 @@ def is_measured(node: Node) -> bool:
     while waiting:
         part = waiting.pop()
         if isinstance(part, Symbol) and part.home:
-            return has_units(part.home)
+            return part.has_units
         waiting.extend(reversed(part._parts()))
     return True
 

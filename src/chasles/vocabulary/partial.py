@@ -174,7 +174,8 @@ def _at_rest(node: Node, rates: dict[Node, Node]) -> Node:
         if not isinstance(base, Symbol):
             return _at_rest(_ruled(node.of), rates)
         if node not in rates:
-            rates[node] = Symbol(f"{node}", f"{node}", measured(node), constant=True, home=base.home)
+            measure = measured(node)
+            rates[node] = Symbol(f"{node}", f"{node}", measure, constant=True, home=base.home, has_units=base.has_units)
         return rates[node]
     parts = children(node)
     changed = tuple(_at_rest(part, rates) for part in parts)

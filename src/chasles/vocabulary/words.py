@@ -48,9 +48,10 @@ def array(name: str, letter: str, meaning: str, measure: Measure | Node) -> Symb
     if isinstance(measure, Node):
         assert measure.measure is not None
         measure = measure.measure
-    if not has_units(declaring_module()):
-        measure = uniform(measure.shape)
-    return Symbol(name, boldface(letter), measure, meaning, home=declaring_module())
+    home = declaring_module()
+    in_units = has_units(home)
+    return Symbol(name, boldface(letter), measure if in_units else uniform(measure.shape), meaning,
+                  home=home, has_units=in_units)  # fmt: skip
 
 
 @declaring
@@ -58,7 +59,8 @@ def abbreviation(name: str, letter: str, stands_for: Node, meaning: str) -> Symb
     """A letter that stands for an expression wherever it occurs."""
     assert stands_for.measure is not None
     constant = isinstance(stands_for, Skew) and isinstance(stands_for.of, Symbol) and stands_for.of.constant
-    return Symbol(name, boldface(letter), stands_for.measure, meaning, constant, stands_for, declaring_module())
+    home = declaring_module()
+    return Symbol(name, boldface(letter), stands_for.measure, meaning, constant, stands_for, home, has_units(home))
 
 
 def declared(
@@ -69,8 +71,9 @@ def declared(
         if isinstance(extent, int) and extent < 1:
             raise WrongArgument(f"{extent} is no size: it is 1 or more")
     home = declaring_module()
-    measure = uniform(shape, dimension if has_units(home) else NO_DIMENSION)
-    return Symbol(name, letter, measure, meaning, constant, home=home)
+    in_units = has_units(home)
+    measure = uniform(shape, dimension if in_units else NO_DIMENSION)
+    return Symbol(name, letter, measure, meaning, constant, home=home, has_units=in_units)
 
 
 def boldface(letter: str) -> str:
