@@ -277,3 +277,32 @@ def test_what_is_said_of_events_is_one_quantity() -> None:
     page = r"P(X = 1) = p, \quad P(X = 0) = 1 - p, \quad P(X = 1) + P(X = 0) = 1", r"P(A \mid B) P(B) = P(B | A) P(A)"
     assert verdicts_as_proposed(*page) == ["defined", "defined", "holds", "open"]
     assert verdicts_as_proposed(r"P(X \in (a, b]) = P(X \leq b) - P(X \leq a)") == ["defined"]
+
+
+@pytest.mark.parametrize(
+    ("said", "claim"),
+    [
+        (r"Z = R + j\omega L", "|Z|^2 = Z^2"),
+        (r"v = V e^{j\omega t}", r"|e^{j\theta}| = e^{j\theta}"),
+        (r"v = V e^{j\omega t}", r"e^{j\theta} = \cos\theta + j \sin\theta"),
+        ("z = a + ib", r"\sqrt{z^2} = |z|"),
+        ("z = a + ib", "z^2 = a^2 - b^2 - 2iab"),
+        (r"i = \sqrt{-1}", "P = |X|^2, P = X^2"),
+        ("i^2 = j^2 = k^2 = -1", "ij = k, ji = -k"),
+        (r"H = \exp(-\mathrm{i} k r)", r"H \bar{H} = H^2"),
+        (r"\sigma = \begin{pmatrix} 0 & -i \\ i & 0 \end{pmatrix}", r"\det\sigma = -1"),
+    ],
+)
+def test_nothing_is_found_of_real_numbers_where_the_page_has_an_imaginary_unit(said: str, claim: str) -> None:
+    assert not {*verdicts_as_proposed(said, claim)[-1:]} & DECIDED
+
+
+def test_what_holds_of_all_numbers_holds_of_complex_ones_and_an_i_that_numbers_things_is_a_number() -> None:
+    assert verdicts_as_proposed("z = a + ib", "z^2 = a^2 + 2iab + i^2 b^2") == ["defined", "holds"]
+    grid = "x_i = x_0 + i h", "|x_i - x_0|^2 = i^2 h^2"
+    assert verdicts_as_proposed(*grid)[-1] in ("holds", "holds-under")
+
+
+def test_a_letter_with_a_mark_above_is_another_than_with_the_mark_below() -> None:
+    claims = "v^k = a + b, v_k = a - b", "v^k - v_k = 2 b", "v^k + v_k = 2 b"
+    assert verdicts_as_proposed(*claims) == ["defined", "defined", "holds", "fails"]

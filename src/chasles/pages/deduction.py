@@ -30,12 +30,13 @@ from chasles.pages.defining import definition_of, is_new, meant_by, said_to_be
 from chasles.pages.finding import PageFinding
 from chasles.pages.named_hypotheses import as_hypothesis
 from chasles.pages.notes import DEFINING, NOTHING, EquationNote
-from chasles.pages.other_kinds import doubt_of_falsity, doubt_of_truth
+from chasles.pages.other_kinds import doubt_of_falsity, doubt_of_reals, doubt_of_truth
 from chasles.pages.premises import PosedEquation, Premises, chosen_rules, free_quantities
 from chasles.pages.quantities import Quantity, quantities, quantity, symbols_in
 from chasles.pages.refutation import expanded, refuted
 from chasles.pages.unsaid_derivatives import UnsaidDerivatives
 from chasles.reading.reading import Part, Reading
+from chasles.repairs.repair import Repair
 from chasles.statements import Claim, Statement, nonzero
 from chasles.verdict import Assumed, Contradictory, Defined, Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
 from chasles.vocabulary import PI, Node, plain, walk
@@ -51,13 +52,15 @@ WORK = 1e6
 class Deduction:
     """Decides the equations of a page in the order in which it states them.
 
-    Where what the letters are `is_proposed` only, what does not fit together is open. So many sets of premises from
+    Where what the letters are `is_proposed` only, what does not fit together is open; numbers may be complex where it
+    `is_complex`. So many sets of premises from
     which it is not likely to follow are tried for each claim: of another reading none.
     """
 
     premises: Premises
     session: Session = field(default_factory=lambda: Session(WORK))
     is_proposed: bool = False
+    is_complex: bool = False
     may_follow: dict[str, bool | None] = field(default_factory=dict)
     most_unlikely: int = MOST_UNLIKELY
     _foretold: dict[tuple[str, int], PageFinding] = field(default_factory=dict)
@@ -72,7 +75,13 @@ class Deduction:
     def fork(self) -> Deduction:
         """A deduction that goes on from here by itself."""
         other = Deduction(
-            self.premises.copy(), self.session, self.is_proposed, self.may_follow, 0, dict(self._foretold)
+            self.premises.copy(),
+            self.session,
+            self.is_proposed,
+            self.is_complex,
+            self.may_follow,
+            0,
+            dict(self._foretold),
         )
         other._derivatives, other._said_here = self._derivatives.copy(), (self._said_here[0], dict(self._said_here[1]))
         other.consequences = self.consequences
@@ -176,7 +185,7 @@ class Deduction:
                 may_define=meant is not None,
             )
         if isinstance(finding.verdict, Fails) and not finding.open and isinstance(finding.statement, Claim):
-            doubt = doubt_of_falsity(finding.statement, finding.instead, self.consequences) if self.is_proposed else ""
+            doubt = self._doubt(finding.statement, finding.instead, is_true=False)
             finding = with_fields(finding, open=bool(doubt), doubt=doubt)
         is_case = key is not None and self._said_here[1].get(key, claim.right) != claim.right
         if not finding.open and not (is_case and isinstance(finding.verdict, Fails)):
@@ -239,10 +248,19 @@ class Deduction:
             verdict = proof_of(attempt.claim, self.session, attempt.likely)
             if verdict is not None:
                 verdict = _resting_on(attempt.assumed, verdict)
-                if self.is_proposed and (doubt := doubt_of_truth(attempt.claim, self.consequences)):
+                if doubt := self._doubt(attempt.claim):
                     return PageFinding("claim", verdict, attempt.claim, open=True, doubt=doubt)
                 return self._proved(attempt.claim, verdict)
         return None
+
+    def _doubt(self, claim: Claim, instead: Repair | None = None, is_true: bool = True) -> str:
+        """Under what kinds of letters alone a claim is true, or false; empty where that is not in doubt."""
+        if self.is_complex and (doubt := doubt_of_reals(claim)):
+            return doubt
+        if not self.is_proposed:
+            return ""
+        known = self.consequences
+        return doubt_of_truth(claim, known) if is_true else doubt_of_falsity(claim, instead, known)
 
     def _under(self, claim: Claim, given: Iterable[tuple[str, Claim]]) -> PageFinding:
         """The finding on a claim under the premises that a person gives, and no others of the page.

@@ -6,7 +6,7 @@ hold of scalars, whose products are printed with a cross, too.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace as with_fields
 from functools import reduce
 
@@ -24,18 +24,21 @@ from chasles.vocabulary import (
     Inverse,
     Misfit,
     Node,
+    Norm,
     Quotient,
     Scale,
     Sum,
     Symbol,
     Transpose,
     uniform,
+    walk,
 )
 from chasles.vocabulary.functions import FunctionOf
 from chasles.vocabulary.tree import rebuilt
 
 SHAPES = {"matrix": (3, 3), "scalar": (1, 1)}
 """The other kinds that a letter may be, and the shape in which they are tried."""
+ANALYTIC = ("exp", "sin", "cos", "tan", "sinh", "cosh", "tanh")
 Kinds = Mapping[Symbol, Symbol]
 
 
@@ -55,17 +58,38 @@ def doubt_of_falsity(claim: Claim, instead: Repair | None, consequences: Consequ
     return "" if is_meant and not _follows(claim, kinds, consequences) else _told(kinds)
 
 
+def doubt_of_reals(claim: Claim) -> str:
+    """What is found of a claim on a page with an imaginary unit only if its numbers are real; empty for no doubt.
+
+    Sums, products, quotients and analytic functions have no such doubt: a polynomial that vanishes at all real numbers
+    is zero.
+    """
+    parts = (part for side in _sides(claim) for part in walk(side))
+    is_analytic = all(not isinstance(part, Norm) and getattr(part, "function", "exp") in ANALYTIC for part in parts)
+    return "" if is_analytic else "all numbers are real"
+
+
+def imaginary_unit(sides: Iterable[Node]) -> Symbol | None:
+    """The letter for the imaginary unit among those of the sides."""
+    units = (symbol for symbol in symbols_in(sides) if symbol.meaning.startswith("imaginary unit"))
+    return min(units, key=lambda symbol: symbol.name, default=None)
+
+
 def _told(kinds: Kinds) -> str:
     kind = "scalar" if next(iter(kinds)).is_scalar else "vector"
     return f"{', '.join(map(str, kinds))} {f'are {kind}s' if len(kinds) > 1 else f'is a {kind}'}"
 
 
+def _sides(claim: Claim) -> tuple[Node, ...]:
+    """The sides of a claim and of its premises."""
+    sides = (*claim.printed, *(side for each in claim.given for side in each.printed))
+    return sides + tuple(side for each in claim.assuming for pair in each.equations for side in pair)
+
+
 def _in_doubt(claim: Claim) -> dict[Symbol, Symbol]:
     """The letters of a claim and its premises that may be of another kind, and as what."""
-    sides = (*claim.printed, *(side for each in claim.given for side in each.printed))
-    sides += tuple(side for each in claim.assuming for pair in each.equations for side in pair)
     found: dict[Symbol, Symbol] = {}
-    for symbol in sorted(symbols_in(sides), key=lambda symbol: symbol.name):
+    for symbol in sorted(symbols_in(_sides(claim)), key=lambda symbol: symbol.name):
         other = symbol.meaning.partition(" or ")[2]
         if other in SHAPES:
             found[symbol] = with_fields(symbol, size=uniform(SHAPES[other], NO_DIMENSION), meaning=other)

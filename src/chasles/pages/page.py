@@ -19,6 +19,7 @@ from chasles.pages.facts import facts_of, kind_in_meaning
 from chasles.pages.finding import PageFinding
 from chasles.pages.known_answers import KnownAnswers
 from chasles.pages.notes import DEFINING, NOTHING, EquationNote, notes_of, parts_of
+from chasles.pages.other_kinds import imaginary_unit
 from chasles.pages.page_chapter import chapter_of
 from chasles.pages.premises import Premises
 from chasles.reading.equations import read_equations
@@ -156,12 +157,14 @@ def read_page(
     What is found out is added to the answers that are `known`.
     """
     known = known or KnownAnswers()
+    equations = tuple(map(without_misfits_in_chains, read_equations(printed, notation)))
+    sides = (side for equation in equations for reading in equation.readings for side in reading.sides)
+    session, is_complex = Session(WORK, memory=known.memory), imaginary_unit(sides) is not None
     premises = Premises(cache(lambda symbol: facts_of(symbol, kind_in_meaning(symbol))))
-    deduction = Deduction(premises, Session(WORK, memory=known.memory), notation.proposed, known.may_follow)
+    deduction = Deduction(premises, session, notation.proposed, is_complex, known.may_follow)
     for said in notation.assuming:
         for part in parts_of(said, notation, f"[page] assuming '{said}'"):
             deduction.assume(part.left, part.right)
-    equations = tuple(map(without_misfits_in_chains, read_equations(printed, notation)))
     names = [each.printed.number or each.printed.label or f"line {each.printed.line}" for each in equations]
     places: Counter[str] = Counter()
     relations = []

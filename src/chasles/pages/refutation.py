@@ -10,6 +10,7 @@ from chasles.pages.bounded_proofs import verdict_on
 from chasles.pages.consequences import Consequences
 from chasles.pages.finding import PageFinding
 from chasles.pages.notes import is_defining
+from chasles.pages.other_kinds import imaginary_unit
 from chasles.pages.premises import Premises, chosen_rules, free_quantities
 from chasles.pages.quantities import quantities, quantity
 from chasles.pages.slips import true_but_for_a_slip
@@ -42,6 +43,10 @@ def refuted(
 ) -> PageFinding:
     """The finding on a claim that is not proved: it fails, or is open; one that may define tells no point then."""
     rules = chosen_rules(claim.printed, premises.defined())
+    unit = imaginary_unit((*claim.printed, *(rule.right for rule in rules.values())))
+    if unit is not None:
+        reason = f"{unit} is the imaginary unit, and complex numbers have no word"
+        return PageFinding("claim", Undecided(reason), claim, open=True)
     of_its_own = any(symbol.meaning == OF_ITS_OWN for symbol, _ in free_quantities(claim.printed, rules))
     is_asked = not (is_defining(claim) or of_its_own or _is_new_value(claim))
     is_false = may_define and consequences.may_follow(*claim.printed, rules) is False

@@ -21,7 +21,7 @@ from chasles.vocabulary.parts import component, part
 KINDS: dict[str, tuple[int, int]] = {
     "scalar": (1, 1), "angle": (1, 1), "integer": (1, 1), "vector": (3, 1), "unit vector": (3, 1), "point": (3, 1),
     "rotation": (3, 3), "symmetric": (3, 3), "skew": (3, 3), "matrix": (3, 3), "array": (3, 1), "quaternion": (4, 1),
-    "unit quaternion": (4, 1), "positive": (1, 1), "positive-definite": (3, 3),
+    "unit quaternion": (4, 1), "positive": (1, 1), "positive-definite": (3, 3), "imaginary unit": (1, 1),
 }  # fmt: skip
 """What a letter may be, and the shape that it then has unless the file says another."""
 TYPEFACE_NAMES = ("mathbf", "boldsymbol", "mathrm", "operatorname")
@@ -188,9 +188,13 @@ def _meant(notation: PageNotation, latex: str, where: str) -> Node:
 
 
 def named(letter: Glyph) -> str:
-    """A name for a symbol, in letters and digits."""
-    primes = "'" * letter.primes
-    said = " ".join((*letter.before, letter.base, *letter.accents, letter.sub, *letter.sups))
-    words = [SIGNS.get(word, word) for word in re.findall(r"\w+|[*+-]", said) if word not in TYPEFACE_NAMES]
+    """A name for a symbol, in letters and digits; what stands above it is told from what stands below."""
+    below, above = (
+        "_".join(
+            SIGNS.get(word, word) for word in re.findall(r"\w+|[*+-]", " ".join(said)) if word not in TYPEFACE_NAMES
+        )
+        for said in ((*letter.before, letter.base, *letter.accents, letter.sub), letter.sups)
+    )
+    name = (below or letter.base) + (f"^{above}" if above else "") + "'" * letter.primes
     arguments = [word.strip("\\") for word in letter.arguments.split() if word.strip("\\") not in TYPEFACE_NAMES]
-    return ("_".join(words) or letter.base) + primes + (f"({' '.join(arguments)})" if arguments else "")
+    return name + (f"({' '.join(arguments)})" if arguments else "")

@@ -23,6 +23,8 @@ from chasles.vocabulary.measure import Extent
 DIFFERENTIAL = re.compile(r"\\o?int\b|\bd t\b|\\mathrm \{ d \}")
 GRID = re.compile(r"\\begin\{(?:\w*matrix|array)\}|[])] \^ \{ (?:- 1|T) \}")
 """A matrix that is written out, or brackets that are inverted or transposed."""
+TURNING = re.compile(r"\\(?:omega|Omega|sin|cos)\b|\bS O\b|\bSO\b")
+"""What a page with rotations has: their spins, their angles, or the name of their group."""
 MANY = 3
 NUMBERS = frozenset({"1/", r"\sqrt", r"\sin", r"\cos", r"\tan"})
 SKEW = frozenset({r"^\wedge", r"^\times", r"[]_\times"})
@@ -90,6 +92,7 @@ def letter_uses(equations: Sequence[PrintedEquation], texts: Sequence[str], mark
         if (use := uses.get(stem_of(own))) and own in use.letters:
             use.has_order = True
     uses = dict(sorted(uses.items(), key=lambda each: spelled(each[0])))
+    has_rotations = any(use.signs & {*SKEW, r"\times"} for use in uses.values()) or any(map(TURNING.search, texts))
     are_bold = sum(looks(stem)[0] for stem in uses) >= MANY
     are_thin = any(map(GRID.search, texts))
     are_thin |= any(use.signs & SKEW or (use.is_matrix and looks(stem)[1]) for stem, use in uses.items())
@@ -99,9 +102,28 @@ def letter_uses(equations: Sequence[PrintedEquation], texts: Sequence[str], mark
         sign, _, bare_letter = stem.base.partition(" ")
         of = replace(stem, base=bare_letter) if sign in DIFFERENCES and bare_letter else stem
         use.kind, use.other = _kind(of, uses.get(of, use), are_bold, are_thin, has_parts)
+        if _is_imaginary(stem, use, texts):
+            use.kind, use.other = "imaginary unit", ""
+        if use.kind == "rotation" and ("+" in use.signs or not has_rotations):
+            use.kind, use.other = "matrix", ""
         if use.kind == "matrix" and use.signs.isdisjoint(f"^{each}" for each in INVERSES):
             use.shape = _oblong(stem.base, texts)
     return uses
+
+
+def _is_imaginary(stem: Glyph, use: LetterUse, texts: Sequence[str]) -> bool:
+    """Whether it is an i or a j that stands where only the imaginary unit makes sense: e^{i x}, i^2 = -1, j omega.
+
+    As in a + i b, too, where the page numbers nothing with it.
+    """
+    letter = stem.base.split()[-1]
+    if replace(stem, base=letter) != Glyph(letter) or letter not in ("i", "j", r"\imath", r"\jmath"):
+        return False
+    said = re.escape(letter)
+    signs = [rf"{said} (?:\}} )?\^ \{{ 2 \}}.* = - 1(?: |$)", r"\\sqrt \{ - 1 \}", rf"(?:^| ){said} (?:2 \\pi|\\omega)"]
+    if not any(re.search(rf"[_^] \{{ (?:[^{{}}]* )?{said} [^{{}}]*\}}", text) for text in texts):
+        signs.append(rf"[+-] {said} [A-Za-z\\]")
+    return bool(use.signs & {"e", r"\exp"}) or any(re.search(sign, text) for sign in signs for text in texts)
 
 
 def _in_both_orders(products: Iterable[Sequence[Glyph]]) -> set[Glyph]:
@@ -149,7 +171,8 @@ def _kind(stem: Glyph, use: LetterUse, are_bold: bool, are_thin: bool, has_parts
     bold, large = looks(stem)
     crossed = bool(use.signs & {r"\times", r"\|\|", *SKEW})
     vector = crossed or (not large and r"\tilde" in use.signs)
-    if large and (bold or use.is_matrix) and (use.is_square or not crossed or letter in ("R", "Q", "C")):
+    is_apart = not crossed and (use.is_matrix or r"\cdot" not in use.signs)
+    if large and (bold or use.is_matrix) and (use.is_square or is_apart or letter in ("R", "Q", "C")):
         return ("rotation", "matrix") if letter in ("R", "Q", "C") else ("matrix", "")
     if bold or use.signs & SKEW or (vector and not are_bold) or (has_parts and not large):
         return "vector", "" if bold or r"\cdot" not in use.signs else "scalar"
@@ -178,7 +201,9 @@ def looks(stem: Glyph) -> tuple[bool, bool]:
 
 def _note(terms: Terms | None, within: str, noting: _Noting) -> None:
     """Note each letter of the terms, with what stands around it."""
-    for row in terms.rows if terms else ():
+    if terms is None:
+        return
+    for row in terms.rows:
         before = within
         for place, piece in enumerate(row):
             if piece.kind == "INFIX":
@@ -188,6 +213,7 @@ def _note(terms: Terms | None, within: str, noting: _Noting) -> None:
             around = {before, after.text if after and after.kind == "INFIX" else ""} - {""}
             around |= {"{}"} if after and after.kind == "GROUP" else set()
             around |= {"1/"} if before == "/" else set()
+            around |= {"+"} if len(terms.rows) > len(row) == 1 else set()
             name = called(piece)
             if piece.kind == "LETTER" and name in usual_names():
                 before = name
@@ -221,9 +247,9 @@ def _sign_around(piece: Atom, before: str) -> str:
     return piece.text if piece.text in (r"\|\|", "||", r"\lfloor\rfloor", r"\sqrt", "e") else before
 
 
-def _is_derivative(terms: Terms | None, within: str) -> bool:
+def _is_derivative(terms: Terms, within: str) -> bool:
     """Whether a d is that of a derivative or an integral."""
-    return within == "d" or terms is None or "int" in text_of(terms)
+    return within == "d" or "int" in text_of(terms)
 
 
 def _note_letter(letter: Glyph, around: set[str], noting: _Noting) -> None:

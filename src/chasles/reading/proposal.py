@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import replace
 from functools import lru_cache
 from typing import Any
@@ -17,6 +18,7 @@ from chasles.reading.letter_uses import SKEW, LetterUse, looks
 from chasles.reading.lexemes import BadPage
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.shape_search import shaped_letters
+from chasles.vocabulary.measure import Extent
 
 KNOWN = LETTERS | MARKS | TYPEFACES
 ENTRY = re.compile(r"[1-9] ?,? ?[1-9]")
@@ -36,21 +38,41 @@ def proposed(equations: Sequence[PrintedEquation]) -> str:
     texts = [_text_of(equation) for equation in equations]
     inertia = set().union(*map(inertias, texts))
     bare = frozenset(BARE) - inertia
-    uses, faults = shaped_letters(equations, texts, NameMarks.on_page(texts, OPERATORS, bare))
+    marks = NameMarks.on_page(texts, OPERATORS, bare)
+    uses, faults = shaped_letters(equations, texts, marks)
     if any(r"tilde " in text for text in texts):
-        other, fewer = shaped_letters(equations, texts, NameMarks.on_page(texts, RATES, bare))
-        uses = other if fewer < faults else uses
+        without = NameMarks.on_page(texts, RATES, bare)
+        other, fewer = shaped_letters(equations, texts, without)
+        if sum(fewer.values()) < sum(faults.values()):
+            uses, faults, marks = other, fewer, without
     primes = {prime for text in texts for prime in PRIMED.findall(text)}
     signs = ", ".join(f'"#{each.replace(" ", "")}"' for each in sorted(primes))
     quantity = [f"quantity = [{signs}]  # ? what these marks make of an expression"] if primes else []
     operators = [*_operators(uses, inertia), *quantity]
-    lines = ["[operators]", *operators, "", "[symbols]"]
     marked = {word for stem, use in uses.items() if "marked" in use.signs for word in stem.base.split()}
     letters = KNOWN | marked - {word for stem, use in uses.items() if "{}" in use.signs for word in stem.base.split()}
     of_operators = any(
         (use.has_order and use.kind == "scalar" and looks(stem)[1]) or r"^\dagger" in use.signs
         for stem, use in uses.items()
     )
+    lines = ["[operators]", *operators, "", "[symbols]", *_lines_of(uses, letters, of_operators)]
+    for section in dict.fromkeys(equations[place].section for place in faults):
+        places = [place for place, equation in enumerate(equations) if equation.section == section]
+        if section and len(places) < len(equations):
+            here = [equations[place] for place in places], [texts[place] for place in places]
+            other, fewer = shaped_letters(*here, marks)
+            anew = {stem: use for stem, use in other.items() if (use.kind, use.shape) != _meant(stem, uses)}
+            if anew and sum(fewer.values()) < sum(faults.get(place, 0) for place in places):
+                lines += ["", f"[section.{_quoted(section)}.symbols]", *_lines_of(anew, letters, of_operators)]
+    return "\n".join([*lines, "", "[page]", PROPOSED]) + "\n"
+
+
+def _meant(stem: Glyph, uses: Mapping[Glyph, LetterUse]) -> tuple[str, tuple[Extent, ...]] | None:
+    return (uses[stem].kind, uses[stem].shape) if stem in uses else None
+
+
+def _lines_of(uses: Mapping[Glyph, LetterUse], letters: AbstractSet[str], of_operators: bool) -> Iterator[str]:
+    """What is said of the letters, a line each; of those that are made of no known `letters`, that they are not known."""
     for stem, use in uses.items():
         question = f"  # ? or {use.other}" if use.other not in ("", use.kind) else ""
         doubt = _otherwise(stem, use, of_operators)
@@ -59,12 +81,11 @@ def proposed(equations: Sequence[PrintedEquation]) -> str:
             of += f", shape = {said['shape']}" if "shape" in said else ""
             of += f', or = "{doubt}"' if doubt and said["is"] == use.kind else ""
             if unknown := [word for word in stem.base.split() if word[0] == "\\" and word not in letters]:
-                lines.append(f"# {unknown[-1]}: no command of LaTeX; --macros FILE defines it, or say here what it is")
+                yield f"# {unknown[-1]}: no command of LaTeX; --macros FILE defines it, or say here what it is"
                 continue
             known = _is_one_letter(glyph)
             entry = f'{_quoted(spelled(glyph))} = {{ is = "{said["is"]}"{of} }}{"" if of else question}'
-            lines.append(entry if known else f"# {spelled(glyph)}: several letters in one; say what it is")
-    return "\n".join([*lines, "", "[page]", PROPOSED]) + "\n"
+            yield entry if known else f"# {spelled(glyph)}: several letters in one; say what it is"
 
 
 def _otherwise(stem: Glyph, use: LetterUse, of_operators: bool) -> str:

@@ -24,6 +24,7 @@ SHAPES = {
     "matrix": (3, 3),
     "rotation": (3, 3),
     "quaternion": (4, 1),
+    "imaginary unit": (1, 1),
 }
 USUAL = {(True, True): ("matrix", "vector"), (True, False): ("vector", "matrix"),
          (False, True): ("matrix", "scalar", "vector"), (False, False): ("scalar", "vector")}  # fmt: skip
@@ -36,12 +37,12 @@ UNLIKELY = 0.3
 
 def shaped_letters(
     equations: Sequence[PrintedEquation], texts: Sequence[str], marks: NameMarks
-) -> tuple[dict[Glyph, LetterUse], int]:
-    """The letters with what they are, and how many equations do not fit together even so."""
+) -> tuple[dict[Glyph, LetterUse], dict[int, int]]:
+    """The letters with what they are, and by their places the equations that do not fit together even so."""
     uses = letter_uses(equations, texts, marks)
     search = _KindSearch([chains_of(equation) for equation in equations], uses, marks)
     search.go_through()
-    return dict(sorted(search.uses.items(), key=lambda each: spelled(each[0]))), search.all_faults
+    return dict(sorted(search.uses.items(), key=lambda each: spelled(each[0]))), search.all_faults()
 
 
 class _KindSearch:
@@ -65,10 +66,9 @@ class _KindSearch:
         self.work = 0
         self.parted = lru_cache(maxsize=None)(lambda letter: parted(letter, marks))
 
-    @property
-    def all_faults(self) -> int:
-        """How many relations of the page do not fit together, those with a matrix counted more."""
-        return sum(map(self.faults, self.stems))
+    def all_faults(self) -> dict[int, int]:
+        """How many relations of each equation do not fit together, those with a matrix counted more."""
+        return {place: faults for place in self.stems if (faults := self.faults(place))}
 
     def go_through(self) -> None:
         """Mend each equation that does not fit together, and again what others made of it."""
@@ -173,6 +173,8 @@ def _has_grid(chain: Chain) -> bool:
 
 def _kinds(stem: Glyph, use: LetterUse) -> list[Kind]:
     """What the letter may be, the most likely first."""
+    if use.kind == "imaginary unit":
+        return [(use.kind, ())]
     is_open = not (use.is_matrix or use.signs & SKEW or r"\mathbf" in stem.base or ARROWS & {*stem.accents})
     usual = [each for each in (*USUAL[looks(stem)], "scalar") if each != "scalar" or is_open]
     quaternion = ["quaternion"] if {r"\otimes", r"\circ"} & use.signs else []
