@@ -72,7 +72,7 @@ def _meant(stem: Glyph, uses: Mapping[Glyph, LetterUse]) -> tuple[str, tuple[Ext
 
 
 def _lines_of(uses: Mapping[Glyph, LetterUse], letters: AbstractSet[str], of_operators: bool) -> Iterator[str]:
-    """What is said of the letters, a line each; of those that are made of no known `letters`, that they are not known."""
+    """What is said of the letters, a line each; of one that is made of others than known `letters`, that alone."""
     for stem, use in uses.items():
         question = f"  # ? or {use.other}" if use.other not in ("", use.kind) else ""
         doubt = _otherwise(stem, use, of_operators)
