@@ -15,6 +15,7 @@ from sympy import (
     Identity,
     Inverse,
     KroneckerProduct,
+    MatMul,
     MatPow,
     Matrix,
     MatrixSymbol,
@@ -161,3 +162,17 @@ def test_sums_in_sums_are_angles(function: Any, angle: Any, same: Any) -> None:
     verdict = prove(function(angle, evaluate=False), function(same))
     assert isinstance(verdict, Holds | HoldsUnder)
     assert isinstance(prove(function(angle, evaluate=False), function(same) + 1), Fails)
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        (Determinant(sp.ImmutableMatrix([[x, 0], [0, 1 / x]])), 1),
+        (Trace(MatMul(sp.ImmutableMatrix([[x]]), sp.ImmutableMatrix([[1 / x]]))), 1),
+        (Trace(HadamardProduct(sp.ImmutableMatrix([[sp.log(x), 1], [2, 3]]), sp.ImmutableMatrix([[0, 1], [2, 0]]))), 0),
+        (x * Sum(i / x, (i, 1, 3)), 6),
+        ((x + 1) * Sum(1 / (i + x), (i, 1, 1)), 1),
+    ],
+)
+def test_what_cancels_when_it_is_written_out_has_to_be_defined_all_the_same(left: Any, right: Any) -> None:
+    assert not isinstance(prove(left, right), Holds)

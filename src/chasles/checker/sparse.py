@@ -10,7 +10,7 @@ from functools import reduce
 from math import lcm
 from operator import add, mul, or_
 
-MALFORMED = (ArithmeticError, AssertionError, AttributeError, LookupError, RecursionError, TypeError, ValueError)
+MALFORMED = (ArithmeticError, AssertionError, AttributeError, LookupError, RuntimeError, TypeError, ValueError)
 MOST_PRODUCTS = 10_000_000
 """So many products of terms does a check form at most."""
 _left: ContextVar[list[int]] = ContextVar("left", default=[])  # noqa: B039 - nothing is counted there

@@ -18,10 +18,10 @@ from sympy.matrices.expressions.matexpr import MatrixElement
 
 from chasles import vocabulary as w
 from chasles.checker.expressions.asked import Asked
+from chasles.checker.expressions.unevaluated import explicit, written_out
 from chasles.coq.expressions import APPLIED, ATOM, LOOSE, PLUS, Spelled, Spelling, Unsaid
 from chasles.coq.names import CoqNames
 from chasles.coq.statement import CoqStatement
-from chasles.from_sympy.unevaluated import explicit, written_out
 from chasles.statements import Goal, Hypothesis, Problem
 from chasles.vocabulary.dimension import NO_DIMENSION
 from chasles.vocabulary.fitting import SCALAR

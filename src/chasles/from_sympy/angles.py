@@ -9,8 +9,9 @@ from typing import Any
 
 import sympy
 
+from chasles.checker.expressions.quantities import is_atom
 from chasles.from_sympy.atoms import QuantityNames
-from chasles.from_sympy.opening import excerpt, is_atom
+from chasles.from_sympy.opening import excerpt
 from chasles.problems.variables import Untreatable
 from chasles.vocabulary import Node, Number, Scale, Sum, Symbol
 

@@ -13,7 +13,8 @@ from typing import Any
 import sympy
 from sympy.core.function import AppliedUndef
 
-from chasles.from_sympy.opening import excerpt, is_atom
+from chasles.checker.expressions.quantities import is_atom
+from chasles.from_sympy.opening import excerpt
 from chasles.from_sympy.positivity import is_definite
 from chasles.problems.variables import Untreatable
 from chasles.vocabulary import PI, Symbol, scalar

@@ -14,12 +14,13 @@ from chasles.checker.expressions.asked import Asked
 from chasles.checker.expressions.complexes import differences
 from chasles.checker.expressions.facts import Facts
 from chasles.checker.expressions.proof import claims_of
+from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.expressions.reading_of_proof import Proven
 from chasles.checker.sparse import ZERO, Polynomial, Rejected, limited, parsed
 from chasles.from_sympy.elementary import Elementary
 from chasles.from_sympy.given import SideConditions
 from chasles.from_sympy.naming import spelled, written
-from chasles.from_sympy.opening import FunctionSymbol, is_atom
+from chasles.from_sympy.opening import FunctionSymbol
 from chasles.from_sympy.reader import Reader
 from chasles.from_sympy.roots import Roots
 from chasles.points.search import Search

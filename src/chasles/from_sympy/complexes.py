@@ -8,7 +8,8 @@ from typing import Any
 
 import sympy
 
-from chasles.from_sympy.opening import Entries, excerpt, is_atom
+from chasles.checker.expressions.quantities import is_atom
+from chasles.from_sympy.opening import Entries, excerpt
 from chasles.problems.variables import Untreatable
 
 OF_COMPLEX = (sympy.core.numbers.ImaginaryUnit, sympy.re, sympy.im, sympy.conjugate, sympy.arg)

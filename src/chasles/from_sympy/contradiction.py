@@ -17,8 +17,8 @@ from chasles.algebra.groebner import Basis, Combination, completed
 from chasles.algebra.polynomial_text import written
 from chasles.algebra.rings import Polynomial
 from chasles.algebra.work_limit import OutOfTime, remaining, within
+from chasles.checker.expressions.quantities import is_atom
 from chasles.from_sympy.atoms import ASSUMPTIONS
-from chasles.from_sympy.opening import is_atom
 from chasles.from_sympy.positivity import definite_by
 from chasles.from_sympy.question import Question
 from chasles.problems.context import Context, build

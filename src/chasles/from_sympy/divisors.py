@@ -8,7 +8,8 @@ from typing import Any
 
 import sympy
 
-from chasles.from_sympy.opening import FunctionSymbol, Signed, is_atom
+from chasles.checker.expressions.quantities import is_atom
+from chasles.from_sympy.opening import FunctionSymbol, Signed
 
 # What each function of an angle has above and below the line: 1, the cosine or the sine.
 CIRCULAR = {

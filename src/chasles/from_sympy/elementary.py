@@ -14,11 +14,12 @@ from typing import Any
 import sympy
 
 from chasles.algebra.work_limit import check
+from chasles.checker.expressions.quantities import is_atom
 from chasles.from_sympy.arcs import INVERSE, RECIPROCAL, arc_of, without_arcs
 from chasles.from_sympy.divisors import CIRCULAR
 from chasles.from_sympy.factors import factors_of, is_entire, is_evident
 from chasles.from_sympy.hyperbolic import EXPONENTIALS, LOGARITHMS
-from chasles.from_sympy.opening import FunctionSymbol, Signed, excerpt, is_atom, parts_of
+from chasles.from_sympy.opening import FunctionSymbol, Signed, excerpt, parts_of
 from chasles.from_sympy.placeholders import Placeholders
 from chasles.problems.variables import Untreatable
 

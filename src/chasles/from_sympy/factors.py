@@ -6,8 +6,9 @@ from typing import Any
 
 import sympy
 
+from chasles.checker.expressions.quantities import is_atom
 from chasles.from_sympy.divisors import in_sines
-from chasles.from_sympy.opening import Signed, is_atom
+from chasles.from_sympy.opening import Signed
 
 MOST_OPERATIONS = 200
 """Sums that are larger are not factored."""

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 import sympy
 
 from chasles.checker.expressions.elementary import FUNCTIONS
+from chasles.checker.expressions.quantities import is_atom
 from chasles.from_sympy.divisors import CIRCULAR
-from chasles.from_sympy.opening import is_atom, parts_of
+from chasles.from_sympy.opening import parts_of
 
 if TYPE_CHECKING:
     from chasles.from_sympy.given import SideConditions

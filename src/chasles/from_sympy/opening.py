@@ -11,8 +11,10 @@ from sympy.core.function import AppliedUndef
 from sympy.logic.boolalg import Boolean
 from sympy.matrices import MatrixBase, MatrixExpr
 
-from chasles.checker.expressions.defined_functions import by_definition
-from chasles.from_sympy.unevaluated import explicit, written_out
+from chasles.checker.expressions.asked import valued
+from chasles.checker.expressions.quantities import is_atom
+from chasles.checker.expressions.unevaluated import explicit
+from chasles.checker.sparse import Rejected
 from chasles.problems.variables import Untreatable
 
 LONGEST_EXCERPT = 80
@@ -48,13 +50,6 @@ def excerpt(expression: Any) -> str:
     """The expression in SymPy's spelling, cut short if it is long."""
     text = str(expression)
     return text if len(text) <= LONGEST_EXCERPT else f"{text[: LONGEST_EXCERPT - 4]} ..."
-
-
-def is_atom(expression: Any) -> bool:
-    """Whether the expression is a real variable to us: a symbol, an entry of one, a function of symbols or its rate."""
-    if isinstance(expression, sympy.Derivative):
-        return isinstance(expression.expr, AppliedUndef)
-    return isinstance(expression, sympy.Symbol | AppliedUndef | sympy.matrices.expressions.matexpr.MatrixElement)
 
 
 def parts_of(expression: Any) -> Iterator[Any]:
@@ -103,32 +98,25 @@ def opened(value: Any, what: str) -> Entries:
 def _spelled_out(write: Callable[[Any], Any], value: Any) -> Any:
     try:
         return write(value)
-    except Untreatable:
-        raise
+    except Rejected as reason:
+        raise Untreatable(str(reason)) from None
     except (ValueError, TypeError, AttributeError, NotImplementedError) as error:
         raise Untreatable(f"{excerpt(value)} has entries that SymPy cannot write out: {error}") from None
 
 
 def _evaluated(entry: Any) -> Any:
-    """The entry with derivatives of expressions taken, and zero for the symbols that SymPy is told to be."""
-    entry = by_definition(entry)
+    """The entry written out, derivatives of expressions taken, with zero for the symbols that SymPy is told to be."""
+    whole, entry = entry, _spelled_out(valued, entry)
+    if entry.has(sympy.zoo, sympy.nan) and not whole.has(sympy.zoo, sympy.nan):
+        raise Untreatable(f"{excerpt(whole)} is not treated: it divides by what is assumed to be zero")
     parts = list(parts_of(entry))
-    zeros = {part: sympy.S.Zero for part in parts if isinstance(part, sympy.Symbol | AppliedUndef) and part.is_zero}
-    if zeros:
-        whole, entry = entry, entry.xreplace(zeros)
-        met = {e.xreplace(zeros) for e in whole.atoms(sympy.Pow, sympy.Function)}
-        if any(e.args and e.free_symbols for e in met - entry.atoms(sympy.Pow, sympy.Function)):
-            raise Untreatable(f"{excerpt(whole)} is not treated: it is multiplied by zero, and has to be defined")
-        if entry.has(sympy.zoo, sympy.nan):
-            raise Untreatable(f"{excerpt(whole)} is not treated: it divides by what is assumed to be zero")
-        parts = list(parts_of(entry))
     for inexact in (part for part in parts if isinstance(part, sympy.Float)):
         exact = str(sympy.nsimplify(inexact, rational=True))
         raise Untreatable(f"{inexact} is a floating-point number, which is not exact: write Rational({exact!r})")
     for derivative in (part for part in parts if isinstance(part, sympy.Derivative)):
         if not isinstance(derivative.expr, AppliedUndef):
             entry = entry.xreplace({derivative: derivative.doit()})
-    return by_definition(_spelled_out(written_out, entry))
+    return entry
 
 
 def sides(relation: Any, what: str) -> Iterator[tuple[Any, Any]]:

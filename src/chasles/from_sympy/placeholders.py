@@ -7,9 +7,10 @@ from typing import Any
 
 import sympy
 
+from chasles.checker.expressions.quantities import is_atom
 from chasles.from_sympy.arcs import Arc
 from chasles.from_sympy.factors import factors_of, is_entire, is_evident
-from chasles.from_sympy.opening import FunctionSymbol, Signed, excerpt, is_atom, parts_of
+from chasles.from_sympy.opening import FunctionSymbol, Signed, excerpt, parts_of
 from chasles.problems.variables import Untreatable
 
 LARGEST_UNIT = 60

@@ -14,11 +14,12 @@ from chasles.algebra.squarefree import primes_of, squarefree
 from chasles.algebra.work_limit import check
 from chasles.checker.expressions.defined_functions import BY_OTHERS, VALUED
 from chasles.checker.expressions.elementary import FUNCTIONS
+from chasles.checker.expressions.quantities import is_atom
 from chasles.from_sympy.angles import Angles
 from chasles.from_sympy.atoms import QuantityNames
 from chasles.from_sympy.divisors import DivisorText, divides, divisor_of, in_sines, is_reciprocal
 from chasles.from_sympy.exponents import LARGEST_EXPONENT
-from chasles.from_sympy.opening import excerpt, is_atom
+from chasles.from_sympy.opening import excerpt
 from chasles.problems.variables import Untreatable
 from chasles.vocabulary import PI, Negative, Node, Number, Power, Quotient, Scale, Sum, Symbol
 

@@ -13,7 +13,7 @@ from typing import Any
 
 import sympy
 
-from chasles.from_sympy.opening import is_atom
+from chasles.checker.expressions.quantities import is_atom
 
 
 @dataclass(frozen=True, slots=True)

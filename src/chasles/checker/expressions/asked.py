@@ -10,11 +10,11 @@ import sympy
 from sympy.core.function import AppliedUndef
 from sympy.logic.boolalg import Boolean
 from sympy.matrices import MatrixBase, MatrixExpr
-from sympy.matrices.expressions.matexpr import MatrixElement
 
 from chasles.checker.expressions.complexes import OF_COMPLEX
 from chasles.checker.expressions.defined_functions import by_definition
 from chasles.checker.expressions.quantities import atoms_of, require_real
+from chasles.checker.expressions.unevaluated import explicit, hidden_in, written_out
 from chasles.checker.sparse import Rejected
 
 Entries = dict[tuple[int, int], Any]
@@ -38,15 +38,17 @@ class GivenEquation:
 class Asked:
     """A question on SymPy expressions; raises `Rejected` if it is none.
 
-    `real` says of what it takes conjugates or parts that nothing says to be real, and that is read so.
+    `hidden` has to be defined, too. `real` says of what it takes conjugates or parts that nothing says to be real, and
+    that is read so.
     """
 
     def __init__(self, lhs: Any, rhs: Any, given: Any, nonzero: Any) -> None:
-        self.left, self.right = entries_of(lhs), entries_of(rhs)
+        self.hidden: list[Any] = []
+        self.left, self.right = self._entries(lhs), self._entries(rhs)
         if self.left.keys() != self.right.keys():
             raise Rejected("the two sides have different shapes")
-        self.given = [_given(item, what) for what, item in _listed(given, "given")]
-        self.nonzero = [_nonzero(item) for _, item in _listed(nonzero, "nonzero") if item is not sympy.true]
+        self.given = [self._given(item, what) for what, item in _listed(given, "given")]
+        self.nonzero = [self._nonzero(item) for _, item in _listed(nonzero, "nonzero") if item is not sympy.true]
         for atom in {atom for expression in self.expressions for atom in atoms_of(expression)}:
             require_real(atom)
         calls = {call for e in self.expressions for call in e.atoms(*OF_COMPLEX)}
@@ -55,8 +57,42 @@ class Asked:
     @property
     def expressions(self) -> Iterator[Any]:
         """Everything of which the question speaks."""
-        yield from (*self.left.values(), *self.right.values(), *self.nonzero)
+        yield from (*self.left.values(), *self.right.values(), *self.nonzero, *self.hidden)
         yield from (side for item in self.given for pair in item.pairs.values() for side in pair)
+
+    def _entries(self, value: Any) -> Entries:
+        """The entries of a scalar or a matrix, by row and column counted from zero."""
+        value = sympy.sympify(value, strict=True)
+        self.hidden += map(valued, hidden_in(value))
+        value = explicit(value) if isinstance(value, MatrixExpr) else value
+        if isinstance(value, MatrixBase):
+            return {(i, j): valued(value[i, j]) for i in range(value.rows) for j in range(value.cols)}
+        if not isinstance(value, sympy.Expr):
+            raise Rejected(f"{value} is no scalar and no matrix")
+        return {(0, 0): valued(value)}
+
+    def _given(self, item: Any, what: str) -> GivenEquation:
+        """An equation, an expression or a matrix that is zero; what is true on its face says nothing."""
+        if item is sympy.true:
+            return GivenEquation("", {})
+        equation = isinstance(item, sympy.Equality)
+        if not equation and isinstance(item, bool | Boolean) and not isinstance(item, sympy.Expr):
+            raise Rejected(f"{what} is no equation")
+        left = self._entries(item.lhs if equation else item)
+        right = self._entries(item.rhs) if equation else dict.fromkeys(left, sympy.S.Zero)
+        if left.keys() != right.keys():
+            raise Rejected(f"{what} sets equal what has different shapes")
+        text = what
+        if equation and isinstance(item.lhs, sympy.Expr):
+            text = f"{item.lhs} = {item.rhs}"
+        elif isinstance(item, sympy.Expr):
+            text = f"{item} = 0"
+        return GivenEquation(text, {key: (left[key], right[key]) for key in left})
+
+    def _nonzero(self, item: Any) -> Any:
+        value = item.lhs - item.rhs if isinstance(item, sympy.Unequality) else item
+        (entry,) = self._entries(value).values()
+        return entry
 
 
 def _listed(conditions: Any, name: str) -> Iterator[tuple[str, Any]]:
@@ -73,49 +109,12 @@ def _listed(conditions: Any, name: str) -> Iterator[tuple[str, Any]]:
             yield what, part
 
 
-def entries_of(value: Any) -> Entries:
-    """The entries of a scalar or a matrix, by row and column counted from zero."""
-    value = sympy.sympify(value, strict=True)
-    if isinstance(value, MatrixExpr):
-        return {(i, j): MatrixElement(value, i, j) for i in range(value.rows) for j in range(value.cols)}
-    if isinstance(value, MatrixBase):
-        return {(i, j): _valued(value[i, j]) for i in range(value.rows) for j in range(value.cols)}
-    if not isinstance(value, sympy.Expr):
-        raise Rejected(f"{value} is no scalar and no matrix")
-    return {(0, 0): _valued(value)}
-
-
-def _valued(e: Any) -> Any:
-    """The expression with zero for what SymPy is told to be zero."""
+def valued(e: Any) -> Any:
+    """The expression written out, with zero for what SymPy is told to be zero."""
     e = by_definition(e)
     zeros = {part: sympy.S.Zero for part in e.atoms(sympy.Symbol, AppliedUndef) if part.is_zero}
     value = e.xreplace(zeros) if zeros else e
     met = {part.xreplace(zeros) for part in e.atoms(sympy.Pow, sympy.Function)} if zeros else set()
     if any(part.args and part.free_symbols for part in met - value.atoms(sympy.Pow, sympy.Function)):
         raise Rejected(f"{e} is multiplied by zero, and may not be defined")
-    return value
-
-
-def _given(item: Any, what: str) -> GivenEquation:
-    """An equation, an expression or a matrix that is zero; what is true on its face says nothing."""
-    if item is sympy.true:
-        return GivenEquation("", {})
-    equation = isinstance(item, sympy.Equality)
-    if not equation and isinstance(item, bool | Boolean) and not isinstance(item, sympy.Expr):
-        raise Rejected(f"{what} is no equation")
-    left = entries_of(item.lhs if equation else item)
-    right = entries_of(item.rhs) if equation else dict.fromkeys(left, sympy.S.Zero)
-    if left.keys() != right.keys():
-        raise Rejected(f"{what} sets equal what has different shapes")
-    text = what
-    if equation and isinstance(item.lhs, sympy.Expr):
-        text = f"{item.lhs} = {item.rhs}"
-    elif isinstance(item, sympy.Expr):
-        text = f"{item} = 0"
-    return GivenEquation(text, {key: (left[key], right[key]) for key in left})
-
-
-def _nonzero(item: Any) -> Any:
-    value = item.lhs - item.rhs if isinstance(item, sympy.Unequality) else item
-    (entry,) = entries_of(value).values()
-    return entry
+    return by_definition(written_out(value))

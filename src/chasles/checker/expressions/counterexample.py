@@ -44,6 +44,8 @@ def _check(found: Any, asked: Asked) -> None:
     for e in atoms:
         point.symbolic.place(e)
     require_given(asked, point)
+    for e in asked.hidden:
+        parts(point, e)
     left, right = (_value(point, side[place]) for side in (asked.left, asked.right))
     point.require_angles()
     if not any(point.sign(one - other) for one, other in zip(left, right, strict=True)):
@@ -63,7 +65,7 @@ def _check_values(found: Any, asked: Asked, reason: Rejected) -> None:
     place = found.entry[0] - 1, found.entry[1] - 1
     if place not in places:
         raise reason
-    sides = [[side[k] for k in places] for side in (asked.left, asked.right)]
+    sides = [[*map(side.get, places), *asked.hidden] for side in (asked.left, asked.right)]
     given = [(item.text, list(item.pairs.values())) for item in asked.given]
     check_enclosed(found.at, places.index(place), (found.left, found.right), sides, given, asked.nonzero)
 

@@ -38,7 +38,7 @@ def check_proof(verdict: Any, lhs: Any, rhs: Any, given: Any = (), nonzero: Any 
     with well_formed("certificate"):
         asked = Asked(lhs, rhs, given, nonzero)
         if {"proof", "cases"} & verdict.certificate.keys():
-            sides = [[side[place] for place in sorted(side)] for side in (asked.left, asked.right)]
+            sides = [[*map(side.get, sorted(side)), *asked.hidden] for side in (asked.left, asked.right)]
             stated = [(item.text, list(item.pairs.values())) for item in asked.given if item.pairs]
             check_widened(verdict, sides, stated, asked.nonzero, _check_part)
         else:
@@ -55,6 +55,8 @@ def _check(certificate: Data, needs: Sequence[str], asked: Asked, witness: Any) 
         raise Rejected(f"the certificate has a part {min(unknown)!r}, which says nothing")
     reading = Proven(asked, certificate)
     claims = claims_of(asked, reading, certificate)
+    for e in asked.hidden:
+        parts(reading, e)
     divisors = set(reading.inverses)
     for e in asked.nonzero:
         _declare(reading, e)

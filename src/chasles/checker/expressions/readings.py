@@ -12,7 +12,6 @@ import sympy
 
 from chasles.checker.expressions.complexes import parts, size
 from chasles.checker.expressions.elementary import FUNCTIONS
-from chasles.checker.expressions.unevaluated import UNEVALUATED
 from chasles.checker.sparse import ONE, Polynomial, Rejected, number
 
 if TYPE_CHECKING:
@@ -81,6 +80,5 @@ READINGS: Mapping[type, Callable[[Expressions, Any], Polynomial]] = {
     **dict.fromkeys(CIRCULAR, _of_angle),
     **{getattr(sympy, name): _function(name) for name in FUNCTIONS},
     type(sympy.E): lambda reading, e: reading.exp(ONE),
-    **UNEVALUATED,
 }
 """How each class of expressions is read."""

@@ -1,79 +1,80 @@
-"""What SymPy leaves unevaluated is read as it is meant: expressions of matrices, determinants, traces, finite sums."""
+"""What SymPy leaves unevaluated, written out as it is meant: matrix expressions, determinants, traces, finite sums."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import reduce
-from itertools import chain, pairwise
-from operator import add, mul
-from typing import TYPE_CHECKING, Any
+from itertools import pairwise
+from operator import mul
+from typing import Any
 
 import sympy
+from sympy.concrete.expr_with_limits import ExprWithLimits
 from sympy.matrices import MatrixBase, MatrixExpr
+from sympy.matrices.expressions.matexpr import MatrixElement
 
-from chasles.checker.determinants import Matrix, cofactor, determinant
-from chasles.checker.expressions.defined_functions import by_definition
-from chasles.checker.sparse import Polynomial, Rejected, number
-
-if TYPE_CHECKING:
-    from chasles.checker.expressions.expressions import Expressions
+from chasles.checker.sparse import Rejected
 
 MOST_TERMS = 1000
 MOST_POWERS = 32
-LARGEST_NUMBER = 200
 
 
-def matrix_of(reading: Expressions, e: Any) -> Matrix:
-    """The entries of a matrix; raises `Rejected` for what is none of given size."""
-    match e:
-        case MatrixBase() | sympy.MatrixSymbol() | sympy.Identity() | sympy.ZeroMatrix() | sympy.OneMatrix():
-            return [[reading(e[i, j]) for j in range(e.cols)] for i in range(e.rows)]
-        case sympy.MatAdd():
-            return reduce(_plus, (matrix_of(reading, term) for term in e.args))
-        case sympy.MatMul():
-            return reduce(lambda one, other: _times(reading, one, other), (_factor(reading, part) for part in e.args))
-        case sympy.Transpose() | sympy.Adjoint():
-            return [list(column) for column in zip(*matrix_of(reading, e.arg), strict=True)]
-        case sympy.Inverse():
-            return _inverse(reading, matrix_of(reading, e.arg), f"Determinant({e.arg})")
-        case sympy.MatPow() if e.exp.is_Integer and abs(e.exp) <= LARGEST_NUMBER:
-            base = matrix_of(reading, e.base) if e.exp != 0 else []
-            base = _inverse(reading, base, f"Determinant({e.base})") if e.exp < 0 else base
-            one = [[number(int(i == j)) for j in range(e.cols)] for i in range(e.rows)]
-            return reduce(lambda left, right: _times(reading, left, right), [base] * abs(int(e.exp)), one)
-        case sympy.HadamardProduct():
-            parts = [matrix_of(reading, part) for part in e.args]
-            return [[reduce(mul, entries) for entries in zip(*rows, strict=True)] for rows in zip(*parts, strict=True)]
-        case sympy.BlockMatrix():
-            blocks = [[matrix_of(reading, e.blocks[i, j]) for j in range(e.blocks.cols)] for i in range(e.blocks.rows)]
-            return [list(chain(*parts)) for row in blocks for parts in zip(*row, strict=True)]
-        case sympy.KroneckerProduct():
-            return matrix_of(reading, e.as_explicit())
-    raise Rejected(f"{e} ({type(e).__name__}) is no matrix that is read")
+def explicit(e: Any) -> Any:
+    """A matrix expression entry by entry, an inverse as the adjugate over the determinant.
+
+    Raises `Rejected`, or what SymPy raises, a `ValueError`, `TypeError` or `NotImplementedError`, for what cannot be
+    written out.
+    """
+    if isinstance(e, MatrixBase):
+        return e.applyfunc(written_out)
+    for kind, write in MATRICES.items():
+        if isinstance(e, kind):
+            return write(e)
+    return e.as_explicit().applyfunc(written_out)
 
 
-def _factor(reading: Expressions, part: Any) -> Matrix:
-    return matrix_of(reading, part) if isinstance(part, MatrixBase | MatrixExpr) else [[reading(part)]]
+def written_out(e: Any) -> Any:
+    """A scalar in which no matrix expression, and no finite sum or product, is left."""
+    if not e.has(*SCALARS, MatrixElement):
+        return e
+    for kind, write in SCALARS.items():
+        if isinstance(e, kind):
+            return write(e)
+    if isinstance(e, MatrixElement):
+        matrix, i, j = e.args
+        if isinstance(matrix, sympy.MatrixSymbol) or not (i.is_Integer and j.is_Integer):
+            return e
+        return explicit(matrix)[i, j]
+    return e.func(*map(written_out, e.args)) if e.args else e
 
 
-def _plus(one: Matrix, other: Matrix) -> Matrix:
-    return [[a + b for a, b in zip(row, line, strict=True)] for row, line in zip(one, other, strict=True)]
+def hidden_in(e: Any) -> Iterator[Any]:
+    """What has to be defined for something that is written out to be, though SymPy may cancel it then."""
+    if not e.has(*SCALARS, MatrixElement, MatrixExpr):
+        return
+    bound = {limit[0] for part in e.atoms(sympy.Sum, sympy.Product) for limit in part.limits}
+    parts = e.atoms(sympy.Pow, sympy.Function, *SCALARS)
+    parts |= {1 / sympy.Determinant(part.base) for part in e.atoms(sympy.MatPow) if part.exp.is_negative}
+    for part in sorted(parts, key=str):
+        if not part.free_symbols & bound:
+            yield written_out(part)
 
 
-def _times(reading: Expressions, one: Matrix, other: Matrix) -> Matrix:
-    """The product; a scalar multiplies every entry."""
-    for scalar, matrix in ((one, other), (other, one)):
-        if len(scalar) == len(scalar[0]) == 1:
-            return [[reading.normal(scalar[0][0] * entry) for entry in row] for row in matrix]
-    columns = list(zip(*other, strict=True))
-    return [[reading.normal(reduce(add, map(mul, row, column))) for column in columns] for row in one]
+def _inverse(matrix: Any) -> Any:
+    return matrix.adjugate() / matrix.det(method="berkowitz")
 
 
-def _inverse(reading: Expressions, matrix: Matrix, spelled: str) -> Matrix:
-    """The adjugate over the determinant."""
-    below = reading.over(reading.normal(determinant(matrix)), spelled)
-    size = range(len(matrix))
-    return [[reading.normal(cofactor(matrix, j, i) * below) for j in size] for i in size]
+def _power(e: Any) -> Any:
+    base, exponent = explicit(e.base), e.exp
+    if not exponent.is_Integer or abs(exponent) > MOST_POWERS:
+        raise NotImplementedError(f"the exponent {exponent} is no small integer")
+    factors = [_inverse(base) if exponent < 0 else base] * abs(int(exponent))
+    return reduce(mul, factors, sympy.eye(base.rows))
+
+
+def _product(e: Any) -> Any:
+    factors = [explicit(part) if isinstance(part, MatrixExpr | MatrixBase) else written_out(part) for part in e.args]
+    return reduce(mul, factors)
 
 
 def summed(e: Any) -> Any:
@@ -120,28 +121,16 @@ def _before(e: Any, term: Any, index: Any) -> Any:
     return total
 
 
-def _element(reading: Expressions, e: Any) -> Polynomial:
-    matrix, i, j = e.args
-    if not (i.is_Integer and j.is_Integer):
-        raise Rejected(f"{e} has indices that are no numbers")
-    return matrix_of(reading, matrix)[int(i)][int(j)]
-
-
-def _trace(reading: Expressions, e: Any) -> Polynomial:
-    """The sum of the entries on the diagonal; no other entry of a sum, or of a single matrix, is read."""
-    match e:
-        case sympy.MatAdd():
-            return reduce(add, (_trace(reading, term) for term in e.args))
-        case sympy.Transpose():
-            return _trace(reading, e.arg)
-        case MatrixBase() | sympy.MatrixSymbol():
-            return reduce(add, (reading(e[i, i]) for i in range(e.rows)))
-    return reduce(add, (row[i] for i, row in enumerate(matrix_of(reading, e))))
-
-
-UNEVALUATED: Mapping[type, Callable[[Expressions, Any], Polynomial]] = {
-    sympy.matrices.expressions.matexpr.MatrixElement: _element,
-    sympy.Determinant: lambda reading, e: reading.normal(determinant(matrix_of(reading, e.arg))),
-    sympy.Trace: lambda reading, e: _trace(reading, e.arg),
-    **dict.fromkeys((sympy.Sum, sympy.Product), lambda reading, e: reading(by_definition(summed(e)))),
+MATRICES: Mapping[type, Callable[[Any], Any]] = {
+    sympy.Inverse: lambda e: _inverse(explicit(e.arg)),
+    sympy.MatPow: _power,
+    sympy.MatMul: _product,
+    sympy.Adjoint: lambda e: explicit(e.arg).H if e.arg.has(sympy.I) else explicit(e.arg).T,
+}
+SCALARS: Mapping[type, Callable[[Any], Any]] = {
+    sympy.Determinant: lambda e: explicit(e.arg).det(method="berkowitz"),
+    sympy.Trace: lambda e: explicit(e.arg).trace(),
+    sympy.Sum: lambda e: written_out(summed(e)),
+    sympy.Product: lambda e: written_out(summed(e)),
+    ExprWithLimits: lambda e: e,
 }
