@@ -1,6 +1,10 @@
-"""Statements: what the book says, as data. A declaration holds no verdict and no code; `load` reads the whole book."""
+"""Statements: what the book says, as data. A declaration holds no verdict and no code; `load` reads the whole book.
 
-from chasles.statements.chapter import Chapter, Entry, Section, load
+How a chapter is read is imported on first use: who checks a statement has nothing to do with it.
+"""
+
+from typing import TYPE_CHECKING
+
 from chasles.statements.forms import Always, Definite, Exists, Iff, Minimum, OnlyWhere, Unique
 from chasles.statements.goals import Goal
 from chasles.statements.hypotheses import (
@@ -18,9 +22,12 @@ from chasles.statements.hypotheses import (
 )
 from chasles.statements.inversion import Branch, Inverse
 from chasles.statements.kernel import Kernel, Packed, Stack
-from chasles.statements.packages import DeclarationError
 from chasles.statements.problem import Problem, problem_of
 from chasles.statements.statement import Claim, Condition, Definition, Postulate, Statement, Theorem
+
+if TYPE_CHECKING:
+    from chasles.statements.chapter import Chapter, Entry, Section, load
+    from chasles.statements.packages import DeclarationError
 
 __all__ = [
     "Always",
@@ -61,3 +68,11 @@ __all__ = [
     "unit",
     "unit_column",
 ]
+
+
+def __getattr__(name: str) -> object:
+    if name not in ("Chapter", "DeclarationError", "Entry", "Section", "load"):
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from chasles.statements import chapter
+
+    return getattr(chapter, name)
