@@ -14,7 +14,7 @@ from typing import Any
 
 import sympy
 
-from chasles.from_sympy.divisors import CIRCULAR
+from chasles.checker.expressions.readings import CIRCULAR
 from chasles.from_sympy.opening import FunctionSymbol
 
 LARGEST_MULTIPLE = 16

@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
-from chasles.from_sympy.divisors import CIRCULAR, DivisorText
+from chasles.checker.expressions.readings import CIRCULAR
+from chasles.from_sympy.divisors import DivisorText
 from chasles.from_sympy.reader import Reader, Reading
 from chasles.vocabulary import Call, Node, Number, Quotient, Scale, Sum
 

@@ -9,13 +9,8 @@ from typing import Any
 import sympy
 
 from chasles.checker.expressions.quantities import is_atom
+from chasles.checker.expressions.readings import CIRCULAR
 from chasles.from_sympy.opening import FunctionSymbol, Signed
-
-# What each function of an angle has above and below the line: 1, the cosine or the sine.
-CIRCULAR = {
-    sympy.sin: ("sin", ""), sympy.cos: ("cos", ""), sympy.tan: ("sin", "cos"), sympy.cot: ("cos", "sin"),
-    sympy.sec: ("", "cos"), sympy.csc: ("", "sin"),
-}  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,8 +15,8 @@ import sympy
 
 from chasles.algebra.work_limit import check
 from chasles.checker.expressions.quantities import is_atom
+from chasles.checker.expressions.readings import CIRCULAR
 from chasles.from_sympy.arcs import INVERSE, RECIPROCAL, arc_of, without_arcs
-from chasles.from_sympy.divisors import CIRCULAR
 from chasles.from_sympy.factors import factors_of, is_entire, is_evident
 from chasles.from_sympy.hyperbolic import EXPONENTIALS, LOGARITHMS
 from chasles.from_sympy.opening import FunctionSymbol, Signed, excerpt, parts_of

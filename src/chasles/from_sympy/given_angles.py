@@ -9,7 +9,7 @@ import sympy
 
 from chasles.checker.expressions.elementary import FUNCTIONS
 from chasles.checker.expressions.quantities import is_atom
-from chasles.from_sympy.divisors import CIRCULAR
+from chasles.checker.expressions.readings import CIRCULAR
 from chasles.from_sympy.opening import parts_of
 
 if TYPE_CHECKING:

@@ -10,11 +10,11 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from chasles.checker.expressions.quantities import is_atom
+from chasles.checker.expressions.readings import CIRCULAR
 from chasles.from_sympy.angles_between import between, closed
 from chasles.from_sympy.atoms import ASSUMPTIONS
 from chasles.from_sympy.complex_symbols import expressions_in
 from chasles.from_sympy.decimals import each_replaced, with_values
-from chasles.from_sympy.divisors import CIRCULAR
 from chasles.from_sympy.opening import atoms_of, excerpt
 from chasles.from_sympy.side_conditions import listed
 from chasles.problems.variables import Untreatable

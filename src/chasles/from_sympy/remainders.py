@@ -12,8 +12,8 @@ from typing import Any
 import sympy
 from sympy.core.function import AppliedUndef
 
+from chasles.checker.expressions.readings import CIRCULAR
 from chasles.checker.expressions.remainders import is_integral, is_whole
-from chasles.from_sympy.divisors import CIRCULAR
 from chasles.from_sympy.opening import parts_of
 
 LARGEST_MODULUS = 24
