@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from itertools import permutations
 from typing import Any
 
@@ -9,8 +10,8 @@ import pytest
 import sympy as sp
 from sympy import Eq, Matrix, cos, sin, sqrt
 
-from chasles.prove import Untreatable, prove, recheck
-from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided
+from chasles.prove import Rejected, Untreatable, prove, recheck
+from chasles.verdict import Contradictory, Counterexample, Fails, Holds, HoldsUnder, Undecided
 
 t, s, x, k, c, omega = sp.symbols("t s x k c omega")
 m, length, grav = sp.symbols("m l g", positive=True)
@@ -153,6 +154,12 @@ def test_what_holds_at_all_times_does_not_fail_because_of_a_single_instant(lhs: 
     """At an instant alone each of these could be wrong."""
     verdict = prove(lhs, rhs, given=given, budget=4)
     assert isinstance(verdict, Holds | HoldsUnder | Undecided), verdict
+
+
+def test_a_point_through_which_nothing_moves_refutes_nothing_where_no_rate_occurs() -> None:
+    forged = Fails(Counterexample({"f(t)": Fraction(1), "t": Fraction(0)}, (1, 1), "1", "0"))
+    with pytest.raises(Rejected):
+        recheck(forged, f, 0, given=[Eq(f * t, 0)])
 
 
 @pytest.mark.parametrize(

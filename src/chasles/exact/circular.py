@@ -13,22 +13,18 @@ from typing import Any
 
 import sympy as sp
 
+from chasles.checker.expressions.complexes import QUOTIENTS
+
 __all__ = ["C", "S", "by_sine_and_cosine", "coefficients", "in_one_angle", "is_of_rational_angle", "without_squares"]
 
 C, S = sp.Symbol("c", real=True), sp.Symbol("s", real=True)
 LARGEST_MULTIPLE = 120
-_QUOTIENTS = {
-    sp.tan: lambda x: sp.sin(x) / sp.cos(x),
-    sp.cot: lambda x: sp.cos(x) / sp.sin(x),
-    sp.sec: lambda x: 1 / sp.cos(x),
-    sp.csc: lambda x: 1 / sp.sin(x),
-}
 
 
 def by_sine_and_cosine(expression: Any) -> Any:
     """The expression with tangents, cotangents, secants and cosecants written by sines and cosines."""
-    for function, written in _QUOTIENTS.items():
-        expression = expression.replace(function, written)
+    for function in (sp.tan, sp.cot, sp.sec, sp.csc):
+        expression = expression.replace(function, QUOTIENTS[function])
     return expression
 
 

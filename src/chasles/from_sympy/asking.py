@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from functools import partial
 from itertools import product
 from typing import Any
 
 import sympy
 
+from chasles.checker.expressions.asked import Asked
 from chasles.from_sympy.arcs import turned
 from chasles.from_sympy.atoms import QuantityNames, nonnegative_by_sign
 from chasles.from_sympy.certificates import Writing
 from chasles.from_sympy.complex_symbols import taken_as_real
-from chasles.from_sympy.complexes import Parts
+from chasles.from_sympy.complexes import RealParts
 from chasles.from_sympy.divisors import DivisorText, divisor_of
 from chasles.from_sympy.elementary import Elementary
 from chasles.from_sympy.given import Equations, SideConditions, collected, evident, impossible, orders_of
@@ -23,7 +25,7 @@ from chasles.from_sympy.reader import Reader
 from chasles.from_sympy.readings import READINGS
 from chasles.from_sympy.roots import resolve, words_of
 from chasles.from_sympy.sampling import Sampling
-from chasles.from_sympy.searching import search_for
+from chasles.from_sympy.searching import is_about_motion, search_for
 from chasles.from_sympy.side_conditions import nonvanishing
 from chasles.statements import Goal, Hypothesis, Problem
 from chasles.verdict import Contradictory, IllFormed
@@ -36,7 +38,7 @@ def ask(lhs: Any, rhs: Any, given: Any, nonzero: Any) -> Question | IllFormed | 
     left, right = opened(lhs, "the left side"), opened(rhs, "the right side")
     if left.shape != right.shape:
         return IllFormed(f"cannot equate {left.size} (the left side) and {right.size} (the right side)")
-    parts = Parts()
+    parts = RealParts()
     declared = [parts.nonzero(scalar) for scalar in nonvanishing(nonzero)]
     rows = left.shape[0]
     left, right = parts.equal(left, right)
@@ -134,7 +136,7 @@ class _Asking:
         search.unseen = bool(self.elementary.origins)
         search.blind = search.blind or search.unseen
         search.write = Writing(asked, reader, self.given, roots, search, self.elementary)
-        return Question(
+        question = Question(
             problem=Problem((self.goal,), roots.rules, (), words, tuple(hypotheses)),
             own=(
                 *(h for h, item in zip(equations, self.given.equations, strict=True) if item.sources),
@@ -155,6 +157,9 @@ class _Asking:
             substituted=tuple((atom, value) for _, atom, value in self.given.substitutions),
             formal=bool(self.elementary.origins),
         )
+        if is_about_motion(reader, self.given):
+            search.moves = partial(question.moves, Asked(*asked))
+        return question
 
     def _ranking(self) -> Iterator[Hypothesis]:
         """Rates of functions lead an equation between them, the highest first: it is what the equation determines."""

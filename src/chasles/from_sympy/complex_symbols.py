@@ -9,7 +9,7 @@ from typing import Any
 import sympy
 from sympy.matrices import MatrixBase
 
-from chasles.from_sympy.complexes import OF_COMPLEX
+from chasles.checker.expressions.complexes import OF_COMPLEX
 from chasles.from_sympy.decimals import with_values
 from chasles.from_sympy.opening import atoms_of
 from chasles.problems.variables import Untreatable

@@ -1,32 +1,19 @@
-"""Complex expressions by their real and imaginary parts, all symbols being real; nothing imaginary is dropped."""
+"""Questions with complex expressions, said of their real and imaginary parts."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from functools import reduce
 from typing import Any
 
 import sympy
 
-from chasles.checker.expressions.quantities import is_atom
-from chasles.from_sympy.opening import Entries, excerpt
+from chasles.checker.expressions.complexes import OF_COMPLEX, Pair, Parts
+from chasles.checker.sparse import Rejected
+from chasles.from_sympy.opening import Entries
 from chasles.problems.variables import Untreatable
 
-OF_COMPLEX = (sympy.core.numbers.ImaginaryUnit, sympy.re, sympy.im, sympy.conjugate, sympy.arg)
-LARGEST_EXPONENT = 32
-Pair = tuple[Any, Any]
 
-
-class Parts:
-    """Takes expressions apart into a real and an imaginary part.
-
-    `met` are the real expressions that came up on the way: what they divide by and where their roots are real counts,
-    also where the part that they are in is not asked for.
-    """
-
-    def __init__(self) -> None:
-        self.met: dict[Any, None] = {}
-        self._known: dict[Any, Pair] = {}
+class RealParts(Parts):
+    """Says equations of complex expressions, and that they do not vanish, by real ones."""
 
     def equal(self, left: Entries, right: Entries) -> tuple[Entries, Entries]:
         """Two sides that are equal where the given ones are: imaginary parts, if there are any, are further rows."""
@@ -47,120 +34,9 @@ class Parts:
 
     def _of(self, expression: Any) -> Pair:
         """The parts of what is read as a whole: if it is real, nothing of it is dropped."""
-        return self(expression) if expression.has(*OF_COMPLEX) else (expression, sympy.S.Zero)
-
-    def __call__(self, expression: Any) -> Pair:
-        """The two parts; raises `Untreatable` for functions of complex numbers that are not taken apart."""
-        known = self._known.get(expression)
-        if known is None:
-            known = self._known[expression] = self._split(expression)
-        return known
-
-    def _split(self, e: Any) -> Pair:
-        if e is sympy.I:
-            return sympy.S.Zero, sympy.S.One
-        if is_atom(e) or not e.has(*OF_COMPLEX):
-            self.met[e] = None
-            return e, sympy.S.Zero
-        if isinstance(e, sympy.Pow):
-            return self._power(e)
-        if isinstance(e, sympy.Add | sympy.Mul):
-            return reduce(_plus if isinstance(e, sympy.Add) else _times, map(self, e.args))
-        if isinstance(e, sympy.Abs) and e.args[0].is_Mul:
-            return reduce(_times, (self(sympy.Abs(factor)) for factor in e.args[0].args))
-        if isinstance(e, sympy.Derivative):
-            re, im = self(e.expr)
-            return re.diff(*e.variables), im.diff(*e.variables)
-        if e.func in QUOTIENTS:
-            return self(QUOTIENTS[e.func](*e.args))
-        rule = RULES.get(e.func)
-        parts = [self(argument) for argument in e.args]
-        if rule is not None and len(parts) == 1:
-            return rule(*parts[0])
-        whole = e.func(*(re for re, _ in parts)) if rule is None and all(im == 0 for _, im in parts) else e
-        if not whole.has(*OF_COMPLEX):
-            return self(whole)
-        raise Untreatable(f"{excerpt(e)} is not treated: {e.func.__name__} of complex numbers is not")
-
-    def _power(self, e: Any) -> Pair:
-        """An integral power; one of a real number may have any exponent."""
-        re, im = self(e.base)
-        exponent = e.exp
-        if e.base is sympy.E:
-            return _exp(*self(exponent))
-        if im == 0:
-            (real, turn) = self(exponent)
-            whole = re**real
-            if turn == 0 and not whole.has(*OF_COMPLEX):
-                return self(whole)
-        if im == 0 or not exponent.is_Integer or abs(exponent) > LARGEST_EXPONENT:
-            raise Untreatable(f"{excerpt(e)} is not treated: of complex numbers only small integral powers are")
-        if exponent < 0:
-            square = re**2 + im**2
-            re, im = re / square, -im / square
-            self.met |= {re: None, im: None}
-        return reduce(_times, [(re, im)] * abs(int(exponent)))
-
-
-def _tidy(im: Any) -> Any:
-    """An imaginary part that vanishes as a polynomial is seen to be zero."""
-    return sympy.S.Zero if im.is_Add and sympy.expand(im) == 0 else im
-
-
-def _plus(one: Pair, other: Pair) -> Pair:
-    return one[0] + other[0], _tidy(one[1] + other[1])
-
-
-def _times(one: Pair, other: Pair) -> Pair:
-    (a, b), (c, d) = one, other
-    return a * c - b * d, _tidy(a * d + b * c)
-
-
-def _exp(a: Any, b: Any) -> Pair:
-    return sympy.exp(a) * sympy.cos(b), sympy.exp(a) * sympy.sin(b)
-
-
-def _sin(a: Any, b: Any) -> Pair:
-    return sympy.sin(a) * sympy.cosh(b), sympy.cos(a) * sympy.sinh(b)
-
-
-def _cos(a: Any, b: Any) -> Pair:
-    return sympy.cos(a) * sympy.cosh(b), -sympy.sin(a) * sympy.sinh(b)
-
-
-def _sinh(a: Any, b: Any) -> Pair:
-    return sympy.sinh(a) * sympy.cos(b), sympy.cosh(a) * sympy.sin(b)
-
-
-def _cosh(a: Any, b: Any) -> Pair:
-    return sympy.cosh(a) * sympy.cos(b), sympy.sinh(a) * sympy.sin(b)
-
-
-def _size(a: Any, b: Any) -> Pair:
-    return sympy.Abs(a) if b == 0 else sympy.sqrt(a**2 + b**2), sympy.S.Zero
-
-
-# With z = a + b I; Abramowitz and Stegun, Handbook of Mathematical Functions, 4.2.35, 4.3.55, 4.3.56, 4.5.49, 4.5.50.
-RULES: Mapping[type, Callable[[Any, Any], Pair]] = {
-    sympy.re: lambda a, b: (a, sympy.S.Zero),
-    sympy.im: lambda a, b: (b, sympy.S.Zero),
-    sympy.conjugate: lambda a, b: (a, -b),
-    sympy.arg: lambda a, b: (sympy.atan2(b, a), sympy.S.Zero),
-    sympy.Abs: _size,
-    sympy.exp: _exp,
-    sympy.sin: _sin,
-    sympy.cos: _cos,
-    sympy.sinh: _sinh,
-    sympy.cosh: _cosh,
-}
-
-QUOTIENTS: Mapping[type, Callable[[Any], Any]] = {
-    sympy.tan: lambda z: sympy.sin(z) / sympy.cos(z),
-    sympy.cot: lambda z: sympy.cos(z) / sympy.sin(z),
-    sympy.sec: lambda z: 1 / sympy.cos(z),
-    sympy.csc: lambda z: 1 / sympy.sin(z),
-    sympy.tanh: lambda z: sympy.sinh(z) / sympy.cosh(z),
-    sympy.coth: lambda z: sympy.cosh(z) / sympy.sinh(z),
-    sympy.sech: lambda z: 1 / sympy.cosh(z),
-    sympy.csch: lambda z: 1 / sympy.sinh(z),
-}
+        if not expression.has(*OF_COMPLEX):
+            return expression, sympy.S.Zero
+        try:
+            return self(expression)
+        except Rejected as reason:
+            raise Untreatable(str(reason)) from None

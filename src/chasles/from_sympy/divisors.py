@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy
 
+from chasles.checker.expressions.complexes import QUOTIENTS
 from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.expressions.readings import CIRCULAR
 from chasles.from_sympy.opening import FunctionSymbol, Signed
@@ -56,9 +57,5 @@ def divides(e: Any) -> bool:
 
 def in_sines(e: Any) -> Any:
     """The expression with every other function of an angle written as a quotient of sines and cosines."""
-    named = {"": lambda _: sympy.S.One, "sin": sympy.sin, "cos": sympy.cos}
-    others = {
-        call: named[CIRCULAR[call.func][0]](*call.args) / named[CIRCULAR[call.func][1]](*call.args)
-        for call in e.atoms(*(f for f, (_, below) in CIRCULAR.items() if below))
-    }
-    return e.xreplace(others)
+    calls = e.atoms(*(function for function, (_, below) in CIRCULAR.items() if below))
+    return e.xreplace({call: QUOTIENTS[call.func](*call.args) for call in calls})

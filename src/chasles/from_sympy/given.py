@@ -10,7 +10,7 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from chasles.from_sympy.atoms import nonzero_by_sign, real_copy
-from chasles.from_sympy.complexes import Parts
+from chasles.from_sympy.complexes import RealParts
 from chasles.from_sympy.exponents import may_be_factored
 from chasles.from_sympy.given_angles import without_given_angles
 from chasles.from_sympy.opening import parts_of, sides
@@ -27,16 +27,10 @@ MOST_TERMS = 30
 
 @dataclass(slots=True)
 class Moving:
-    """An equation between functions: how often it differentiates them, and is differentiated to determine rates.
-
-    These are the `highest` of its functions. `places` say where the equation and its derivatives stand: under which
-    text, and at which place there.
-    """
+    """An equation between functions: how often it differentiates them, and is differentiated to determine rates."""
 
     orders: dict[Any, int]
     times: int = 0
-    highest: Mapping[Any, int] = field(default_factory=dict)
-    places: list[tuple[str, int]] = field(default_factory=list)
 
 
 @dataclass(slots=True)
@@ -64,16 +58,17 @@ class Equations:
 class SideConditions:
     """The given equations, what they say of angles (used by substitution), and the triads among them.
 
-    `stated` are the pairs of sides as they were given.
+    `stated` are the pairs of sides as they were given, `highest` the rates of functions that they determine.
     """
 
     equations: list[Equations] = field(default_factory=list)
     substitutions: list[tuple[str, Any, Any]] = field(default_factory=list)
     stated: list[Pair] = field(default_factory=list)
     squares: list[SquaresGiven] = field(default_factory=list)
+    highest: Mapping[Any, int] = field(default_factory=dict)
 
 
-def collected(given: Any, spoken_of: Sequence[Any], parts: Parts) -> tuple[SideConditions, list[Any]]:
+def collected(given: Any, spoken_of: Sequence[Any], parts: RealParts) -> tuple[SideConditions, list[Any]]:
     """The given equations, complex ones by their parts, and what is spoken of with the given angles put in.
 
     Raises `Untreatable` for what is no equation, and for differential equations in several variables.
@@ -176,29 +171,25 @@ def _differentiate(result: SideConditions, expressions: list[Any]) -> None:
     found = offsets([row.orders for row in rows])
     more = max((0, *(order - found.highest.get(f, order) for f, order in orders_of(expressions).items())))
     for row, times in zip(rows, found.times, strict=True):
-        row.times, row.highest = times, found.highest
-        row.places = [("", 0)] * (times + more + 1)
+        row.times = times + more
+    result.highest = found.highest
     variables = {argument for row in rows for function in row.orders for argument in function.args}
     for item in [item for item in result.equations if item.moving]:
-        for place, row in enumerate(item.moving):
-            row.places[:1] = [(item.text, place)]
         _add_derivatives(result, item, variables)
 
 
 def _add_derivatives(result: SideConditions, item: Equations, variables: set[Any]) -> None:
     pairs = list(zip(item.pairs, item.moving, strict=True))
-    for count in range(1, max(len(row.places) for row in item.moving)):
+    for count in range(1, 1 + max(row.times for row in item.moving)):
         if len(variables) != 1:
             raise Untreatable(f"{item.text}: given functions of several variables are not differentiated")
         (variable,) = variables
         pairs = [((sympy.diff(a, variable), sympy.diff(b, variable)), row) for (a, b), row in pairs]
-        pairs = [(pair, row) for pair, row in pairs if count < len(row.places)]
-        changing = [(pair, row) for pair, row in pairs if pair[0] != pair[1]]
+        pairs = [(pair, row) for pair, row in pairs if count <= row.times]
+        changing = [pair for pair, _ in pairs if pair[0] != pair[1]]
         text = f"d{count if count > 1 else ''}/d{variable} ({item.text})"
-        for place, (_, row) in enumerate(changing):
-            row.places[count] = text, place
         if changing:
-            result.equations.append(Equations(text, [pair for pair, _ in changing], item.sources, derived=True))
+            result.equations.append(Equations(text, changing, item.sources, derived=True))
 
 
 def _functions(expression: Any) -> set[Any]:

@@ -10,6 +10,11 @@ from typing import Any
 import sympy
 
 from chasles.algebra.surds import SurdSum
+from chasles.checker.expressions.asked import Asked
+from chasles.checker.expressions.at_point import AtPoint
+from chasles.checker.expressions.given import require_given
+from chasles.checker.expressions.symbolic import Symbolic
+from chasles.checker.sparse import MALFORMED, Rejected
 from chasles.from_sympy.naming import angle_of, number_of, spelled
 from chasles.from_sympy.opening import atoms_of
 from chasles.from_sympy.reader import multiplied
@@ -87,6 +92,17 @@ class Question:
                 return Undecided(reason)
             case _:
                 return verdict
+
+    def moves(self, asked: Asked, point: Mapping[str, Any]) -> bool:
+        """Whether the checker sees a motion through a point that satisfies what is given at all times."""
+        at = AtPoint(Symbolic({}, {}), self._point(point))
+        try:
+            for e in (atom for expression in asked.expressions for atom in atoms_of(expression)):
+                at.symbolic.place(e)
+            require_given(asked, at)
+        except (Rejected, *MALFORMED):
+            return False
+        return True
 
     def said_of(self, hypothesis: Hypothesis) -> tuple[str, ...]:
         """What the user said of which a hypothesis follows."""

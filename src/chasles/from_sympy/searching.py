@@ -11,11 +11,10 @@ from sympy.core.function import AppliedUndef
 
 from chasles.algebra.surds import SurdSum
 from chasles.from_sympy.atoms import ASSUMPTIONS
-from chasles.from_sympy.given import Equations, Moving, SideConditions, orders_of
+from chasles.from_sympy.given import Equations, SideConditions, orders_of
 from chasles.from_sympy.reader import Reader
 from chasles.from_sympy.triads import Triad
-from chasles.points.search import DifferentiatedRow, EquationBlock, Frame, Motion, Search
-from chasles.vocabulary import Symbol
+from chasles.points.search import Frame, Search
 
 
 def search_for(reader: Reader, given: SideConditions) -> Search:
@@ -28,7 +27,7 @@ def search_for(reader: Reader, given: SideConditions) -> Search:
         products=reader.angles.products,
         rigid=frozenset(word for atom, word in atoms.items() if _is_rigid(atom)),
         frames=tuple(Frame(_names(reader, triad), triad.proper) for triad in triads),
-        motion=_motion(reader, given),
+        determined=_determined(reader, given),
         spelled=lambda symbol: str(reader.atoms.origins[symbol]),
         blind=_is_blind(reader, given),
     )
@@ -38,29 +37,20 @@ def _names(reader: Reader, triad: Triad) -> tuple[tuple[str, ...], ...]:
     return tuple(tuple(reader.atoms.word(atom).name for atom in row) for row in triad.matrix.tolist())
 
 
-def _motion(reader: Reader, given: SideConditions) -> Motion | None:
-    """What has to be looked at where given equations hold at all times; None where constants will do for functions."""
-    atoms = reader.atoms.words
+def is_about_motion(reader: Reader, given: SideConditions) -> bool:
+    """Whether it has to be asked if a motion goes through a point; where not, constants will do for functions."""
     moving = _moving(given)
     times = {argument for item in moving for row in item.moving for f in row.orders for argument in f.args}
     explicit = any(side.has(*times) for item in moving for side in map(_standing, item.sides)) if times else False
-    if not moving or not (explicit or any(isinstance(atom, sympy.Derivative) for atom in atoms)):
-        return None
-    highest = {f: order for item in moving for row in item.moving for f, order in row.highest.items()}
+    return bool(moving) and (explicit or any(isinstance(atom, sympy.Derivative) for atom in reader.atoms.words))
 
-    def named(row: Moving) -> DifferentiatedRow:
-        labels = [f"{text} [{place}: 1, 1]" for text, place in row.places]
-        return DifferentiatedRow(
-            labels, [_name(atoms, f, order - row.times) for f, order in highest.items()], row.times
-        )
 
-    blocks = [EquationBlock([named(row)]) for item in moving if item.triad is None for row in item.moving if row.orders]
-    blocks.sort(key=lambda block: len(block.rows[0].labels))
-    blocks += [EquationBlock([named(row) for row in item.moving], item.triad.rank) for item in moving if item.triad]
-    determined = [w for atom, w in atoms.items() if _order(atom) >= highest.get(_function(atom), inf)]
-    still = [w for atom, w in atoms.items() if not isinstance(_function(atom), AppliedUndef) and atom not in times]
-    names = [_name(atoms, f, order) for f, order in highest.items()]
-    return Motion(blocks, names, frozenset(w.name for w in determined), frozenset(w.name for w in still))
+def _determined(reader: Reader, given: SideConditions) -> frozenset[str]:
+    """The names of the rates that the given equations determine."""
+    if not is_about_motion(reader, given):
+        return frozenset()
+    words = reader.atoms.words.items()
+    return frozenset(word.name for atom, word in words if _order(atom) >= given.highest.get(_function(atom), inf))
 
 
 def _function(atom: Any) -> Any:
@@ -69,18 +59,6 @@ def _function(atom: Any) -> Any:
 
 def _order(atom: Any) -> int:
     return int(atom.derivative_count) if isinstance(atom, sympy.Derivative) else 0
-
-
-def _name(atoms: Mapping[Any, Symbol], function: Any, order: int) -> str:
-    """The name of the word for a rate of a function; none if it does not occur."""
-    if order < 0:
-        return ""
-    word = atoms.get(_rate(function, order))
-    return "" if word is None else word.name
-
-
-def _rate(function: Any, order: int) -> Any:
-    return sympy.Derivative(function, (function.args[0], order)) if order else function
 
 
 def _standing(side: Any) -> Any:

@@ -11,6 +11,7 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from chasles.checker.expressions.cases import CheckedCase
+from chasles.checker.expressions.complexes import OF_COMPLEX
 from chasles.checker.expressions.defined_functions import VALUED
 from chasles.checker.expressions.generalised import is_numeric, is_root_of_number
 from chasles.checker.expressions.needs import RELATIONS
@@ -18,7 +19,6 @@ from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.expressions.remainders import at_integer
 from chasles.checker.expressions.switches import deciding
 from chasles.from_sympy.atoms import QuantityNames
-from chasles.from_sympy.complexes import OF_COMPLEX
 from chasles.from_sympy.defined import Pairs, WithoutDefined, put, without_defined
 from chasles.from_sympy.generalising import Decide, generalised
 from chasles.from_sympy.opening import Entries, atoms_of, opened, sides

@@ -28,12 +28,6 @@ class Triad:
     sources: tuple[int, ...]
 
     @property
-    def rank(self) -> int:
-        """How many independent equations say that the columns are orthonormal."""
-        columns = int(self.matrix.cols)
-        return columns * (columns + 1) // 2
-
-    @property
     def equations(self) -> list[tuple[Any, Any]]:
         """All quadrics that such a matrix satisfies, as pairs of sides."""
         Q = self.matrix

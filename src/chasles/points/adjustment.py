@@ -10,9 +10,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from chasles.algebra.elimination import eliminated
 from chasles.algebra.rings import Polynomial
 from chasles.algebra.values import is_zero
+from chasles.checker.elimination import eliminated
 from chasles.points.evaluation import Point, evaluate, satisfies
 from chasles.problems.context import Context
 from chasles.vocabulary import PI
@@ -98,6 +98,16 @@ def _solve(
         + [-evaluate(context, p, point).get(0, Fraction(0))]
         for p, mine in (generators[g] for g in concerned)
     ]
-    change = eliminated(rows)
+    change = solution(rows)
     for k, moved in zip(order, change or (), strict=bool(change)):
         point[context.variables[k].name] += moved
+
+
+def solution(rows: list[list[Fraction]]) -> list[Fraction] | None:
+    """A solution of the rational linear system whose last column is the right side; None if there is none."""
+    size = len(rows[0]) - 1
+    reduced, pivots = eliminated(rows, size)
+    if any(row[-1] for row in reduced[len(pivots) :]):
+        return None
+    found = dict(zip(pivots, reduced, strict=False))
+    return [found[column][-1] if column in found else Fraction(0) for column in range(size)]

@@ -8,9 +8,9 @@ from fractions import Fraction
 from itertools import product
 from random import Random
 
-from chasles.algebra.elimination import eliminated
 from chasles.checker.any_size.at_sizes import PointAtSizes, sizes_in
 from chasles.checker.sparse import Rejected
+from chasles.points.adjustment import solution
 from chasles.points.rational import Numbers, free
 from chasles.points.satisfying import bind, in_order
 from chasles.points.simple_random import SimpleRandom
@@ -66,10 +66,8 @@ def _determined(problem: Problem, at: dict[str, Fraction]) -> dict[str, Fraction
 
     rest = missed()
     slopes = [[value - less for value, less in zip(missed(name), rest, strict=True)] for name in names]
-    solution = eliminated([[*row, -less] for *row, less in zip(*slopes, rest, strict=True)])
-    return (
-        at if solution is None else known | {name: value for name, value in zip(names, solution, strict=True) if value}
-    )
+    found = solution([[*row, -less] for *row, less in zip(*slopes, rest, strict=True)])
+    return at if found is None else known | {name: value for name, value in zip(names, found, strict=True) if value}
 
 
 def _symbols(problem: Problem) -> list[Symbol]:

@@ -14,10 +14,10 @@ from functools import reduce
 from itertools import combinations_with_replacement
 from operator import add, mul
 
-from chasles.algebra.elimination import eliminated
 from chasles.algebra.groebner import Combination
 from chasles.algebra.localization import Ratio
 from chasles.algebra.rings import Polynomial
+from chasles.points.adjustment import solution
 from chasles.points.evaluation import Point, evaluate
 from chasles.problems.context import Context, Generator, describe, difference, entries
 from chasles.problems.variables import Untreatable
@@ -211,7 +211,7 @@ def satisfying_point(context: Context, candidates: Iterable[Point]) -> Point | N
             [evaluate(context, entry, point).get(0, Fraction(0)) for entry in (*line, constant)]
             for line, constant in zip(matrix, constants, strict=True)
         ]
-        solution = eliminated(rows)
-        if solution is not None:
-            return point | dict(zip(names, solution, strict=True))
+        found = solution(rows)
+        if found is not None:
+            return point | dict(zip(names, found, strict=True))
     return None

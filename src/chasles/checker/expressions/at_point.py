@@ -11,7 +11,6 @@ import sympy
 
 from chasles.checker.expressions.algebra import constant
 from chasles.checker.expressions.assumptions import NUMBERS, SIGNS, is_so, may_be_any
-from chasles.checker.expressions.complexes import parts
 from chasles.checker.expressions.expressions import Circle, Expressions
 from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.expressions.reals import Reals
@@ -78,14 +77,6 @@ class AtPoint(Expressions, Reals):
     def argument(self, e: Any) -> Polynomial:
         """The argument of a cosine or sine, in the quantities that make angles."""
         return self.symbolic(e)
-
-    def value(self, polynomial: Polynomial) -> Polynomial:
-        """The value of a polynomial in the quantities that make angles."""
-        return self.value_of(polynomial)
-
-    def argument_parts(self, e: Any) -> tuple[Polynomial, Polynomial]:
-        """The parts of a complex argument, in the quantities that make angles."""
-        return parts(self.symbolic, e)
 
     def require_nonnegative(self, value: Polynomial) -> None:
         """Something is not negative at the point."""

@@ -1,117 +1,142 @@
-"""Complex expressions by their real and imaginary parts, for the checker, all quantities being real."""
+"""Complex expressions by their real and imaginary parts, all quantities being real; nothing imaginary is dropped."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from fractions import Fraction
+from collections.abc import Callable, Mapping
 from functools import reduce
 from typing import TYPE_CHECKING, Any
 
 import sympy
 
-from chasles.checker.sparse import ONE, ZERO, Polynomial, number
+from chasles.checker.expressions.quantities import is_atom
+from chasles.checker.sparse import ZERO, Polynomial, Rejected
 
 if TYPE_CHECKING:
     from chasles.checker.expressions.expressions import Expressions
 
 OF_COMPLEX = (type(sympy.I), sympy.re, sympy.im, sympy.conjugate, sympy.arg)
-QUOTIENTS = {
-    sympy.tan: (sympy.sin, sympy.cos), sympy.cot: (sympy.cos, sympy.sin),
-    sympy.sec: (None, sympy.cos), sympy.csc: (None, sympy.sin),
-    sympy.tanh: (sympy.sinh, sympy.cosh), sympy.coth: (sympy.cosh, sympy.sinh),
-    sympy.sech: (None, sympy.cosh), sympy.csch: (None, sympy.sinh),
-}  # fmt: skip
-"""What stands above and below the line in functions of complex numbers."""
-Pair = tuple[Polynomial, Polynomial]
+LARGEST_EXPONENT = 32
+Pair = tuple[Any, Any]
 Place = tuple[int, int]
 
 
-def is_complex(e: Any) -> bool:
-    """Whether an expression has to be taken apart."""
-    return bool(e.has(*OF_COMPLEX))
+class Parts:
+    """Takes expressions apart into a real and an imaginary part.
+
+    `met` are the real expressions that came up on the way: what they divide by and where their roots are real counts,
+    also where the part that they are in is not asked for.
+    """
+
+    def __init__(self) -> None:
+        self.met: dict[Any, None] = {}
+        self._known: dict[Any, Pair] = {}
+
+    def __call__(self, expression: Any) -> Pair:
+        """The two parts; raises `Rejected` for functions of complex numbers that are not taken apart."""
+        known = self._known.get(expression)
+        if known is None:
+            known = self._known[expression] = self._split(expression)
+        return known
+
+    def _split(self, e: Any) -> Pair:
+        if e is sympy.I:
+            return sympy.S.Zero, sympy.S.One
+        if is_atom(e) or not e.has(*OF_COMPLEX):
+            self.met[e] = None
+            return e, sympy.S.Zero
+        if isinstance(e, sympy.Pow):
+            return self._power(e)
+        if isinstance(e, sympy.Add | sympy.Mul):
+            return reduce(_plus if isinstance(e, sympy.Add) else _times, map(self, e.args))
+        if isinstance(e, sympy.Abs) and e.args[0].is_Mul:
+            return reduce(_times, (self(sympy.Abs(factor)) for factor in e.args[0].args))
+        if isinstance(e, sympy.Derivative):
+            re, im = self(e.expr)
+            return re.diff(*e.variables), im.diff(*e.variables)
+        if e.func in QUOTIENTS:
+            return self(QUOTIENTS[e.func](*e.args))
+        rule = RULES.get(e.func)
+        parts = [self(argument) for argument in e.args]
+        if rule is not None and len(parts) == 1:
+            return rule(*parts[0])
+        whole = e.func(*(re for re, _ in parts)) if rule is None and all(im == 0 for _, im in parts) else e
+        if not whole.has(*OF_COMPLEX):
+            return self(whole)
+        raise Rejected(f"{e} is not treated: {e.func.__name__} of complex numbers is not")
+
+    def _power(self, e: Any) -> Pair:
+        """An integral power; one of a real number may have any exponent."""
+        re, im = self(e.base)
+        exponent = e.exp
+        if e.base is sympy.E:
+            return _exp(*self(exponent))
+        if im == 0:
+            (real, turn) = self(exponent)
+            whole = re**real
+            if turn == 0 and not whole.has(*OF_COMPLEX):
+                return self(whole)
+        if im == 0 or not exponent.is_Integer or abs(exponent) > LARGEST_EXPONENT:
+            raise Rejected(f"{e} is not treated: of complex numbers only small integral powers are")
+        if exponent < 0:
+            square = re**2 + im**2
+            re, im = re / square, -im / square
+            self.met |= {re: None, im: None}
+        return reduce(_times, [(re, im)] * abs(int(exponent)))
 
 
-def parts(reading: Expressions, e: Any) -> Pair:
-    """The real and the imaginary part; raises `Rejected` for functions of complex numbers that are not taken apart."""
-    if not is_complex(e):
-        return reading(e), ZERO
-    match e:
-        case sympy.core.numbers.ImaginaryUnit():
-            return ZERO, ONE
-        case sympy.Add():
-            return reduce(_plus, (parts(reading, term) for term in e.args))
-        case sympy.Mul():
-            return reduce(lambda one, other: _times(reading, one, other), (parts(reading, factor) for factor in e.args))
-        case sympy.Pow(base=sympy.Abs()) if e.exp.is_Integer and e.exp.is_even:
-            a, b = parts(reading, e.base.args[0])
-            square, half = reading.normal(a * a + b * b), int(e.exp) // 2
-            return reading.power(square if half > 0 else reading.over(square, str(e.base)), abs(half)), ZERO
-        case sympy.Pow() if e.exp.is_Integer and is_complex(e.base):
-            return _power(reading, parts(reading, e.base), int(e.exp), str(e.base))
-        case sympy.conjugate():
-            a, b = parts(reading, e.args[0])
-            return a, -b
-        case sympy.re():
-            return parts(reading, e.args[0])[0], ZERO
-        case sympy.im():
-            return parts(reading, e.args[0])[1], ZERO
-        case sympy.Abs():
-            return size(reading, e.args[0]), ZERO
-        case sympy.arg():
-            a, b = parts(reading, e.args[0])
-            return reading.arc(b, a), ZERO
-        case sympy.exp() | sympy.cos() | sympy.sin() | sympy.cosh() | sympy.sinh():
-            return _entire(reading, type(e), e.args[0])
-    if type(e) in QUOTIENTS:
-        above, below = QUOTIENTS[type(e)]
-        inverse = _power(reading, parts(reading, below(*e.args)), -1, str(below(*e.args)))
-        return _times(reading, parts(reading, above(*e.args)), inverse) if above else inverse
-    return reading(e), ZERO
-
-
-def size(reading: Expressions, e: Any) -> Polynomial:
-    """The absolute value; of a product, that of each factor."""
-    if isinstance(e, sympy.Mul) and is_complex(e):
-        return reduce(lambda one, other: reading.normal(one * other), (size(reading, factor) for factor in e.args))
-    a, b = parts(reading, e)
-    return reading.root(reading.normal(a * a + b * b)) if b else reading.absolute(a)
-
-
-def _entire(reading: Expressions, function: type, argument: Any) -> Pair:
-    """The exponential, cosine, sine, ... of a + b i, by the addition formulas."""
-    turned = function in (sympy.cos, sympy.sin)
-    angles = reading.argument_parts(argument)
-    c, s = reading.turn(angles[0 if turned else 1])
-    rest = reading.value(angles[1 if turned else 0])
-    if function is sympy.exp:
-        size = reading.exp(rest)
-        return reading.normal(size * c), reading.normal(size * s)
-    e, inverse = reading.exp(rest), reading.exp(-rest)
-    half = number(Fraction(1, 2))
-    cosh, sinh = (e + inverse) * half, (e - inverse) * half
-    if turned:
-        pair = (c * cosh, -(s * sinh)) if function is sympy.cos else (s * cosh, c * sinh)
-    else:
-        pair = (cosh * c, sinh * s) if function is sympy.cosh else (sinh * c, cosh * s)
-    return reading.normal(pair[0]), reading.normal(pair[1])
+def _tidy(im: Any) -> Any:
+    """An imaginary part that vanishes as a polynomial is seen to be zero."""
+    return sympy.S.Zero if im.is_Add and sympy.expand(im) == 0 else im
 
 
 def _plus(one: Pair, other: Pair) -> Pair:
-    return one[0] + other[0], one[1] + other[1]
+    return one[0] + other[0], _tidy(one[1] + other[1])
 
 
-def _times(reading: Expressions, one: Pair, other: Pair) -> Pair:
+def _times(one: Pair, other: Pair) -> Pair:
     (a, b), (c, d) = one, other
-    return reading.normal(a * c - b * d), reading.normal(a * d + b * c)
+    return a * c - b * d, _tidy(a * d + b * c)
 
 
-def _power(reading: Expressions, base: Pair, exponent: int, spelled: str) -> Pair:
-    if exponent < 0:
-        a, b = base
-        square = reading.normal(a * a + b * b) if b else a
-        inverse = reading.over(square, f"Abs({spelled})**2" if b else spelled)
-        base = (reading.normal(a * inverse), reading.normal(-b * inverse)) if b else (inverse, ZERO)
-    return reduce(lambda one, other: _times(reading, one, other), [base] * abs(exponent), (ONE, ZERO))
+def _exp(a: Any, b: Any) -> Pair:
+    return sympy.exp(a) * sympy.cos(b), sympy.exp(a) * sympy.sin(b)
+
+
+# With z = a + b I; Abramowitz and Stegun, Handbook of Mathematical Functions, 4.2.35, 4.3.55, 4.3.56, 4.5.49, 4.5.50.
+RULES: Mapping[type, Callable[[Any, Any], Pair]] = {
+    sympy.re: lambda a, b: (a, sympy.S.Zero),
+    sympy.im: lambda a, b: (b, sympy.S.Zero),
+    sympy.conjugate: lambda a, b: (a, -b),
+    sympy.arg: lambda a, b: (sympy.atan2(b, a), sympy.S.Zero),
+    sympy.Abs: lambda a, b: (sympy.Abs(a) if b == 0 else sympy.sqrt(a**2 + b**2), sympy.S.Zero),
+    sympy.exp: _exp,
+    sympy.sin: lambda a, b: (sympy.sin(a) * sympy.cosh(b), sympy.cos(a) * sympy.sinh(b)),
+    sympy.cos: lambda a, b: (sympy.cos(a) * sympy.cosh(b), -sympy.sin(a) * sympy.sinh(b)),
+    sympy.sinh: lambda a, b: (sympy.sinh(a) * sympy.cos(b), sympy.cosh(a) * sympy.sin(b)),
+    sympy.cosh: lambda a, b: (sympy.cosh(a) * sympy.cos(b), sympy.sinh(a) * sympy.sin(b)),
+}
+
+QUOTIENTS: Mapping[type, Callable[[Any], Any]] = {
+    sympy.tan: lambda z: sympy.sin(z) / sympy.cos(z),
+    sympy.cot: lambda z: sympy.cos(z) / sympy.sin(z),
+    sympy.sec: lambda z: 1 / sympy.cos(z),
+    sympy.csc: lambda z: 1 / sympy.sin(z),
+    sympy.tanh: lambda z: sympy.sinh(z) / sympy.cosh(z),
+    sympy.coth: lambda z: sympy.cosh(z) / sympy.sinh(z),
+    sympy.sech: lambda z: 1 / sympy.cosh(z),
+    sympy.csch: lambda z: 1 / sympy.sinh(z),
+}
+
+
+def parts(reading: Expressions, e: Any) -> tuple[Polynomial, Polynomial]:
+    """The two parts as they are read; raises `Rejected` for functions of complex numbers that are not taken apart."""
+    if not e.has(*OF_COMPLEX):
+        return reading(e), ZERO
+    split = Parts()
+    real, imaginary = split(e)
+    for each in split.met:
+        reading(each)
+    return reading(real), reading(imaginary)
 
 
 def differences(reading: Expressions, pairs: Mapping[Place, tuple[Any, Any]]) -> dict[Place, Polynomial]:

@@ -16,6 +16,7 @@ from typing import Any
 import sympy
 from sympy.core.relational import Relational
 
+from chasles.checker.expressions.complexes import QUOTIENTS
 from chasles.checker.expressions.defined_functions import LARGEST, by_definition, gamma_at, remainder
 from chasles.checker.expressions.intervals import Enclosing, Enclosure, Unbounded
 from chasles.checker.sparse import Rejected
@@ -159,16 +160,9 @@ ENCLOSED: dict[type, Callable[[EnclosedValues, Any], Enclosure]] = {
     sympy.atan2: _direction,
     type(sympy.E): lambda of, _: of.at.exp(of.at.number(1)),
     **{function: _rewritten(rule) for function, rule in {
-        sympy.tan: lambda x: sympy.sin(x) / sympy.cos(x),
-        sympy.cot: lambda x: sympy.cos(x) / sympy.sin(x),
-        sympy.sec: lambda x: 1 / sympy.cos(x),
-        sympy.csc: lambda x: 1 / sympy.sin(x),
+        **QUOTIENTS,
         sympy.sinh: lambda x: (sympy.exp(x) - sympy.exp(-x)) / 2,
         sympy.cosh: lambda x: (sympy.exp(x) + sympy.exp(-x)) / 2,
-        sympy.tanh: lambda x: 1 - 2 / (sympy.exp(2 * x) + 1),
-        sympy.coth: lambda x: 1 + 2 / (sympy.exp(2 * x) - 1),
-        sympy.sech: lambda x: 2 / (sympy.exp(x) + sympy.exp(-x)),
-        sympy.csch: lambda x: 2 / (sympy.exp(x) - sympy.exp(-x)),
         sympy.asinh: lambda x: sympy.log(x + sympy.sqrt(x**2 + 1)),
         sympy.acosh: lambda x: sympy.log(x + sympy.sqrt(x - 1) * sympy.sqrt(x + 1)),
         sympy.atanh: lambda x: (sympy.log(1 + x) - sympy.log(1 - x)) / 2,

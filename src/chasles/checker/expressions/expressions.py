@@ -18,7 +18,6 @@ from typing import Any
 import sympy
 
 from chasles.checker.expressions.algebra import QuotientRing, constant
-from chasles.checker.expressions.complexes import parts
 from chasles.checker.expressions.quantities import is_atom, require_real
 from chasles.checker.expressions.rates import Derivatives
 from chasles.checker.expressions.readings import CIRCULAR, READINGS
@@ -155,8 +154,7 @@ class Expressions(QuotientRing):
             whole = int(-(exponent // 1))
             return self.raised(base, whole + exponent) * self.power(self.divide(base), whole)
         if isinstance(base, sympy.Abs) and exponent.numerator % 2 == 0:
-            a, b = parts(self, base.args[0])
-            return self.power(self.normal(a * a + b * b), exponent.numerator // 2)
+            return self.power(self(base.args[0]), exponent.numerator)
         value = self(base)
         while below > 1:
             value, below = self.root(value), below // 2
@@ -196,14 +194,6 @@ class Expressions(QuotientRing):
     def direction(self, angle: Polynomial) -> tuple[Polynomial, Polynomial]:
         """Cosine and sine of what was read as an angle."""
         return self.turn(angle)
-
-    def value(self, polynomial: Polynomial) -> Polynomial:
-        """What the quantities that make angles make of a polynomial in them."""
-        return polynomial
-
-    def argument_parts(self, e: Any) -> tuple[Polynomial, Polynomial]:
-        """The parts of a complex argument, in the quantities that make angles."""
-        return parts(self, e)
 
     def turn(self, angle: Polynomial) -> tuple[Polynomial, Polynomial]:
         """Cosine and sine of a sum of rational multiples of angles and of pi, by the addition formulas."""

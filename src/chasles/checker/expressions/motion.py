@@ -36,8 +36,9 @@ def require_motion(given: Iterable[GivenEquation], point: AtPoint, through: bool
     """
     moving = [item for item in given if item.functions]
     read = point.symbolic
-    if not moving or not any(isinstance(e, sympy.Derivative) for e in read.atoms.values()):
-        return
+    times = {argument for item in moving for function in item.functions for argument in function.args}
+    if not moving or not any(isinstance(e, sympy.Derivative) or e in times for e in read.atoms.values()):
+        return  # constants will do for functions
     time = time_of(moving)
     stated = [fact for item in moving for fact in differences(read, item.pairs).values()]
     stated = [fact for fact in stated if fact and not _is_determinant(read, fact, moving)]

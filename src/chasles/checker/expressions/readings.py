@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import sympy
 
-from chasles.checker.expressions.complexes import parts, size
+from chasles.checker.expressions.complexes import OF_COMPLEX, parts
 from chasles.checker.expressions.elementary import FUNCTIONS
 from chasles.checker.sparse import ONE, Polynomial, Rejected, number
 
@@ -56,7 +56,9 @@ def _derivative(reading: Expressions, e: Any) -> Polynomial:
 
 
 def _part(reading: Expressions, e: Any) -> Polynomial:
-    """A complex expression that is real."""
+    """A real part, an imaginary part, or a size."""
+    if isinstance(e, sympy.Abs) and not e.has(*OF_COMPLEX):
+        return reading.absolute(reading(e.args[0]))
     real, imaginary = parts(reading, e)
     if imaginary:
         raise Rejected(f"{e} is not seen to be real")
@@ -73,10 +75,9 @@ READINGS: Mapping[type, Callable[[Expressions, Any], Polynomial]] = {
     sympy.Add: lambda reading, e: reduce(add, map(reading, e.args)),
     sympy.Mul: _product,
     sympy.Pow: _power,
-    sympy.Abs: lambda reading, e: size(reading, e.args[0]),
     sympy.sign: _sign,
     sympy.Derivative: _derivative,
-    **dict.fromkeys((sympy.conjugate, sympy.re, sympy.im), _part),
+    **dict.fromkeys((sympy.conjugate, sympy.re, sympy.im, sympy.Abs), _part),
     **dict.fromkeys(CIRCULAR, _of_angle),
     **{getattr(sympy, name): _function(name) for name in FUNCTIONS},
     type(sympy.E): lambda reading, e: reading.exp(ONE),

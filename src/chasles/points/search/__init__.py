@@ -15,14 +15,13 @@ from chasles.points.search.angles import Turning
 from chasles.points.search.constraints import ConstraintSystem, constraint_system
 from chasles.points.search.drawing import Drawing, Frame
 from chasles.points.search.evaluation import Evaluation, entry_of
-from chasles.points.search.motion import DifferentiatedRow, EquationBlock, Motion
 from chasles.points.search.values import Values, sparse
 from chasles.problems.context import Context
 from chasles.statements import Goal, Problem
 from chasles.verdict import Counterexample
 from chasles.vocabulary import Node, Symbol
 
-__all__ = ["DifferentiatedRow", "EquationBlock", "Frame", "Motion", "Search", "UnreducedEntry", "entry_of"]
+__all__ = ["Frame", "Search", "UnreducedEntry", "entry_of"]
 
 ATTEMPTS = (150, 600)
 ENOUGH = 10
@@ -46,16 +45,19 @@ class Search:
 
     `allowed` says whether a variable may have a value, `products` which angles are products of which factors, `rigid`
     which of these are no arbitrary real numbers, `frames` which variables are the entries of orthonormal columns;
-    `spelled` is how an angle is written. If `blind`, there are conditions that no point here is checked for, and
-    nothing is refuted. If goals have more rows than `rows`, those below are the imaginary parts of those above. `write`
-    writes the certificates. `theta` is the angle that was the transcendental number at the last point; else pi was.
+    `determined` are the names of the rates that equations determine; `moves` says whether a motion goes through a
+    point, by its coordinates. `spelled` is how an angle is written. If `blind`, there are conditions that no point here
+    is checked for, and nothing is refuted. If goals have more rows than `rows`, those below are the imaginary parts of
+    those above. `write` writes the certificates. `theta` is the angle that was the transcendental number at the last
+    point; else pi was.
     """
 
     allowed: Callable[[str, SurdSum], bool]
     products: Mapping[Symbol, Mapping[Symbol, int]] = field(default_factory=dict)
     rigid: frozenset[Symbol] = frozenset()
     frames: Sequence[Frame] = ()
-    motion: Motion | None = None
+    determined: frozenset[str] = frozenset()
+    moves: Callable[[Mapping[str, Any]], bool] = lambda _: True
     spelled: Callable[[Symbol], str] = str
     blind: bool = False
     unseen: bool = False
@@ -78,7 +80,7 @@ class Search:
             evaluate = Evaluation(context, system, values)
             suspect = next((s for s in suspects if self._differs(context, evaluate, s)), None)
             vanishing += suspect is None
-            if suspect is not None and (self.motion is None or self.motion.exists(context, system, values)):
+            if suspect is not None and self.moves(_coordinates(system, values)):
                 candidate = self._candidate(context, evaluate, suspect)
                 best = candidate if candidate and (best is None or candidate[0] < best[0]) else best
                 found += 1
@@ -98,7 +100,7 @@ class Search:
         system = constraint_system(context)
         fallback: Values | None = None
         for count, values in enumerate(self._points(context, system, ATTEMPTS[0], keep_some_time=False)):
-            if self.motion is not None and not self.motion.exists(context, system, values):
+            if not self.moves(_coordinates(system, values)):
                 continue
             if not values.irrational:
                 return _coordinates(system, values)
@@ -113,8 +115,7 @@ class Search:
         """Different points that satisfy everything, simple ones first."""
         turning = Turning(system, self.products, self.rigid)
         self.theta = turning.theta
-        determined = frozenset[str]() if self.motion is None else self.motion.determined
-        drawing = Drawing(system, turning, self.frames, self.allowed, determined)
+        drawing = Drawing(system, turning, self.frames, self.allowed, self.determined)
         least = remaining() * (1 - SHARE) if keep_some_time else 0.0
         seen: set[tuple[str, ...]] = set()
         again = 0
