@@ -43,6 +43,10 @@ TRUE: list[tuple[Any, Any, set[str]]] = [
     (sqrt(p) * I * sqrt(p), p * I, set()),
     ((f * exp(I * x)).diff(x), (f.diff(x) + I * f) * exp(I * x), set()),
     (Matrix([[x, z], [0, y]]).H, Matrix([[x, 0], [conjugate(z), y]]), set()),
+    (sp.cbrt(-1) * x, x / 2 + sqrt(3) * I * x / 2, set()),
+    (sqrt(I) * sqrt(2), 1 + I, set()),
+    (I**I + x, exp(-sp.pi / 2) + x, set()),
+    (1 / (1 + sp.cbrt(-1) ** 2 + sp.cbrt(-1)) + 1 / (1 - sp.cbrt(-1) - sp.cbrt(-1) ** 2), sp.Rational(1, 2), set()),
 ]
 FALSE: list[tuple[Any, Any]] = [
     (im(x / z), 0),
@@ -69,6 +73,9 @@ FALSE: list[tuple[Any, Any]] = [
     (im(I * f.diff(x)), 0),
     (Matrix([x, z]), Matrix([x, x])),
     (Matrix([[x, z]]).H, Matrix([x, z])),
+    (sp.cbrt(-8) + x, x - 2),
+    (sp.cbrt(2 - sqrt(5)), (1 - sqrt(5)) / 2),
+    (sqrt(I), 1 + I),
 ]
 Z, W = sp.symbols("Z W", complex=True)
 q = sp.Symbol("q")
@@ -77,7 +84,7 @@ REFUSED: list[Any] = [
     sp.log(z), im(sp.asin(z)), re(sp.sign(z)), im(sp.Function("h")(z)), im(sp.besselj(0, z)),
     sqrt(Z), sp.log(Z), Abs(sqrt(Z)), x**Z, im(sp.Symbol("j", imaginary=True)), x**z, z**x, (-1) ** x,
     conjugate(sp.Symbol("n", complex=True, zero=False)),
-    im((-1) ** x), sp.Max(re(sqrt(z)), 1), z**40, sp.cbrt(-1) + x,
+    im((-1) ** x), sp.Max(re(sqrt(z)), 1), z**40,
 ]  # fmt: skip
 
 

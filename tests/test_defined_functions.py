@@ -40,6 +40,12 @@ TRUE = [
     (factorial(n + 1), (n + 1) * factorial(n), {"1/gamma(n + 1) != 0"}),
     (factorial(n) / factorial(n - 2), n * (n - 1), {"gamma(n - 1) != 0", "1/gamma(n - 1) != 0"}),
     (binomial(n, 2) + binomial(n + 1, 2), n**2, set()),
+    (x * sp.sinc(x) + y, sp.sin(x) + y, set()),
+    (sp.sinc(x) - sp.sinc(-x), 0, set()),
+    (n * sp.KroneckerDelta(n, m), m * sp.KroneckerDelta(m, n), set()),
+    (sp.GoldenRatio**2, sp.GoldenRatio + 1, set()),
+    (sp.TribonacciConstant**3, sp.TribonacciConstant**2 + sp.TribonacciConstant + 1, set()),
+    (sp.Subs(x**2 + y, x, sp.cos(y)), sp.cos(y) ** 2 + y, set()),
 ]
 FALSE = [
     (floor(x + y), floor(x) + floor(y)),
@@ -52,6 +58,9 @@ FALSE = [
     (factorial(2 * n), 2 * factorial(n)),
     (binomial(n, 2), n * (n + 1) / 2),
     (binomial(n, m), binomial(m, n)),
+    (x * sp.sinc(x), x),
+    (sp.KroneckerDelta(n, m), 1),
+    (sp.GoldenRatio**2, 3),
 ]
 
 

@@ -155,6 +155,8 @@ def test_functions_of_functions_that_are_given(lhs: Any, rhs: Any, given: list[A
         (sp.exp(2) * sin(2) * sp.cot(2), sp.exp(2) * cos(2)),
         (sp.tanh(x) * cos(x**2) ** 2, sp.tanh(x) - sp.tanh(x) * sin(x**2) ** 2),
         (cos(sp.pi / 7) * sp.cosh(x), (sp.exp(x) + sp.exp(-x)) / 2 * cos(sp.pi / 7)),
+        (sp.Mul(cos(1), sp.sinh(2), sp.coth(2), evaluate=False), cos(1) * sp.cosh(2)),
+        (cos(sin(2 * x) * p), cos(2 * sin(x) * cos(x) * p)),
     ],
     ids=name,
 )

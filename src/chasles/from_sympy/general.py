@@ -12,10 +12,13 @@ import sympy
 from chasles.checker.expressions.defined_functions import defined_by
 from chasles.checker.expressions.generalised import Generalised
 from chasles.checker.expressions.readings import CIRCULAR
+from chasles.from_sympy.opening import atoms_of
 from chasles.problems.variables import Untreatable
 
 LARGEST = 90
-"""Half a turn is divided into at most so many parts."""
+"""Half a turn is divided into at most so many parts, and multiples have at most such denominators."""
+DIGITS = 30
+NEAR = 1e-20
 
 
 class General(Generalised):
@@ -32,15 +35,21 @@ class General(Generalised):
         return {symbol: meaning for meaning, symbol in self.symbols.items()}
 
     def alike(self) -> Iterator[tuple[Any, Any, Any]]:
-        """Symbols, each with what multiple of an earlier one it seems to be."""
-        first: dict[Any, tuple[Any, Any]] = {}
-        for symbol, meaning in self.meanings.items():
-            if defined_by(meaning):
-                continue
-            multiple, rest = _canonical(meaning).as_coeff_Mul()
-            known, other = first.setdefault(rest, (symbol, multiple))
-            if known != symbol and meaning.free_symbols and (ratio := multiple / other).is_Rational:
-                yield symbol, ratio, known
+        """Symbols, each with what multiple of an earlier one it seems to be, by their values at one point."""
+        meanings = {symbol: meaning for symbol, meaning in self.meanings.items() if not defined_by(meaning)}
+        if not any(meaning.free_symbols for meaning in meanings.values()) or len(meanings) < 2:
+            return
+        atoms = sorted({atom for meaning in meanings.values() for atom in atoms_of(meaning)}, key=str)
+        point = {atom: sympy.sqrt(sympy.prime(k + 1)) / (2 * k + 3) for k, atom in enumerate(atoms)}
+        first: dict[Any, Any] = {}
+        for symbol, meaning in meanings.items():
+            value = meaning.xreplace(point).evalf(DIGITS)
+            ratios = ((known, _rational(value, other)) for known, other in first.items() if meaning.free_symbols)
+            found = next(((known, ratio) for known, ratio in ratios if ratio is not None), None)
+            if found is not None:
+                yield symbol, found[1], found[0]
+            elif value.is_number and value != 0:
+                first[symbol] = value
 
     def _parts(self) -> int:
         """Into how many parts half a turn is to be divided; 0 if SymPy writes all cosines in roots."""
@@ -54,10 +63,13 @@ class General(Generalised):
         return parts
 
 
-def _canonical(e: Any) -> Any:
-    """The expression as a fraction of products, and radicands as well."""
-    roots = {p: sympy.factor(p.base) ** p.exp for p in e.atoms(sympy.Pow) if p.exp.is_Rational and p.exp.q > 1}
-    return sympy.factor(e.xreplace(roots))
+def _rational(value: Any, other: Any) -> Any:
+    """The fraction that the quotient of two numbers seems to be; None for any other."""
+    ratio = (value / other).evalf(DIGITS)
+    if not ratio.is_Float:
+        return None
+    near = Fraction(str(ratio)).limit_denominator(LARGEST)
+    return sympy.Rational(near.numerator, near.denominator) if abs(ratio - sympy.Rational(near.numerator, near.denominator)) < abs(ratio) * NEAR else None
 
 
 def _turn(argument: Any) -> Fraction:

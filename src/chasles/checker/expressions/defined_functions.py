@@ -32,6 +32,17 @@ def remainder(e: Any) -> Any:
     return e.args[0] - e.args[1] * sympy.floor(e.args[0] / e.args[1])
 
 
+def _principal(e: Any) -> Any:
+    """The principal value where a number is raised to another that is not real otherwise, by its size and angle."""
+    base, exponent = e.as_base_exp()
+    if exponent.is_Integer or not e.is_number or not (base.is_negative or base.is_real is False):
+        return e
+    size, angle = sympy.Abs(base), sympy.arg(base)
+    if exponent.is_real:
+        return size**exponent * (sympy.cos(exponent * angle) + sympy.I * sympy.sin(exponent * angle))
+    return sympy.exp(sympy.expand(exponent * (sympy.log(size) + sympy.I * angle)))
+
+
 BY_OTHERS = {
     sympy.ceiling: lambda e: -sympy.floor(-e.args[0]),
     sympy.frac: lambda e: e.args[0] - sympy.floor(e.args[0]),
@@ -39,12 +50,17 @@ BY_OTHERS = {
     sympy.Mod: lambda e: remainder(e) if e.args[1].is_nonzero else e,
     sympy.factorial: lambda e: sympy.gamma(e.args[0] + 1),
     sympy.binomial: _falling,
+    sympy.sinc: lambda e: sympy.Piecewise((sympy.sin(e.args[0]) / e.args[0], sympy.Ne(e.args[0], 0)), (1, True)),
+    sympy.KroneckerDelta: lambda e: sympy.Piecewise((1, sympy.Eq(*e.args[:2])), (0, True)) if len(e.args) == 2 else e,
+    **dict.fromkeys(map(type, (sympy.GoldenRatio, sympy.TribonacciConstant)), lambda e: e.expand(func=True)),
+    sympy.Subs: lambda e: e.doit(),
+    sympy.Pow: _principal,
 }
 
 
 def by_definition(e: Any) -> Any:
     """The expression with what others define said by these."""
-    if not e.args or not e.has(*BY_OTHERS):
+    if not e.has(*BY_OTHERS):
         return e
     parts = tuple(map(by_definition, e.args))
     whole = e if parts == e.args else e.func(*parts)

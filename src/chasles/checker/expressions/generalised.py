@@ -89,7 +89,8 @@ class Generalised:
     def _symbol(self, e: Any, **assumed: bool) -> Any:
         if str(e) in self.taken:
             raise Rejected(f"a symbol is called {e}, as something else is written")
-        name = f"({e})" if isinstance(e, sympy.Function) and not isinstance(e, sympy.cos) else str(e)
+        plain = isinstance(e, sympy.cos) or not isinstance(e, sympy.Function | sympy.Number)
+        name = str(e) if plain else f"({e})"
         return self.symbols.setdefault(e, sympy.Symbol(name, real=True, **assumed))
 
     def _root(self, base: Any, degree: int) -> Any:
