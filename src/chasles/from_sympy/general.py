@@ -69,7 +69,11 @@ def _rational(value: Any, other: Any) -> Any:
     if not ratio.is_Float:
         return None
     near = Fraction(str(ratio)).limit_denominator(LARGEST)
-    return sympy.Rational(near.numerator, near.denominator) if abs(ratio - sympy.Rational(near.numerator, near.denominator)) < abs(ratio) * NEAR else None
+    return (
+        sympy.Rational(near.numerator, near.denominator)
+        if abs(ratio - sympy.Rational(near.numerator, near.denominator)) < abs(ratio) * NEAR
+        else None
+    )
 
 
 def _turn(argument: Any) -> Fraction:
