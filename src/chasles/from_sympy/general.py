@@ -68,12 +68,8 @@ def _rational(value: Any, other: Any) -> Any:
     ratio = (value / other).evalf(DIGITS)
     if not ratio.is_Float:
         return None
-    near = Fraction(str(ratio)).limit_denominator(LARGEST)
-    return (
-        sympy.Rational(near.numerator, near.denominator)
-        if abs(ratio - sympy.Rational(near.numerator, near.denominator)) < abs(ratio) * NEAR
-        else None
-    )
+    near = sympy.Rational(Fraction(str(ratio)).limit_denominator(LARGEST))
+    return near if abs(ratio - near) < abs(ratio) * NEAR else None
 
 
 def _turn(argument: Any) -> Fraction:
