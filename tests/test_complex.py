@@ -45,6 +45,13 @@ TRUE: list[tuple[Any, Any, set[str]]] = [
     (Matrix([[x, z], [0, y]]).H, Matrix([[x, 0], [conjugate(z), y]]), set()),
     (sp.cbrt(-1) * x, x / 2 + sqrt(3) * I * x / 2, set()),
     (sqrt(I) * sqrt(2), 1 + I, set()),
+    (exp(I * sqrt(2) * x), cos(sqrt(2) * x) + I * sin(sqrt(2) * x), set()),
+    (exp(I * sqrt(p) * x) * exp(-I * sqrt(p) * x) + z, 1 + z, set()),
+    (exp(3 * I) + x, cos(3) + I * sin(3) + x, set()),
+    (1 + sum(exp(2 * k * I * sp.pi / 7) for k in range(1, 7)) + I * x, I * x, set()),
+    (sp.Max(re(z * w), 0) * I, I * (x * u - y * v + Abs(x * u - y * v)) / 2, set()),
+    (re(z * exp(I * x**2)), x * cos(x**2) - y * sin(x**2), set()),
+    (im(x**2 / y * cos(sqrt(3) * x)), 0, {"y != 0"}),
     (I**I + x, exp(-sp.pi / 2) + x, set()),
     (1 / (1 + sp.cbrt(-1) ** 2 + sp.cbrt(-1)) + 1 / (1 - sp.cbrt(-1) - sp.cbrt(-1) ** 2), sp.Rational(1, 2), set()),
 ]
@@ -76,6 +83,8 @@ FALSE: list[tuple[Any, Any]] = [
     (sp.cbrt(-8) + x, x - 2),
     (sp.cbrt(2 - sqrt(5)), (1 - sqrt(5)) / 2),
     (sqrt(I), 1 + I),
+    (exp(I * sqrt(2) * x), cos(sqrt(2) * x) - I * sin(sqrt(2) * x)),
+    (sp.Max(re(z), 0) * I, I * x),
 ]
 Z, W = sp.symbols("Z W", complex=True)
 q = sp.Symbol("q")
@@ -84,7 +93,7 @@ REFUSED: list[Any] = [
     sp.log(z), im(sp.asin(z)), re(sp.sign(z)), im(sp.Function("h")(z)), im(sp.besselj(0, z)),
     sqrt(Z), sp.log(Z), Abs(sqrt(Z)), x**Z, im(sp.Symbol("j", imaginary=True)), x**z, z**x, (-1) ** x,
     conjugate(sp.Symbol("n", complex=True, zero=False)),
-    im((-1) ** x), sp.Max(re(sqrt(z)), 1), z**40,
+    im((-1) ** x), z**40,
 ]  # fmt: skip
 
 
@@ -101,7 +110,8 @@ def test_both_parts_are_proved(lhs: Any, rhs: Any, needs: set[str]) -> None:
     recheck(verdict, lhs, rhs)
 
 
-READ_AS_REAL = [(conjugate(q), q, [q]), (im(q), 0, [q]), (conjugate(q * x), x * q, [q, x]), (re(g), g, [g])]
+READ_AS_REAL = [(conjugate(q), q, [q]), (im(q), 0, [q]), (conjugate(q * x), x * q, [q, x]), (re(g), g, [g]),
+                (re(q * exp(I * sqrt(2) * x)), q * cos(sqrt(2) * x), [q, x])]  # fmt: skip
 
 
 @pytest.mark.parametrize(("lhs", "rhs", "atoms"), READ_AS_REAL, ids=name)

@@ -11,7 +11,6 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from chasles.checker.expressions.cases import CheckedCase
-from chasles.checker.expressions.complexes import OF_COMPLEX
 from chasles.checker.expressions.defined_functions import VALUED
 from chasles.checker.expressions.generalised import is_numeric, is_root_of_number
 from chasles.checker.expressions.needs import RELATIONS
@@ -19,6 +18,8 @@ from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.expressions.remainders import at_integer
 from chasles.checker.expressions.switches import deciding
 from chasles.from_sympy.atoms import QuantityNames
+from chasles.from_sympy.complex_symbols import taken_as_real
+from chasles.from_sympy.complexes import RealParts
 from chasles.from_sympy.defined import Pairs, WithoutDefined, put, without_defined
 from chasles.from_sympy.generalising import Decide, generalised
 from chasles.from_sympy.opening import Entries, atoms_of, opened, sides
@@ -34,7 +35,7 @@ UNREADABLE = (sympy.Max, sympy.Min, sympy.Piecewise, sympy.Heaviside, sympy.sign
 
 @dataclass(slots=True)
 class Splitting:
-    """A question by cases, each of which is decided by `decide`."""
+    """A question by cases, each of which is decided by `decide`; `possible` says whether its sides are of one shape."""
 
     lhs: Any
     rhs: Any
@@ -42,21 +43,29 @@ class Splitting:
     nonzero: Any
     decide: Decide
     needs: dict[str, None] = field(default_factory=dict)
+    possible: bool = field(init=False)
+    _rows: int = field(init=False)
     _left: Entries = field(init=False)
     _right: Entries = field(init=False)
     _whole: CheckedCase = field(init=False)
     _texts: list[str] = field(init=False)
+    _met: tuple[Any, ...] = field(init=False)
     _cases: int = 0
     _refused: Untreatable | None = None
     _less: WithoutDefined | None = None
 
     def __post_init__(self) -> None:
         self._left, self._right = opened(self.lhs, "the left side"), opened(self.rhs, "the right side")
+        self.possible, self._rows = self._left.shape == self._right.shape, self._left.shape[0]
+        parts = RealParts()
+        self._left, self._right = parts.equal(self._left, self._right)
+        declared = tuple(map(parts.nonzero, nonvanishing(self.nonzero)))
         items = listed(self.given, "given")
         self._texts = [str(item) if not isinstance(item, sympy.Eq) else f"{item.lhs} = {item.rhs}" for _, item in items]
-        sides_ = tuple(tuple(e for row in side.rows for e in row) for side in (self._left, self._right))
-        pairs = tuple(pair for what, item in items for pair in sides(item, what))
-        self._whole = CheckedCase(sides_, pairs, tuple(nonvanishing(self.nonzero)))
+        sides_ = tuple((*(e for row in side.rows for e in row), *parts.met) for side in (self._left, self._right))
+        pairs = tuple(found for what, item in items for pair in sides(item, what) for found in parts.pairs(*pair))
+        self._whole = CheckedCase(sides_, pairs, declared)
+        self._met = tuple(parts.met)
         known = QuantityNames()
         for atom in (atom for e in self._whole.spoken for atom in atoms_of(e)):
             known.word(atom)
@@ -81,17 +90,12 @@ class Splitting:
         """Whether the question is also treated as a whole."""
         return not self._switched(tuple(kind for kind in UNREADABLE if kind is not sympy.sign))
 
-    @property
-    def possible(self) -> bool:
-        """Whether the question is one of real numbers."""
-        spoken = self._whole.spoken
-        return self._left.shape == self._right.shape and not any(e.has(*OF_COMPLEX) for e in spoken)
-
     def verdict(self) -> Verdict:
         """`Holds` or `HoldsUnder` if it is proved as a whole or in every case, `Fails` with a point, or `Undecided`."""
         whole = self._whole
         still = not any(e.has(AppliedUndef) for pair in whole.pairs for e in pair)
-        sampling = Sampling(self._left, self._right, self._left.shape[0], whole.pairs, whole.nonzero, still=still)
+        sampling = Sampling(self._left, self._right, self._rows, whole.pairs, whole.nonzero, self._met, still)
+        self.needs |= dict.fromkeys(taken_as_real((self.lhs, self.rhs, self.given, self.nonzero)))
         self.needs |= dict.fromkeys(ways[0] for ways in whole.required())
         whole = whole.each(partial(at_integer, put={}))
         switched = self._switched()
@@ -195,10 +199,12 @@ class Splitting:
         times = {t for pair in whole.pairs for e in pair for call in e.atoms(AppliedUndef) for t in call.args}
         if not less.values or any(e.has(AppliedUndef) or e.free_symbols & times for pair in less.given for e in pair):
             return None
-        height, width = self._left.shape
-        rows = [tuple(less.spoken[k : k + width]) for k in range(0, 2 * height * width, width)]
-        left, right = (Entries(tuple(part), self._left.is_matrix) for part in (rows[:height], rows[height:]))
-        return Sampling(left, right, height, less.given, less.spoken[2 * height * width :]).counterexample()
+        (height, width), size = self._left.shape, len(whole.sides[0])
+        said = [less.spoken[:size], less.spoken[size : 2 * size]]
+        rows = [tuple(tuple(side[k * width : (k + 1) * width]) for k in range(height)) for side in said]
+        left, right = (Entries(part, self._left.is_matrix) for part in rows)
+        met = said[0][height * width :]
+        return Sampling(left, right, self._rows, less.given, less.spoken[2 * size :], met).counterexample()
 
     def _generalised(self, case: CheckedCase, spoken: list[Any], given: Pairs) -> dict[str, Any] | None:
         """The certificate of a case with these sides and scalars that do not vanish, and this given."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import reduce
 from typing import TYPE_CHECKING, Any
 
@@ -30,6 +30,26 @@ class Parts:
     def __init__(self) -> None:
         self.met: dict[Any, None] = {}
         self._known: dict[Any, Pair] = {}
+
+    def sides(self, left: Sequence[Any], right: Sequence[Any]) -> list[list[Any]]:
+        """Two sides that are equal where the given ones are: imaginary parts, if there are any, come after all real."""
+        parts = [list(map(self.of, side)) for side in (left, right)]
+        count = 2 if any(im != 0 for side in parts for _, im in side) else 1
+        return [[pair[k] for k in range(count) for pair in side] for side in parts]
+
+    def pairs(self, one: Any, other: Any) -> list[Pair]:
+        """The equations between real expressions that an equation says."""
+        (a, b), (c, d) = self.of(one), self.of(other)
+        return [(a, c)] if b == d == 0 else [(a, c), (b, d)]
+
+    def nonzero(self, expression: Any) -> Any:
+        """A real expression that vanishes where the given one does."""
+        a, b = self.of(expression)
+        return a if b == 0 else a**2 + b**2
+
+    def of(self, expression: Any) -> Pair:
+        """The parts of what is read as a whole: if it is real, nothing of it is dropped."""
+        return self(expression) if expression.has(*OF_COMPLEX) else (expression, sympy.S.Zero)
 
     def __call__(self, expression: Any) -> Pair:
         """The two parts; raises `Rejected` for functions of complex numbers that are not taken apart."""

@@ -20,6 +20,7 @@ from sympy.core.function import AppliedUndef
 
 from chasles.checker.expressions.assumptions import NUMBERS, SIGNS
 from chasles.checker.expressions.cases import CheckedCase
+from chasles.checker.expressions.complexes import Parts
 from chasles.checker.expressions.enclosed import EnclosedValues, vanishes
 from chasles.checker.expressions.generalised import Generalised
 from chasles.checker.expressions.intervals import Enclosure
@@ -42,30 +43,54 @@ def check_widened(
     verdict: Any, sides: Sequence[Sequence[Any]], given: Any, nonzero: Sequence[Any], check: Standard
 ) -> None:
     """Raises `Rejected` unless the certificate proves the entries of both sides equal; `given` are texts and pairs."""
-    texts = [text for text, _ in given]
-    if missing := [text for text in texts if text not in verdict.needs]:
-        raise Rejected(f"the proof may use {missing[0]}, and the verdict does not say so")
-    pairs = tuple(pair for _, item in given for pair in item)
-    whole = CheckedCase(tuple(map(tuple, sides)), pairs, tuple(nonzero))
-    if missing := [ways for ways in whole.required() if not {*ways} & set(verdict.needs)]:
-        raise Rejected(f"the question needs {missing[0][0]}, and the verdict does not say so")
+    needs = _Stated(verdict.needs)
+    for text, _ in given:
+        needs.require("the proof may use", text)
+    parts = Parts()
+    real = parts.sides(*sides)
+    declared = tuple(map(parts.nonzero, nonzero))
+    real = [[*side, *parts.met] for side in real]
+    pairs = tuple(found for _, item in given for pair in item for found in parts.pairs(*pair))
+    whole = CheckedCase(tuple(map(tuple, real)), pairs, declared)
+    for ways in whole.required():
+        needs.require("the question needs", *ways)
     if verdict.certificate["witness"] != {name: str(value) for name, value in verdict.witness.items()}:
         raise Rejected("the verdict and its certificate have different witnesses")
-    _Widened(tuple(verdict.needs), texts, check).tree(whole.each(partial(at_integer, put={})), verdict.certificate)
+    _Widened(needs, check).tree(whole.each(partial(at_integer, put={})), verdict.certificate)
+    if unused := needs.texts - needs.used:
+        raise Rejected(f"the verdict needs {min(unused)}, of which the proof does not speak")
     _require_witness(verdict, whole)
 
 
+class _Stated:
+    """What a verdict says that it needs, and what of it is `used`."""
+
+    def __init__(self, texts: Sequence[str]) -> None:
+        self.texts, self.used = set(texts), set[str]()
+
+    def __contains__(self, text: str) -> bool:
+        """Whether it says this, which is used then."""
+        self.used |= {text} & self.texts
+        return text in self.texts
+
+    def require(self, why: str, *ways: str) -> None:
+        """Raise `Rejected` unless it says this in one of some ways."""
+        found = {*ways} & self.texts
+        self.used |= found
+        if not found:
+            raise Rejected(f"{why} {ways[0]}, and the verdict does not say so")
+
+
 class _Widened:
-    def __init__(self, needs: tuple[str, ...], texts: Sequence[str], check: Standard) -> None:
-        self.needs, self.texts, self.check = needs, texts, check
+    def __init__(self, needs: _Stated, check: Standard) -> None:
+        self.needs, self.check = needs, check
 
     def tree(self, case: CheckedCase, node: Mapping[str, Any]) -> None:
         """A certificate of one case."""
         if unknown := node.keys() - PARTS:
             raise Rejected(f"the certificate has a part {min(unknown)!r}, which says nothing")
         if case.lost:
-            if case.lost not in self.needs:
-                raise Rejected(f"one of the cases is excluded by {case.lost}, and the verdict does not say so")
+            self.needs.require("one of the cases is excluded by", case.lost)
             return
         if case.impossible:
             return
@@ -87,8 +112,8 @@ class _Widened:
     def _leaf(self, case: CheckedCase, node: Mapping[str, Any]) -> None:
         if "proof" not in node:
             raise Rejected("one of the cases is not proved")
-        if missing := [ways for ways in case.required_inside() if not {*ways} & set(self.needs)]:
-            raise Rejected(f"one of the cases needs {missing[0][0]}, and the verdict does not say so")
+        for ways in case.required_inside():
+            self.needs.require("one of the cases needs", *ways)
         case = replace(case, pairs=(*case.pairs, *((e, sympy.S.Zero) for e in case.equations)), equations=())
         for place, side in node.get("defined", ()):
             case = _without_defined(case, case.pairs[place], side)
@@ -117,7 +142,7 @@ class _Widened:
         own = {f"{e.lhs} = {e.rhs}" for e in given}
         for text in stated:
             if text not in own and text not in self.needs and not self._holds(case, text):
-                raise Rejected(f"one of the cases needs {text}, and the verdict does not say so")
+                self.needs.require("one of the cases needs", text)
 
     def _equal(self, case: CheckedCase, more: Generalised, said: Sequence[Any]) -> dict[Any, Any]:
         """Multiples of others that symbols are, as it is proved of what they stand for."""
