@@ -22,6 +22,7 @@ from chasles.problems.scanning import scan
 from chasles.problems.unfold import Unfolder
 from chasles.problems.variables import Unlisted, Untreatable, Variable, Variables
 from chasles.statements import Goal, Hypothesis, Problem
+from chasles.statements.conditions import ASSUMED
 from chasles.vocabulary import PI, Norm, Symbol, plain
 
 MOST_ORDERS = 8
@@ -135,7 +136,7 @@ def _unfolder(
 def _unfold_all(problem: Problem, active: tuple[Hypothesis, ...], unfold: Unfolder) -> None:
     """Unfold everything, to see which moments of the body occur; what cannot be unfolded is reported later."""
     goals = (*problem.goals, *problem.conditions)
-    assumed = (pair for h in active if h.kind in ("of all members", "condition") for pair in h.equations)
+    assumed = (pair for h in active if h.kind in ("of all members", *ASSUMED) for pair in h.equations)
     for pair in (*((goal.left, goal.right) for goal in goals), *assumed):
         for side in pair:
             with suppress(UndeclaredDivisor):

@@ -14,9 +14,10 @@ from chasles.points.evaluation import measured
 from chasles.problems.context import Context, Generator
 from chasles.prover.conditions import Solved
 from chasles.statements import Goal, Hypothesis
+from chasles.statements.conditions import ASSUMED
 from chasles.verdict import Holds, HoldsUnder, Verdict
 
-UNSAID = ("given", "condition", "direction", "evident")
+UNSAID = ("given", *ASSUMED, "direction", "evident")
 """Hypotheses that are no conditions: they say again what is given, or hold whatever symbols stand for."""
 
 

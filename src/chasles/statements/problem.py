@@ -11,7 +11,7 @@ from dataclasses import replace as with_fields
 from weakref import WeakKeyDictionary
 
 from chasles.statements.angles import determined_angle, turning
-from chasles.statements.conditions import assumed, solvable
+from chasles.statements.conditions import ASSUMED, assumed, restrict_rates, solvable
 from chasles.statements.directions import with_directions
 from chasles.statements.goals import (
     AcceptedSides,
@@ -44,11 +44,14 @@ from chasles.statements.statement import (
 from chasles.statements.varied import opened_parts
 from chasles.vocabulary import Negative, Node, Rate, Sum, Symbol, members_of, plain, undotted, walk
 from chasles.vocabulary.families import indices_of
+from chasles.vocabulary.fields import Field, fields_of, rates_of_fields
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.measure import added
 from chasles.vocabulary.totals import Total
 
 Decidable = Statement | Theorem
+MOST_RATES = 3
+"""Rates of fields are said up to this order."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,10 +118,13 @@ def _problem_of(statement: Decidable, form: str, standing: AcceptedSides) -> Pro
     rules = passed_on([*rules, *_angle_rules(statement, form, rules, conditions, unknowns)])
     refuse_circles(statement.number, rules, unknowns)
     rules += _counted(_said(statement, form, rules), rules)
+    rules += _moving(_said(statement, form, rules), conditions, rules)
     hypotheses = tuple(dict.fromkeys((*_hypotheses(statement), *_agreeing(dict(rules)))))
     free = conditions and not solvable(conditions, unknowns, dict(rules))
-    if free and not _differentiates(_said(statement, form, rules)):
-        hypotheses += tuple(assumed(conditions))
+    varies = all(isinstance(symbol, Field) for symbol in unknowns)
+    said = _said(statement, form, rules)
+    if varies or (free and (not _differentiates(said) or restrict_rates(conditions, unknowns, said, dict(rules)))):
+        hypotheses += tuple(assumed(conditions, ASSUMED[varies]))
         conditions, unknowns = [], {}
     problem = Problem((), tuple(rules), tuple(conditions), tuple(unknowns), hypotheses)
     if isinstance(statement, Theorem):
@@ -213,6 +219,20 @@ def _counted(sides: list[Node], rules: list[Equation]) -> Iterator[Equation]:
     found = dict.fromkeys(part.index for side in sides for part in opened_parts(side) if isinstance(part, Total))
     known = {left for left, _ in rules}
     yield from ((index.number, index.counted) for index in found if index.number not in known)
+
+
+def _moving(sides: list[Node], conditions: list[Goal], rules: list[Equation]) -> Iterator[Equation]:
+    """The rates of fields, where rates are taken, of which nothing else is given."""
+    sides = [*sides, *(side for goal in conditions for side in (goal.left, goal.right))]
+    depth = sum(map(_order, sides)) if fields_of(sides) else 0
+    known = {left for left, _ in rules}
+    found = rates_of_fields((each for each in fields_of(sides) if each not in known), min(depth, MOST_RATES))
+    yield from ((left, right) for left, right in found.items() if left not in known)
+
+
+def _order(node: Node) -> int:
+    """How many rates are taken of each other."""
+    return isinstance(node, Rate) + max(map(_order, node.below), default=0)
 
 
 def _agreeing(rules: Mapping[Node, Node]) -> Iterator[Hypothesis]:

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
 
+from chasles.vocabulary.fields import Field
 from chasles.vocabulary.functions import DERIVATIVES, FunctionOf
 from chasles.vocabulary.layout import At, Block, Call, Group
 from chasles.vocabulary.letters import Identity, Zero
@@ -63,7 +64,7 @@ class _Derivative:
                 yield from self._weighted(part, its_weight)
 
     def _varies(self, node: Node) -> bool:
-        return any(part == self.by for part in walk(node))
+        return any(part == self.by or (isinstance(part, Field) and part.varies_with(self.by)) for part in walk(node))
 
     def _parts(self, node: Node, weight: Node) -> Iterable[Weighted]:
         match node:

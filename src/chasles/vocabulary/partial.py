@@ -3,24 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace as with_fields
 from functools import lru_cache
 from itertools import groupby
 from typing import ClassVar
 
 from chasles.vocabulary.arguments import declaring, making
 from chasles.vocabulary.differentiation import NoRule, rate_of
+from chasles.vocabulary.fields import Field, fields_of
 from chasles.vocabulary.fitting import measured, word
-from chasles.vocabulary.layout import Block, Rate
+from chasles.vocabulary.layout import At, Block, Group, Rate
 from chasles.vocabulary.letters import Symbol, Zero
 from chasles.vocabulary.matrix_derivatives import ONE, derivative_by_whole
 from chasles.vocabulary.measure import Measure, Misfit, entrywise
-from chasles.vocabulary.nodes import Contract, Negative, Node, Transpose
+from chasles.vocabulary.nodes import Contract, Negative, Node, Scale, Sum, Transpose
 from chasles.vocabulary.parts import Submatrix
 from chasles.vocabulary.pieces import Piece, Precedence, Style
-from chasles.vocabulary.shorthand import opened
+from chasles.vocabulary.shorthand import Shorthand, opened
 from chasles.vocabulary.sizes import extents_of, partition_of, sizes_of
-from chasles.vocabulary.spatial import Cofactor, Determinant, Inverse, Trace
+from chasles.vocabulary.spatial import Cofactor, Cross, Determinant, Dot, Inverse, Skew, Trace, Vect
 from chasles.vocabulary.tree import children, rebuilt, replace, undotted, walk
+
+PRODUCTS = Scale, Contract, Dot, Cross
+LINEAR = Sum, Negative, Transpose, Block, Group, At, Skew, Trace, Vect
 
 
 @word
@@ -103,7 +108,7 @@ def _coordinates(base: Node, dots: int, rules: Mapping[Node, Node]) -> Block | N
 def _of_rule(key: Node, rules: Mapping[Node, Node]) -> Node:
     """What a rule says, with every derivative carried out: it does not lead back to the rule."""
     value = rules[key]
-    if not any(isinstance(part, PartialDerivative) for part in walk(value)):
+    if not differentiates(value):
         return value
     return with_derivatives(value, {other: rule for other, rule in rules.items() if other != key})
 
@@ -115,6 +120,8 @@ def with_derivatives(node: Node, rules: Mapping[Node, Node]) -> Node:
     """
     if not differentiates(node):
         return node
+    if isinstance(node, Shorthand) and node.has_no_polynomial_form:
+        return with_derivatives(node.definition, rules)
     parts = children(node)
     changed = tuple(with_derivatives(part, rules) for part in parts)
     node = node if changed == parts else rebuilt(node, changed)
@@ -138,33 +145,42 @@ def with_derivatives(node: Node, rules: Mapping[Node, Node]) -> Node:
     if whole not in (seen := {*walk(of)}) and any(isinstance(part, Symbol) for part in said & seen):
         raise TypeError(f"a derivative by {whole} is taken, and {node.of} does not depend on it but on what it is")
     rates: dict[Node, Node] = {}
+    fields = fields_of((of,))
     of, moved = _at_rest(of, rates), _at_rest(whole, rates)
-    back = {quantity: rate for rate, quantity in rates.items()}
-    if entry is None and (whole.shape[1] != 1 or sizes_of((of, whole))):
-        return replace(derivative_by_whole(of, moved) if not whole.is_scalar else _along(of, moved, ONE), back)
+    placed: dict[Node, Node] = {each: _placed(each, values, rates) for each in fields}
+    of = replace(of, placed) if placed else of
+    back = {quantity: rate for rate, quantity in (*rates.items(), *placed.items())}
+    if whole.is_scalar:
+        return replace(_along(of, moved, ONE), back)
     if isinstance(entry, Submatrix):
-        directions: list[Node] = [_unit(whole.shape, entry.rows[0] - 1, entry.columns[0] - 1)]
-    elif node.by.is_scalar:
-        directions = [ONE]
-    else:
-        directions = [_unit(whole.shape, i, 0) for i in range(whole.shape[0])]
-    columns = tuple(_along(of, moved, direction) for direction in directions)
-    return replace(columns[0] if len(columns) == 1 else Block((columns,)), back)
+        return replace(_along(of, moved, _unit(whole.shape, entry.rows[0] - 1, entry.columns[0] - 1)), back)
+    if (whole.shape[1] != 1 and not fields) or sizes_of((of, whole)):
+        return replace(derivative_by_whole(of, moved), back)
+    slopes = [
+        [_along(of, moved, _unit(whole.shape, i, j)) for j in range(whole.shape[1])] for i in range(whole.shape[0])
+    ]
+    grid = tuple(zip(*slopes, strict=True)) if whole.shape[1] == 1 else tuple(map(tuple, slopes))
+    return replace(Block(grid), back)
 
 
 @lru_cache(maxsize=16384)
 def differentiates(node: Node) -> bool:
     """Whether there is a derivative in the expression, or in what an abbreviation stands for."""
     inner = node.stands_for if isinstance(node, Symbol) else None
-    return isinstance(node, PartialDerivative) or any(
-        map(differentiates, children(node) if inner is None else (inner,))
-    )
+    own = isinstance(node, PartialDerivative) or (isinstance(node, Shorthand) and node.has_no_polynomial_form)
+    return own or any(map(differentiates, children(node) if inner is None else (inner,)))
 
 
 def _meanings(node: Node) -> dict[Node, Node]:
     """What the abbreviations in the expression stand for."""
     found = {part: part.stands_for for part in walk(node) if isinstance(part, Symbol)}
     return {part: meaning for part, meaning in found.items() if meaning is not None}
+
+
+def _placed(field: Field, values: Mapping[Node, Node], rates: dict[Node, Node]) -> Field:
+    """The field with what is said of its variables."""
+    arguments = tuple(_at_rest(opened(replace(by, values)), rates) for by in field.variables)
+    return with_fields(field, arguments=arguments)
 
 
 def _at_rest(node: Node, rates: dict[Node, Node]) -> Node:
@@ -186,6 +202,8 @@ def _at_rest(node: Node, rates: dict[Node, Node]) -> Node:
 def _along(node: Node, by: Node, direction: Node) -> Node:
     """The derivative of an expression where one quantity moves in a direction, and everything else rests."""
     match node:
+        case Field(arguments=places) if places:
+            return node.varied([_along(place, by, direction) for place in places])
         case Symbol():
             return direction if node == by else Zero(*node.shape)
         case Inverse(of):
@@ -200,8 +218,14 @@ def _resolved(node: Node, by: Node, direction: Node) -> Node:
     """What a rule of differentiation says, with derivatives for rates."""
     if isinstance(node, Rate):
         return _along(node.of, by, direction)
-    parts = children(node)
-    return rebuilt(node, tuple(_resolved(part, by, direction) for part in parts)) if parts else node
+    parts = tuple(_resolved(part, by, direction) for part in children(node))
+    zero = [isinstance(part, Zero) for part in parts]
+    if (any(zero) and isinstance(node, PRODUCTS)) or (zero and all(zero) and isinstance(node, LINEAR)):
+        return Zero(*node.shape)
+    if isinstance(node, Sum) and any(zero):
+        kept = tuple(part for part in parts if not isinstance(part, Zero))
+        return kept[0] if len(kept) == 1 else Sum(kept)
+    return rebuilt(node, parts) if parts else node
 
 
 def _ruled(node: Node) -> Node:

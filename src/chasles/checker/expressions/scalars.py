@@ -18,6 +18,7 @@ from chasles.checker.expressions.proof import check_proof
 from chasles.checker.expressions.words import EntriesOfWords
 from chasles.checker.sparse import Rejected
 from chasles.statements import Hypothesis, Problem
+from chasles.statements.conditions import ASSUMED
 from chasles.vocabulary.functions import FunctionOf
 
 if TYPE_CHECKING:
@@ -88,7 +89,7 @@ def scalar_question(problem: Problem, proving: bool = True) -> ScalarQuestion:
     stated = [("", goal.left, goal.right) for goal in problem.conditions]
     assumed = [hypothesis for hypothesis in problem.hypotheses if hypothesis.text not in settled]
     # That a condition holds is given: it is no condition of a verdict.
-    stated += [("" if h.kind == "condition" else h.text, *_spoken(h, p)) for h in assumed for p in h.equations]
+    stated += [("" if h.kind in ASSUMED else h.text, *_spoken(h, p)) for h in assumed for p in h.equations]
     stated += [(h.text, abs(s), s) for h in assumed if h.kind == "positive" for s in h.subjects if s in entries.rules]
     stated += [("", abs(symbol), symbol) for symbol in problem.nonnegative if symbol in entries.rules]
     for text, one, other in stated:

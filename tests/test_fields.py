@@ -1,0 +1,155 @@
+"""Fields: what vector calculus says of any, chain rules, and what is given of them, decided and checked."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from chasles.checker.certificate import check
+from chasles.checker.refutation import check_counterexample
+from chasles.decisions.session import Session
+from chasles.statements import Claim, Condition, Definition, Statement, nonzero, perpendicular, rotation, unit
+from chasles.statements.problem import problem_of
+from chasles.verdict import Fails, Holds, HoldsUnder
+from chasles.vocabulary import (
+    Misfit,
+    Node,
+    Zero,
+    column,
+    cross,
+    dot,
+    latex,
+    norm,
+    number,
+    plain,
+    rate,
+    scalar,
+    square,
+    tr,
+    vector,
+)
+from chasles.vocabulary.arguments import WrongArgument
+from chasles.vocabulary.fields import field
+from chasles.vocabulary.functions import exp
+from chasles.vocabulary.nabla import convection, curl, div, grad, laplacian
+from chasles.vocabulary.partial import partial
+from chasles.vocabulary.sizes import Size
+
+UNITS = False
+x, t, q, m = vector("x", "x", ""), scalar("t", "t", ""), scalar("q", "q", ""), scalar("m", "m", "", constant=True)
+f, g = (field(scalar(name, name, ""), x) for name in "fg")
+u, v, n = (field(vector(name, name, ""), x, t) for name in "uvn")
+T = field(square("T", "T", ""), x)
+rho = field(scalar("rho", r"\rho", ""), x, t)
+NOTHING = column(0, 0, 0)
+motion = Definition("0", rate(x), v)
+solenoidal = Condition("0", div(v), number(0), on=(v,))
+potential = Condition("0", v, grad(f), on=(v,))
+mass = Condition("0", rate(rho) + rho * div(v), number(0), on=(rho,))
+L = field(scalar("L", "L", ""), q, rate(q), t)
+V = field(scalar("V", "V", ""), q)
+h, E = scalar("h", "h", ""), scalar("E", "E", "")
+jacobi = Definition("0", h, rate(q) * partial(L, rate(q)) - L)
+lagrange = Condition("0", rate(partial(L, rate(q))) - partial(L, q), number(0), on=(q,))
+energy = Definition("0", E, m * rate(q) ** 2 / 2 + V)
+newton = Condition("0", m * rate(rate(q)), -partial(V, q), on=(q,))
+w, F, C = vector("w", "w", ""), square("F", "F", ""), square("C", "C", "")
+stretch = Definition("0", C, F.T @ F)
+W = field(scalar("W", "W", ""), C)
+
+TRUE = [
+    (div(curl(v)), number(0)),
+    (curl(grad(f)), NOTHING),
+    (div(f * v), f * div(v) + dot(grad(f), v)),
+    (curl(f * v), f * curl(v) + cross(grad(f), v)),
+    (div(cross(u, v)), dot(v, curl(u)) - dot(u, curl(v))),
+    (curl(cross(u, v)), u * div(v) - v * div(u) + convection(v, u) - convection(u, v)),
+    (curl(curl(v)), grad(div(v)) - laplacian(v)),
+    (div(T.T @ v), dot(div(T), v) + tr(T.T @ grad(v))),
+    (laplacian(f * g), f * laplacian(g) + g * laplacian(f) + 2 * dot(grad(f), grad(g))),
+    (curl(cross(w, x), x), 2 * w),
+    (laplacian(1 / norm(x), x), number(0), nonzero(norm(x))),
+    (grad(exp(f)), exp(f) * grad(f)),
+    (rate(rho), partial(rho, t) + dot(v, grad(rho)), motion),
+    (rate(v), partial(v, t) + convection(v, v), motion),
+    (rate(rate(f)), dot(grad(f), rate(rate(x))) + rate(x).T @ grad(grad(f)) @ rate(x)),
+    (partial(rho, t) + div(rho * v), number(0), motion, mass),
+    (curl(curl(v)), -laplacian(v), solenoidal),
+    (curl(v), NOTHING, potential),
+    (div(v), laplacian(f), potential),
+    (grad(n).T @ n, NOTHING, unit(n)),
+    (grad(u).T @ n + grad(n).T @ u, NOTHING, perpendicular(u, n)),
+    (T.T @ partial(T, x[1]) + (T.T @ partial(T, x[1])).T, 0 * T, rotation(T)),
+    (rate(E), number(0), energy, newton),
+    (partial(W, F), F @ (partial(W, C) + partial(W, C).T), stretch),
+]
+FALSE = [
+    (div(f * v), f * div(v) - dot(grad(f), v)),
+    (div(T @ v), dot(div(T), v) + tr(T.T @ grad(v))),
+    (curl(curl(v)), laplacian(v), solenoidal),
+    (grad(n) @ n, NOTHING, unit(n)),
+    (rate(v), partial(v, t), motion),
+    (partial(rho, t) + rho * div(v), number(0), motion, mass),
+    (div(v), number(0), potential),
+    (rate(E), m * rate(q) * rate(rate(q)), energy),
+    (partial(partial(V, q), q), number(0), newton, nonzero(m)),
+]
+
+
+def _claim(left: Node, right: Node, *grounds: Any) -> Claim:
+    given = tuple(each for each in grounds if isinstance(each, Statement))
+    return Claim("1", left, right, given=given, assuming=tuple(each for each in grounds if each not in given))
+
+
+@pytest.mark.parametrize("said", TRUE, ids=lambda said: plain(said[0]))
+def test_what_holds_of_all_fields_is_proved(said: Any) -> None:
+    claim = _claim(*said)
+    verdict = Session().decide(claim).verdict
+    assert isinstance(verdict, Holds | HoldsUnder), verdict
+    check(claim, "printed", verdict.certificate)
+
+
+@pytest.mark.parametrize("said", FALSE, ids=lambda said: plain(said[0]))
+def test_what_fails_of_some_fields_is_refuted(said: Any) -> None:
+    claim = _claim(*said)
+    verdict = Session().decide(claim).verdict
+    assert isinstance(verdict, Fails), verdict
+    check_counterexample(problem_of(claim), verdict.counterexample)
+
+
+@pytest.mark.parametrize(
+    ("word", "in_latex", "in_text"),
+    [
+        (div(f * v), r"\nabla \cdot \left( f \mathbf{v} \right)", "div (f v)"),
+        (curl(v), r"\nabla \times \mathbf{v}", "curl v"),
+        (laplacian(f), r"\nabla^2 f", "laplacian f"),
+        (convection(u, v), r"\left( \mathbf{u} \cdot \nabla \right) \mathbf{v}", "(u . grad) v"),
+        (2 * grad(f), r"2 \left( \nabla f \right)", "2 (grad f)"),
+    ],
+)
+def test_operators_are_printed_with_nabla(word: Node, in_latex: str, in_text: str) -> None:
+    assert (latex(word), plain(word)) == (in_latex, in_text)
+
+
+@pytest.mark.parametrize(
+    ("write", "told"),
+    [
+        (lambda: div(w), "has no field in it: say by what, as in div(w, x)"),
+        (lambda: div(column(u, u), x), "the divergence of"),
+        (lambda: field(w), "takes a symbol and what it depends on"),
+        (lambda: field(w, 2 * x), "a field depends on symbols of known size, or rates of symbols, and 2 x is none"),
+        (lambda: grad(f, 2 * x), "by is the expression 2 x"),
+    ],
+)
+def test_mistakes_are_told(write: Any, told: str) -> None:
+    with pytest.raises((WrongArgument, Misfit)) as error:
+        write()
+    assert told in str(error.value).replace("`", "")
+
+
+def test_what_depends_on_a_letter_of_any_size_is_not_taken_for_constant() -> None:
+    y, s = vector("y", "y", "", size=Size("n")), scalar("s", "s", "")
+    square_of = Definition("0", s, y.T @ y)
+    claim = _claim(partial(field(scalar("k", "k", ""), s), y), Zero(1, Size("n")), square_of)
+    assert not isinstance(Session().decide(claim).verdict, Holds | HoldsUnder)
