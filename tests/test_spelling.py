@@ -56,6 +56,7 @@ from chasles.vocabulary import (
     walk,
 )
 from chasles.vocabulary.expansions import limit, up_to
+from chasles.vocabulary.fields import field
 from chasles.vocabulary.fitting import word
 from chasles.vocabulary.functions import cases, sqrt
 from chasles.vocabulary.partial import partial
@@ -360,6 +361,7 @@ TABLE: list[tuple[Node, str, str]] = [
         "(s if s > 0, phi otherwise)",
     ),
     (partial(s * phi, phi), r"\frac{\partial \left( s \phi \right)}{\partial \phi}", "d(s phi) / dphi"),
+    (field(s, phi).derivative(phi), r"\frac{\partial s}{\partial \phi}", "ds/dphi"),
     (limit(s * phi, phi), r"\lim_{\phi \to 0} s \phi", "lim phi -> 0 s phi"),
     (up_to(s, phi, 3), r"s + O\left( \phi^3 \right)", "s + O(phi^3)"),
     # products of any size

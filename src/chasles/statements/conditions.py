@@ -12,7 +12,6 @@ from chasles.statements.rules import refuse_circles
 from chasles.statements.statement import Equation
 from chasles.statements.varied import opened_parts
 from chasles.vocabulary import Node
-from chasles.vocabulary.partial import PartialDerivative
 from chasles.vocabulary.shorthand import Shorthand
 from chasles.vocabulary.sizes import sizes_of
 
@@ -35,32 +34,6 @@ def assumed(conditions: Iterable[Goal], kind: str = ASSUMED[0]) -> Iterator[Hypo
     for goal in conditions:
         difference = w.Sum((goal.left, w.Negative(goal.right)))
         yield Hypothesis(kind, (difference,), ((goal.left, goal.right),), (), "", goal.label, free=True)
-
-
-def restrict_rates(
-    conditions: Sequence[Goal], unknowns: Iterable[w.Symbol], sides: Iterable[Node], rules: Mapping[Node, Node]
-) -> bool:
-    """Whether conditions say what higher rates of symbols are than those of which derivatives in the sides are taken.
-
-    What is differentiated then varies freely: equations of motion restrict no position and no velocity.
-    """
-    parts = [part for side in sides for part in w.walk(side)]
-    taken = [part.of for part in parts if isinstance(part, PartialDerivative)]
-    said = [side for goal in conditions for side in (goal.left, goal.right)]
-
-    def highest(nodes: Iterable[Node], symbol: w.Symbol) -> int:
-        return max((_rates_of(symbol, node, rules) for node in nodes), default=-1)
-
-    expanded = any(part.expands for part in parts)
-    return not expanded and all(highest(said, symbol) > highest(taken, symbol) for symbol in unknowns)
-
-
-def _rates_of(symbol: w.Symbol, node: Node, rules: Mapping[Node, Node]) -> int:
-    """The highest rate of a symbol that occurs; -1 where none does."""
-    inner = rules.get(node, getattr(node, "stands_for", None))
-    parts = (inner,) if inner is not None else (*node.below, *getattr(node, "variables", ()))
-    found = 0 if node == symbol else max((_rates_of(symbol, part, rules) for part in parts), default=-1)
-    return found + 1 if found >= 0 and isinstance(node, w.Rate) and inner is None else found
 
 
 def as_rules(

@@ -5,13 +5,13 @@ The prover and the checker of certificates both start here, and from nowhere els
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
 from weakref import WeakKeyDictionary
 
 from chasles.statements.angles import determined_angle, turning
-from chasles.statements.conditions import ASSUMED, assumed, restrict_rates, solvable
+from chasles.statements.conditions import solvable
 from chasles.statements.directions import with_directions
 from chasles.statements.goals import (
     AcceptedSides,
@@ -44,14 +44,11 @@ from chasles.statements.statement import (
 from chasles.statements.varied import opened_parts
 from chasles.vocabulary import Negative, Node, Rate, Sum, Symbol, members_of, plain, undotted, walk
 from chasles.vocabulary.families import indices_of
-from chasles.vocabulary.fields import Field, fields_of, rates_of_fields
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.measure import added
 from chasles.vocabulary.totals import Total
 
 Decidable = Statement | Theorem
-MOST_RATES = 3
-"""Rates of fields are said up to this order."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,14 +115,18 @@ def _problem_of(statement: Decidable, form: str, standing: AcceptedSides) -> Pro
     rules = passed_on([*rules, *_angle_rules(statement, form, rules, conditions, unknowns)])
     refuse_circles(statement.number, rules, unknowns)
     rules += _counted(_said(statement, form, rules), rules)
-    rules += _moving(_said(statement, form, rules), conditions, rules)
+    said = [*_said(statement, form, rules), *(side for goal in conditions for side in (goal.left, goal.right))]
+    if any(part.is_field for side in said for part in opened_parts(side)):
+        from chasles.statements.field_equations import moving  # few chapters have fields
+
+        rules += moving(said, rules)
     hypotheses = tuple(dict.fromkeys((*_hypotheses(statement), *_agreeing(dict(rules)))))
-    free = conditions and not solvable(conditions, unknowns, dict(rules))
-    varies = all(isinstance(symbol, Field) for symbol in unknowns)
-    said = _said(statement, form, rules)
-    if varies or (free and (not _differentiates(said) or restrict_rates(conditions, unknowns, said, dict(rules)))):
-        hypotheses += tuple(assumed(conditions, ASSUMED[varies]))
-        conditions, unknowns = [], {}
+    free = conditions and (any(each.is_field for each in unknowns) or not solvable(conditions, unknowns, dict(rules)))
+    if free:
+        from chasles.statements.field_equations import freely_assumed  # of no use to most claims
+
+        if told := freely_assumed(conditions, unknowns, _said(statement, form, rules), dict(rules)):
+            hypotheses, conditions, unknowns = (*hypotheses, *told), [], {}
     problem = Problem((), tuple(rules), tuple(conditions), tuple(unknowns), hypotheses)
     if isinstance(statement, Theorem):
         goals = tuple(goals_of_theorem(statement, problem))
@@ -140,13 +141,6 @@ def _problem_of(statement: Decidable, form: str, standing: AcceptedSides) -> Pro
         added(measured(goal.left), measured(goal.right), (goal.left, goal.right), "equate")
     problem = in_simpler_words(with_rates_said(with_fields(problem, goals=goals)))
     return with_directions(with_simple_lengths(with_what_is_seen(problem)))
-
-
-def _differentiates(sides: Iterable[Node]) -> bool:
-    """Whether derivatives or expansions are taken: what varies with what, a hypothesis does not say."""
-    from chasles.vocabulary.partial import differentiates  # of no use to most claims
-
-    return any(side.expands or differentiates(side) for side in sides)
 
 
 def _given(statement: Decidable, accepted: AcceptedSides) -> tuple[list[Equation], list[Goal], dict[Symbol, None]]:
@@ -219,20 +213,6 @@ def _counted(sides: list[Node], rules: list[Equation]) -> Iterator[Equation]:
     found = dict.fromkeys(part.index for side in sides for part in opened_parts(side) if isinstance(part, Total))
     known = {left for left, _ in rules}
     yield from ((index.number, index.counted) for index in found if index.number not in known)
-
-
-def _moving(sides: list[Node], conditions: list[Goal], rules: list[Equation]) -> Iterator[Equation]:
-    """The rates of fields, where rates are taken, of which nothing else is given."""
-    sides = [*sides, *(side for goal in conditions for side in (goal.left, goal.right))]
-    depth = sum(map(_order, sides)) if fields_of(sides) else 0
-    known = {left for left, _ in rules}
-    found = rates_of_fields((each for each in fields_of(sides) if each not in known), min(depth, MOST_RATES))
-    yield from ((left, right) for left, right in found.items() if left not in known)
-
-
-def _order(node: Node) -> int:
-    """How many rates are taken of each other."""
-    return isinstance(node, Rate) + max(map(_order, node.below), default=0)
 
 
 def _agreeing(rules: Mapping[Node, Node]) -> Iterator[Hypothesis]:

@@ -6,15 +6,14 @@ from collections.abc import Callable, Container, Iterable, Iterator
 from dataclasses import replace as with_fields
 from typing import TYPE_CHECKING
 
-from chasles.statements.conditions import ASSUMED, as_rules
+from chasles.statements.conditions import as_rules
 from chasles.statements.evident import evident_divisors
 from chasles.statements.goals import Goal
 from chasles.statements.hypotheses import Hypothesis
 from chasles.statements.inverses import Inverses, reached
 from chasles.statements.lengths import Lengths
 from chasles.statements.varied import opened_parts
-from chasles.vocabulary import Cofactor, Integral, Node, Rate, Scale, Symbol, walk
-from chasles.vocabulary.fields import fields_of
+from chasles.vocabulary import Integral, Node, Rate, Scale, Symbol, walk
 from chasles.vocabulary.shorthand import opened
 from chasles.vocabulary.sizes import sizes_of
 
@@ -68,44 +67,9 @@ def with_rates_said(problem: Problem) -> Problem:
 
 def _differentiated(problem: Problem) -> Problem:
     """The same problem with partial derivatives carried out; TypeError where conditions do not say what symbols are."""
-    from chasles.vocabulary.partial import with_derivatives  # of no use to most claims
+    from chasles.statements.field_equations import carried_out  # of no use to most claims
 
-    if not _takes_derivatives(problem):
-        return problem
-    problem = _without_conditions(problem, "a derivative")
-    rules = dict(problem.rules)
-    found = said_otherwise(
-        problem,
-        lambda side: with_derivatives(side, rules),
-        lambda said: said.rewritten(lambda side: with_derivatives(side, rules)),
-    )
-    return with_fields(found, hypotheses=(*found.hypotheses, *_everywhere(found)))
-
-
-def _everywhere(problem: Problem) -> Iterator[Hypothesis]:
-    """What is assumed of fields alone, differentiated by what they depend on: it holds wherever they are taken."""
-    from chasles.vocabulary.partial import PartialDerivative, with_derivatives
-
-    rules = dict(problem.rules)
-    sides = [*sides_of(problem), *(side for rule in problem.rules for side in rule)]
-    wanted = [each.taken for each in fields_of(sides)]
-    highest, places = max(map(len, wanted), default=0), dict.fromkeys(sum(wanted, ()))
-    for hypothesis in problem.hypotheses:
-        # That a matrix is its own cofactor matrix says no more of its derivatives than that it is orthogonal.
-        pairs = [pair for pair in hypothesis.equations if not any(isinstance(side, Cofactor) for side in pair)]
-        parts = {part for pair in pairs for side in pair for part in opened_parts(side)}
-        fields = fields_of(parts)
-        local = hypothesis.kind == ASSUMED[0] or any(isinstance(part, Rate) and part not in rules for part in parts)
-        found: list[tuple[Node, Node]] = []
-        for _ in range(0 if local else highest - min((len(each.taken) for each in fields), default=highest)):
-            slopes = [[PartialDerivative(side, place) for side in pair] for pair in pairs for place in places]
-            told = ((with_derivatives(one, rules), with_derivatives(other, rules)) for one, other in slopes)
-            pairs = [*dict.fromkeys(told)]
-            found += pairs
-        if found:
-            text = f"{hypothesis.text} everywhere"
-            kind = hypothesis.kind if hypothesis.kind in ASSUMED else "everywhere"
-            yield Hypothesis(kind, sum(found, ()), tuple(found), (), hypothesis.latex, text, free=True)
+    return carried_out(_without_conditions(problem, "a derivative")) if _takes_derivatives(problem) else problem
 
 
 def _takes_derivatives(problem: Problem) -> bool:

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import fields
 from dataclasses import replace as with_fields
 from itertools import product
+from typing import ClassVar
 
 from chasles.vocabulary.arguments import WrongArgument, declaring
 from chasles.vocabulary.fitting import measured, word
@@ -36,6 +37,7 @@ class Field(Symbol):
     taken: Nodes = ()
     root: Symbol | None = None
     arguments: Nodes = ()
+    is_field: ClassVar[bool] = True
 
     def derivative(self, by: Node) -> Field:
         """The field's derivative by a scalar variable, or by an entry of one."""

@@ -31,6 +31,7 @@ class Node(Displayed, Fitted):
     __slots__ = ()
     has_no_polynomial_form: ClassVar[bool] = False
     expands: ClassVar[bool] = False
+    is_field: ClassVar[bool] = False
     __iter__ = None  # places are counted from 1, which Python's own way through them is not
     __array_ufunc__ = None  # an array on the left leaves the operator to this class, which says what it takes
 
