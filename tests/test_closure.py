@@ -9,7 +9,7 @@ import pytest
 
 from chasles.report.closure import CHECKERS, closure, lines
 
-MOST = {"declared": 6_200, "prove": 5_350}
+MOST = {"declared": 6_200, "prove": 5_354}
 """It may become less."""
 
 

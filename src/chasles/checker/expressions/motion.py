@@ -32,7 +32,8 @@ def require_motion(given: Iterable[GivenEquation], point: AtPoint, through: bool
 
     If a motion is to go `through` the point, the last of these can be solved for as many of the highest rates, and no
     higher rate has a value. Then implicit functions, and ordinary differential equations for them, make one (and an
-    equation that follows from the others holds along it). Raises `Rejected` if not.
+    equation that follows from the others holds along it). So do constants where all rates vanish and nothing that is
+    given speaks of time. Raises `Rejected` if not.
     """
     moving = [item for item in given if item.functions]
     read = point.symbolic
@@ -46,7 +47,9 @@ def require_motion(given: Iterable[GivenEquation], point: AtPoint, through: bool
     chains = [_chain(point, fact, time) for fact in unlike.values()]
     last = [chain[-1] for chain in chains]
     lower = [fact for chain in chains for fact in reversed(chain[:-1])]
-    if not through:
+    spoken = {read.atoms[place] for fact in stated for place in _spoken_of(read, fact)}
+    valued = [e for e in read.atoms.values() if isinstance(e, sympy.Derivative) and str(e) in point.numbers]
+    if not through or (time not in spoken and not any(point.sign(point.atom(e)) for e in valued)):
         return
     highest: dict[Any, int] = {}
     for fact in last:
