@@ -9,9 +9,10 @@ from operator import mul
 from typing import Any
 
 from chasles import vocabulary as w
-from chasles.checker.determinants import Matrix
 from chasles.checker.expansion import Formless, expanded, scaled
 from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, cleared, exponents, number, product, variable
+
+Matrix = list[list[Polynomial]]
 
 
 class Quantities:

@@ -13,7 +13,7 @@ from typing import Any, Protocol
 from chasles import vocabulary as w
 from chasles.checker.determinants import Matrix, cofactor, determinant
 from chasles.checker.expansion import expanded, scaled
-from chasles.checker.sparse import Polynomial, Rejected, number
+from chasles.checker.sparse import Rejected
 from chasles.statements import Hypothesis, Problem
 from chasles.vocabulary.functions import FunctionOf
 from chasles.vocabulary.sizes import at_sizes, sizes_of
@@ -68,12 +68,11 @@ class PointAtSizes:
 
     def __call__(self, node: w.Node) -> list[list[Fraction]]:
         """The entries of an expression."""
-        return [[_value(entry) for entry in row] for row in self._of(self._at(node))]
+        return self._of(self._at(node))
 
     def _of(self, node: w.Node) -> Matrix:
         if node not in self._known:
-            made = self._of(self.rules[node]) if node in self.rules else self._made(node)
-            self._known[node] = [[number(_value(entry)) for entry in row] for row in made]
+            self._known[node] = self._of(self.rules[node]) if node in self.rules else self._made(node)
         return self._known[node]
 
     def _made(self, node: w.Node) -> Matrix:
@@ -82,24 +81,25 @@ class PointAtSizes:
                 return self._of(of)
             case w.Symbol(name):
                 names = [[name + mark for mark in row] for row in _marks(*node.shape)]
-                return [[number(self.at.get(each, Fraction(0))) for each in row] for row in names]
+                return [[self.at.get(each, Fraction(0)) for each in row] for row in names]
             case w.Inverse(of):
                 matrix = self._of(of)
-                turned = [[cofactor(matrix, j, i) for j in range(len(matrix))] for i in range(len(matrix))]
-                return scaled(_over(determinant(matrix), of), turned)
+                size, one = range(len(matrix)), Fraction(1)
+                turned = [[cofactor(matrix, j, i, one) for j in size] for i in size]
+                return scaled(_over(determinant(matrix, one), of), turned)
             case w.Quotient(numerator, divisor):
                 return scaled(_over(self._of(divisor)[0][0], divisor), self._of(numerator))
             case w.Norm(of):
-                square = _value(self._of(w.Dot(of, of))[0][0])
+                square = self._of(w.Dot(of, of))[0][0]
                 root = Fraction(isqrt(square.numerator), isqrt(square.denominator))
                 if root * root != square:
                     raise Rejected(f"the length of {of} is no rational number there")
-                return [[number(root)]]
+                return [[root]]
             case FunctionOf("abs" | "sign" as function, (of,)):
-                value = _value(self._of(of)[0][0])
-                return [[number(abs(value) if function == "abs" else (value > 0) - (value < 0))]]
+                value = self._of(of)[0][0]
+                return [[abs(value) if function == "abs" else Fraction((value > 0) - (value < 0))]]
             case _:
-                return expanded(node, self._of)
+                return expanded(node, self._of, Fraction)
 
     def require(self) -> None:
         """All that is assumed holds there; raises `Rejected` with what does not."""
@@ -119,8 +119,8 @@ class PointAtSizes:
             return False
         positive = hypothesis.kind in ("positive", "definite")
         matrix = self._of(self._at(hypothesis.subjects[0])) if positive else []
-        minors = [determinant([row[:k] for row in matrix[:k]]) for k in range(1, len(matrix) + 1)]
-        return all(minor.terms.get(0, 0) > 0 for minor in minors)
+        minors = (determinant([row[:k] for row in matrix[:k]], Fraction(1)) for k in range(1, len(matrix) + 1))
+        return all(minor > 0 for minor in minors)
 
 
 def check_at_sizes(problem: Problem, shown: Shown) -> None:
@@ -147,11 +147,7 @@ def _marks(rows: int, columns: int) -> list[list[str]]:
     return [[f"_{i + 1}" + f"{j + 1}" * (columns > 1) for j in range(columns)] for i in range(rows)]
 
 
-def _value(entry: Polynomial) -> Fraction:
-    return Fraction(entry.terms.get(0, 0), entry.below)
-
-
-def _over(divisor: Polynomial, spelled: w.Node) -> Polynomial:
+def _over(divisor: Fraction, spelled: w.Node) -> Fraction:
     if not divisor:
         raise Rejected(f"{spelled} is not to be divided by there")
-    return number(1 / _value(divisor))
+    return 1 / divisor

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import reduce
-from operator import add, mul
 from typing import Any
 
 import sympy as sp
 
 from chasles import vocabulary as w
+from chasles.checker.expansion import Formless, expanded
 from chasles.checker.expressions.principal import Bounds, PrincipalValues, in_fewer_squares
 from chasles.checker.sparse import Rejected
 from chasles.statements import Hypothesis, Problem
@@ -115,15 +114,6 @@ class EntriesOfWords:
                 return _shaped(node, self._quantity(node))
             case w.Rate(of):
                 return self._with_given_rates(self(of).diff(TIME))
-            case w.Number(value):
-                return _one(sp.Rational(value.numerator, value.denominator))
-            case w.Identity(size):
-                return sp.eye(size).as_immutable()
-            case w.Zero(rows, columns):
-                return sp.zeros(rows, columns).as_immutable()
-            case w.Block(rows):
-                lines = [sp.Matrix.hstack(*map(self, row)) for row in rows]
-                return sp.Matrix.vstack(*lines).as_immutable()
             case FunctionOf(function, arguments):
                 return _one(self._value(function, [self._shorter(self(of)[0]) for of in arguments]))
             case w.Call(function, argument):
@@ -132,8 +122,17 @@ class EntriesOfWords:
                 where = [RELATIONS[s](self(a)[0], self(b)[0]) for a, s, b in zip(left, signs, right, strict=True)]
                 entries = zip(*map(self, values), strict=True)
                 return _shaped(node, (sp.Piecewise(*zip(each, [*where, True], strict=True)) for each in entries))
-            case _:
-                return self._combined(node)
+            case w.Quotient(numerator, denominator):
+                divisor = self(denominator)[0]
+                factors = (factor.as_base_exp()[0] for factor in sp.Mul.make_args(divisor))
+                self.divisors |= dict.fromkeys(factors)
+                return self(numerator) / divisor
+            case w.Norm(of):
+                return _one(sp.sqrt(self._shorter(sum(entry**2 for entry in self(of)))))
+        try:
+            return sp.ImmutableMatrix(expanded(node, lambda of: self(of).tolist(), sp.Rational))
+        except Formless:
+            raise Rejected(f"{w.plain(node)} cannot stand beside what has no polynomial form") from None
 
     def _with_given_rates(self, entries: Any) -> Any:
         """The entries with what is given for the rates of symbols, and for higher rates what follows of it."""
@@ -150,45 +149,6 @@ class EntriesOfWords:
             values = {each: value.diff((TIME, each.derivative_count - k)) for each, (k, value) in known.items()}
             entries = entries.xreplace(values)
         raise Rejected("what is given for rates leads back to them")
-
-    def _combined(self, node: w.Node) -> Any:
-        match node:
-            case w.Sum(terms):
-                return reduce(add, map(self, terms))
-            case w.Negative(term):
-                return -self(term)
-            case w.Scale(factor, term):
-                return self(term) * self(factor)[0]
-            case w.Quotient(numerator, denominator):
-                divisor = self(denominator)[0]
-                factors = (factor.as_base_exp()[0] for factor in sp.Mul.make_args(divisor))
-                self.divisors |= dict.fromkeys(factors)
-                return self(numerator) / divisor
-            case w.Contract(factors):
-                return reduce(mul, map(self, factors))
-            case w.Power(base, exponent):
-                return self(base) ** exponent
-            case w.Transpose(of):
-                return self(of).T
-            case w.Dot(left, right):
-                return self(left).T * self(right)
-            case w.Norm(of):
-                return _one(sp.sqrt(self._shorter(sum(entry**2 for entry in self(of)))))
-            case w.Skew(of):
-                return _skew(self(of))
-            case w.Cross(left, right):
-                return _skew(self(left)) * self(right)
-            case w.Vect(of):
-                m = self(of)
-                return sp.ImmutableMatrix([m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1]]) / 2
-            case w.Trace(of):
-                return _one(self(of).trace())
-            case w.Determinant(of):
-                return _one(self(of).det(method="berkowitz"))
-            case w.Cofactor(of):
-                return self(of).cofactor_matrix(method="berkowitz").as_immutable()
-            case _:
-                raise Rejected(f"{w.plain(node)} cannot stand beside what has no polynomial form")
 
     def _value(self, function: str, arguments: list[Any]) -> Any:
         """A function's value; where it is real is taken note of."""
@@ -235,8 +195,3 @@ def _one(value: Any) -> Any:
 
 def _shaped(node: w.Node, entries: Iterator[Any]) -> Any:
     return sp.ImmutableMatrix(*node.shape, list(entries))
-
-
-def _skew(vector: Any) -> Any:
-    x, y, z = vector
-    return sp.ImmutableMatrix([[0, -z, y], [z, 0, -x], [-y, x, 0]])
