@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from math import inf
 from typing import Any
@@ -19,10 +19,8 @@ from chasles.from_sympy.decimals import as_decimals
 from chasles.from_sympy.exponents import require_moderate_exponents
 from chasles.from_sympy.inequalities import definitions, without_inequalities
 from chasles.from_sympy.splitting import Splitting
-from chasles.problems.context import build
 from chasles.problems.variables import Untreatable
 from chasles.prover.decide import decide_problem
-from chasles.statements import Goal
 from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided, Verdict
 
 __all__ = ["Rejected", "Untreatable", "prove", "recheck"]
@@ -144,14 +142,6 @@ def recheck(verdict: Verdict, lhs: Any, rhs: Any, given: Any = (), nonzero: Any 
             raise TypeError(f"the verdict is {verdict.name}: only what holds or fails can be checked")
 
 
-@dataclass(frozen=True, slots=True)
-class _Entry:
-    """One entry of a goal."""
-
-    goal: Goal
-    place: tuple[int, int]
-
-
 def _answered(question: Question) -> Verdict:
     """The verdict; what algebra leaves open may fail at a point where both sides are bounded."""
     sampling = question.sampling
@@ -184,7 +174,7 @@ def _decided(question: Question) -> Verdict:
     except OutOfTime:
         if remaining() <= 0:
             raise
-        return _refuted(question)
+        return Undecided("it is too large for the work that was allowed")
     if isinstance(verdict, Undecided):
         impossible = contradiction(question)
         if impossible is not None:
@@ -196,12 +186,3 @@ def _decided(question: Question) -> Verdict:
             if isinstance(again, Holds | HoldsUnder):
                 return again
     return verdict
-
-
-def _refuted(question: Question) -> Verdict:
-    """What is too large to be expanded may still fail at a point."""
-    context = build(question.problem)
-    goals = question.problem.goals
-    places = [(g, (i + 1, j + 1)) for g in goals for i in range(g.left.shape[0]) for j in range(g.left.shape[1])]
-    found = question.search.refute(context, (), [_Entry(goal, place) for goal, place in places])
-    return Fails(found) if found else Undecided("it is too large for the work that was allowed")

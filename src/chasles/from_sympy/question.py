@@ -19,7 +19,7 @@ from chasles.from_sympy.naming import angle_of, number_of, spelled
 from chasles.from_sympy.opening import atoms_of
 from chasles.from_sympy.reader import multiplied
 from chasles.from_sympy.sampling import Sampling
-from chasles.points.search import Search, entry_of
+from chasles.points.search import Search
 from chasles.statements import Goal, Hypothesis, Problem
 from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, IllFormed, Undecided, Verdict
 from chasles.vocabulary import PI, Block, Negative, Node, Power, Quotient, Scale, Sum, Symbol, Zero
@@ -146,6 +146,11 @@ class Question:
                 turned = sympy.atan2(*(sympy.Rational(x.numerator, x.denominator) for x in (sine, cosine)))
                 return (turned if turned.is_positive else turned + 2 * sympy.pi) / unit
         return sympy.pi
+
+
+def entry_of(node: Node, place: tuple[int, int]) -> Node:
+    """The word in a row and column of a matrix of scalars; a scalar is its own."""
+    return node.rows[place[0] - 1][place[1] - 1] if isinstance(node, Block) else node
 
 
 def matrix_of(nodes: list[Node], shape: tuple[int, int]) -> Node:

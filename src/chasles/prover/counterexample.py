@@ -6,9 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import islice
-from typing import Protocol
 
-from chasles.algebra.localization import Ratio
 from chasles.algebra.rings import Polynomial, Ring
 from chasles.algebra.values import is_zero, shown
 from chasles.checker.refutation import check_counterexample
@@ -27,15 +25,8 @@ FRUITLESS = 15
 """So many points are tried in vain before the best counterexample so far is taken."""
 
 
-class UnprovedPart(UnreducedEntry, Protocol):
-    """An entry of a goal that did not reduce to zero, with the difference of its sides as a fraction."""
-
-    @property
-    def ratio(self) -> Ratio: ...
-
-
 def refute(
-    context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnprovedPart], fruitless: int = FRUITLESS
+    context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnreducedEntry], fruitless: int = FRUITLESS
 ) -> Counterexample | None:
     """The counterexample that is easiest to evaluate by hand among those that a number of sample points give.
 
@@ -77,7 +68,11 @@ def solved_ratios(context: Context, solved: tuple[Solved, ...]) -> dict[str, tup
 
 
 def _easiest(
-    context: Context, suspects: Sequence[UnprovedPart], used: Sequence[Sequence[str]], drawn: Iterator[Point], most: int
+    context: Context,
+    suspects: Sequence[UnreducedEntry],
+    used: Sequence[Sequence[str]],
+    drawn: Iterator[Point],
+    most: int,
 ) -> list[Counterexample]:
     """Counterexamples, each easier than those that come after it."""
     best: tuple[int, Counterexample] | None = None
@@ -100,7 +95,7 @@ def _easiest(
     return easier
 
 
-def _refuted(context: Context, entry: UnprovedPart, point: Point, names: Sequence[str]) -> Counterexample | None:
+def _refuted(context: Context, entry: UnreducedEntry, point: Point, names: Sequence[str]) -> Counterexample | None:
     """The entry at the point, if its two sides differ there."""
     value = ratio_at(context, entry.ratio, point)
     if value is None or is_zero(value):
@@ -137,7 +132,7 @@ def _height(value: Fraction) -> int:
 
 
 def _used_by_each(
-    context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnprovedPart]
+    context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnreducedEntry]
 ) -> list[Sequence[str]]:
     """The variables on which each entry depends; all together where conditions tie what one entry leaves out."""
     if solved:
@@ -146,7 +141,7 @@ def _used_by_each(
     return [_used(context, (), [entry]) for entry in suspects]
 
 
-def _used(context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnprovedPart]) -> list[str]:
+def _used(context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnreducedEntry]) -> list[str]:
     """The variables on which entries depend and what is tied to them; those that were solved for left out."""
     ring = context.field.ring
     polynomials = [p for e in suspects for p in (e.ratio.numerator, context.field.power_product(e.ratio.denominator))]

@@ -9,16 +9,17 @@ from typing import Any, Protocol
 from chasles.algebra.values import is_zero
 from chasles.points import sampling as points
 from chasles.points.evaluation import Point, ratio_at
+from chasles.points.search import UnreducedEntry
 from chasles.problems.context import Context
 from chasles.prover.conditions import Solved
 from chasles.prover.consistency import contradiction, holds_somewhere
-from chasles.prover.counterexample import FRUITLESS, UnprovedPart, refute, solved_ratios
+from chasles.prover.counterexample import FRUITLESS, refute, solved_ratios
 from chasles.statements import Problem
 from chasles.verdict import Contradictory, Counterexample
 
 SAMPLES = 40
 """So many sample points are looked at for one that satisfies all hypotheses."""
-Suspects = Sequence[UnprovedPart]
+Suspects = Sequence[UnreducedEntry]
 
 
 class PointSource(Protocol):

@@ -14,14 +14,13 @@ from chasles.algebra.work_limit import check, remaining
 from chasles.points.search.angles import Turning
 from chasles.points.search.constraints import ConstraintSystem, constraint_system
 from chasles.points.search.drawing import Drawing, Frame
-from chasles.points.search.evaluation import Evaluation, entry_of
 from chasles.points.search.values import Values, sparse
 from chasles.problems.context import Context
 from chasles.statements import Goal, Problem
 from chasles.verdict import Counterexample
 from chasles.vocabulary import Node, Symbol
 
-__all__ = ["Frame", "Search", "UnreducedEntry", "entry_of"]
+__all__ = ["Frame", "Search", "UnreducedEntry"]
 
 ATTEMPTS = (150, 600)
 ENOUGH = 10
@@ -31,12 +30,14 @@ SHARE = 0.3
 
 
 class UnreducedEntry(Protocol):
-    """An entry of a goal that did not reduce to zero."""
+    """An entry of a goal that did not reduce to zero, with the difference of its sides as a fraction."""
 
     @property
     def goal(self) -> Goal: ...
     @property
     def place(self) -> tuple[int, int]: ...
+    @property
+    def ratio(self) -> Ratio: ...
 
 
 @dataclass(slots=True)
@@ -76,12 +77,12 @@ class Search:
         best: tuple[int, Counterexample] | None = None
         found = vanishing = 0
         system = constraint_system(context)
+        differences = [(s, sparse(context.field.ring, s.ratio.numerator)) for s in suspects]
         for values in self._points(context, system, attempts, keep_some_time=True):
-            evaluate = Evaluation(context, system, values)
-            suspect = next((s for s in suspects if self._differs(context, evaluate, s)), None)
+            suspect = next((s for s, terms in differences if not values.of(terms).is_zero), None)
             vanishing += suspect is None
             if suspect is not None and self.moves(_coordinates(system, values)):
-                candidate = self._candidate(context, evaluate, suspect)
+                candidate = self._candidate(context, system, values, suspect)
                 best = candidate if candidate and (best is None or candidate[0] < best[0]) else best
                 found += 1
             if found == ENOUGH or (vanishing == VANISHING and best is None):
@@ -134,61 +135,43 @@ class Search:
                 seen.add(key)
                 yield values
 
-    def _differs(self, context: Context, evaluate: Evaluation, suspect: UnreducedEntry) -> bool:
-        """Whether the two sides have different values; where a division is not exact, by their difference."""
-        left, right = (evaluate.at_point(entry_of(s, suspect.place)) for s in _sides(suspect))
-        if left is None or right is None:
-            one, other = (_ratio(context, side, suspect.place) for side in _sides(suspect))
-            return not evaluate.values.of(sparse(context.field.ring, (one - other).numerator)).is_zero
-        return not (left - right).is_zero
-
     def _candidate(
-        self, context: Context, evaluate: Evaluation, suspect: UnreducedEntry
+        self, context: Context, system: ConstraintSystem, values: Values, suspect: UnreducedEntry
     ) -> tuple[int, Counterexample] | None:
         """The counterexample and how much work it is; None if its numbers are too long to be written."""
         name = "pi" if self.theta is None else self.spelled(self.theta)
         row, column = suspect.place
         row = row - self.rows if self.rows and row > self.rows else row
+        sides = suspect.goal.left, suspect.goal.right
         try:
-            texts = [self._whole(context, evaluate, side, (row, column), name) for side in _sides(suspect)]
+            texts = [self._whole(context, values, side, (row, column), name) for side in sides]
         except ValueError:
             return None
-        at = _coordinates(evaluate.system, evaluate.values)
+        at = _coordinates(system, values)
         cost = sum(map(_height, at.values())) + sum(map(len, texts))
         return cost, Counterexample(at, (row, column), texts[0], texts[1], suspect.goal.label)
 
-    def _whole(self, context: Context, evaluate: Evaluation, side: Node, place: tuple[int, int], theta: str) -> str:
+    def _whole(self, context: Context, values: Values, side: Node, place: tuple[int, int], theta: str) -> str:
         """A value, with its imaginary part if it may have one."""
-        real = self._text(context, evaluate, side, place, theta)
+        real = _text(context, values, side, place, theta)
         if self.rows is None:
             return real
-        below = self._text(context, evaluate, side, (place[0] + self.rows, place[1]), theta)
+        below = _text(context, values, side, (place[0] + self.rows, place[1]), theta)
         return real if below == "0" else f"({below})*I" if real == "0" else f"{real} + ({below})*I"
 
-    def _text(self, context: Context, evaluate: Evaluation, side: Node, place: tuple[int, int], theta: str) -> str:
-        value = evaluate.at_point(entry_of(side, place))
-        if value is not None:
-            return value.text(theta)
-        ring = context.field.ring
-        ratio = _ratio(context, side, place)
-        above = evaluate.values.of(sparse(ring, ratio.numerator))
-        below = evaluate.values.of(sparse(ring, context.field.power_product(ratio.denominator)))
-        return f"({above.text(theta)})/({below.text(theta)})"
+
+def _text(context: Context, values: Values, side: Node, place: tuple[int, int], theta: str) -> str:
+    ratio: Ratio = context.unfold(side)[place[0] - 1][place[1] - 1]
+    parts = ratio.numerator, context.field.power_product(ratio.denominator)
+    above, below = (values.of(sparse(context.field.ring, part)) for part in parts)
+    inverse = below.inverse()
+    return f"({above.text(theta)})/({below.text(theta)})" if inverse is None else (above * inverse).text(theta)
 
 
 def _coordinates(system: ConstraintSystem, values: Values) -> dict[str, Any]:
     """The coordinates by name, rational ones as fractions."""
     exact = {name: values[place] for place, name in enumerate(system.names)}
     return {name: value if value.as_rational is None else value.as_rational for name, value in exact.items()}
-
-
-def _sides(suspect: UnreducedEntry) -> tuple[Node, Node]:
-    return suspect.goal.left, suspect.goal.right
-
-
-def _ratio(context: Context, side: Node, place: tuple[int, int]) -> Ratio:
-    ratio: Ratio = context.unfold(side)[place[0] - 1][place[1] - 1]
-    return ratio
 
 
 def _height(value: Fraction | SurdSum) -> int:
