@@ -108,14 +108,15 @@ class Polynomial:
         return {place: Polynomial(terms, self.below) for place, terms in total.items()}
 
 
-def cleared(polynomial: Polynomial, nonzero: list[Polynomial]) -> tuple[Polynomial, int]:
+def cleared(polynomial: Polynomial, nonzero: Factors, mask: int | None = None) -> tuple[Polynomial, int]:
     """The polynomial times the least product of nonzero factors that leaves no inverse in it, and the powers of these.
 
-    Variable k is the inverse of nonzero factor k, as long as there are any.
+    Variable k is the inverse of nonzero factor k, as long as there are any; or where the mask has bits.
     """
+    mask = (1 << 8 * len(nonzero)) - 1 if mask is None else mask
     parts: dict[int, dict[int, int]] = {}
     for monomial, coefficient in polynomial.terms.items():
-        inverses = monomial & (1 << 8 * len(nonzero)) - 1
+        inverses = monomial & mask
         parts.setdefault(inverses, {})[monomial - inverses] = coefficient
     if parts.keys() <= {0}:
         return polynomial, 0
@@ -125,9 +126,13 @@ def cleared(polynomial: Polynomial, nonzero: list[Polynomial]) -> tuple[Polynomi
     return reduce(add, terms), top
 
 
-def product(nonzero: list[Polynomial], powers: int) -> Polynomial:
+def product(nonzero: Factors, powers: int) -> Polynomial:
     """The product of the nonzero factors to these powers, packed as in a monomial."""
     return reduce(mul, (nonzero[k] for k, power in exponents(powers) for _ in range(power)), ONE)
+
+
+Factors = list[Polynomial] | dict[int, Polynomial]
+"""Polynomials by place."""
 
 
 def _bytes(monomial: int) -> bytes:

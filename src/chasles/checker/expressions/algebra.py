@@ -8,11 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
-from functools import reduce
 from math import gcd
-from operator import mul
 
-from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, exponents, number, variable
+from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, cleared, exponents, number, product, variable
 
 Key = frozenset[tuple[int, int]]
 
@@ -46,7 +44,7 @@ class QuotientRing:
                 parts.setdefault(halves, {})[monomial - 2 * halves] = coefficient
             total = ZERO
             for halves, terms in parts.items():
-                total += reduce(mul, self._powers(halves, self.squares), Polynomial(terms, polynomial.below))
+                total += Polynomial(terms, polynomial.below) * product(self.squares, halves)
             polynomial = total
         return polynomial
 
@@ -55,20 +53,8 @@ class QuotientRing:
 
         The powers are by the places of the inverses.
         """
-        if not any(monomial & self._below for monomial in polynomial.terms):
-            return self.normal(polynomial), {}
-        parts: dict[int, dict[int, int]] = {}
-        top: dict[int, int] = {}
-        for monomial, coefficient in polynomial.terms.items():
-            inverse = monomial & self._below
-            parts.setdefault(inverse, {})[monomial - inverse] = coefficient
-            for place, power in exponents(inverse):
-                top[place] = max(power, top.get(place, 0))
-        packed, total = sum(power << 8 * place for place, power in top.items()), ZERO
-        for inverse, terms in parts.items():
-            rest = self._powers(packed - inverse, self.inverses)
-            total += reduce(mul, rest, self.normal(Polynomial(terms, polynomial.below)))
-        return self.normal(total), top
+        numerator, powers = cleared(polynomial, self.inverses, self._below)
+        return self.normal(numerator), dict(exponents(powers))
 
     def vanishes(self, polynomial: Polynomial) -> bool:
         """Whether nothing is left of the polynomial."""
@@ -76,7 +62,7 @@ class QuotientRing:
 
     def divisors(self, powers: Mapping[int, int]) -> Polynomial:
         """The product of what is divided by, to these powers."""
-        return reduce(mul, self._powers(sum(n << 8 * place for place, n in powers.items()), self.inverses), ONE)
+        return product(self.inverses, sum(power << 8 * place for place, power in powers.items()))
 
     def inverse(self, polynomial: Polynomial) -> Polynomial:
         """One over the polynomial: a variable of its own, unless it is a number; raises `Rejected` for zero."""
@@ -120,9 +106,6 @@ class QuotientRing:
             exponent //= 2
             base = self.normal(base * base) if exponent else base
         return total
-
-    def _powers(self, packed: int, of: Mapping[int, Polynomial]) -> list[Polynomial]:
-        return [of[place] for place, power in exponents(packed) for _ in range(power)]
 
 
 def constant(polynomial: Polynomial) -> Fraction | None:
