@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 from itertools import product
@@ -11,6 +12,7 @@ from typing import Any
 import sympy
 
 from chasles.checker.expressions.asked import Asked
+from chasles.checker.sparse import Rejected
 from chasles.from_sympy.arcs import turned
 from chasles.from_sympy.atoms import QuantityNames, nonnegative_by_sign
 from chasles.from_sympy.certificates import Writing
@@ -26,7 +28,7 @@ from chasles.from_sympy.readings import READINGS
 from chasles.from_sympy.roots import resolve, words_of
 from chasles.from_sympy.sampling import Sampling
 from chasles.from_sympy.searching import is_about_motion, search_for
-from chasles.from_sympy.side_conditions import nonvanishing
+from chasles.from_sympy.side_conditions import listed, nonvanishing
 from chasles.statements import Goal, Hypothesis, Problem
 from chasles.verdict import Contradictory, IllFormed
 from chasles.vocabulary import Node
@@ -158,7 +160,10 @@ class _Asking:
             formal=bool(self.elementary.origins),
         )
         if is_about_motion(reader, self.given):
-            search.moves = partial(question.moves, Asked(*asked))
+            squared = [part for found in self.given.squares for part in found.vanishing]
+            given = [*(item for _, item in listed(asked[2], "given")), *squared]
+            with suppress(Rejected):  # what the checker does not read it does not follow
+                search.moves = partial(question.moves, Asked(*asked[:2], given, asked[3]))
         return question
 
     def _ranking(self) -> Iterator[Hypothesis]:

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
+from itertools import product
 from typing import Any
 
 import sympy
 from sympy.core.function import AppliedUndef
 
-from chasles.from_sympy.atoms import ASSUMPTIONS
+from chasles.checker.expressions.cases import CheckedCase
+from chasles.checker.expressions.widened import put, without_defined
+from chasles.checker.sparse import Rejected
 
 Pairs = list[tuple[Any, Any]]
 
@@ -27,40 +31,19 @@ class WithoutDefined:
     places: list[tuple[int, int]]
 
 
-def without_defined(spoken: Sequence[Any], given: Pairs, kinds: Any = sympy.Symbol | AppliedUndef) -> WithoutDefined:
+def values_put_in(spoken: Sequence[Any], given: Pairs, kinds: Any = sympy.Symbol | AppliedUndef) -> WithoutDefined:
     """What each equation defines, of the quantities of some kinds, is put in, one after the other."""
-    all_spoken, left = list(spoken), dict(enumerate(given))
+    case = CheckedCase((tuple(spoken), ()), tuple(given), ())
     values: dict[Any, Any] = {}
     places = []
-    for place in range(len(given)):
-        everything = [*all_spoken, *(side for pair in left.values() for side in pair)]
-        sides = (side for side in (0, 1) if isinstance(left[place][side], kinds))
-        side = next((side for side in sides if _defines(left[place], side, everything)), None)
-        if side is not None:
-            pair = left.pop(place)
-            atom, value = pair[side], pair[1 - side]
-            places.append((place, side))
-            values = {known: put(e, atom, value) for known, e in values.items()} | {atom: value}
-            all_spoken = [put(e, atom, value) for e in all_spoken]
-            left = {k: (put(a, atom, value), put(b, atom, value)) for k, (a, b) in left.items()}
-    rest = list(left.values())
-    lost = any(e.has(sympy.zoo, sympy.nan, sympy.oo) for e in (*all_spoken, *(e for pair in rest for e in pair)))
-    return WithoutDefined(all_spoken, rest, {} if lost else values, places)
-
-
-def _defines(pair: tuple[Any, Any], side: int, spoken: Iterable[Any]) -> bool:
-    """Whether one side is a quantity that may have any value, and the other one does not speak of it."""
-    atom, value = pair[side], pair[1 - side]
-    if value.has(type(atom) if isinstance(atom, AppliedUndef) else atom):
-        return False
-    if any(getattr(atom, f"is_{name}") is not None for name in ASSUMPTIONS):
-        return False
-    if isinstance(atom, sympy.Symbol):
-        return not any(call.has(atom) for e in spoken for call in e.atoms(AppliedUndef))
-    return len(atom.args) == 1
-
-
-def put(e: Any, atom: Any, value: Any) -> Any:
-    """An expression with a value in the place of a quantity, of whose rates it may speak."""
-    e = e.xreplace({atom: value})
-    return e.doit() if e.has(sympy.Derivative) else e
+    for place, side in product(range(len(given)), (0, 1)):
+        pair = case.pairs[place]
+        if pair and isinstance(pair[side], kinds):
+            with suppress(Rejected):
+                case = without_defined(case, pair, side)
+                places.append((place, side))
+                values = {known: put(e, *pair[:: 1 - 2 * side]) for known, e in values.items()}
+                values[pair[side]] = pair[1 - side]
+    rest = list(filter(None, case.pairs))
+    lost = any(e.has(sympy.zoo, sympy.nan, sympy.oo) for e in (*case.sides[0], *(e for pair in rest for e in pair)))
+    return WithoutDefined(list(case.sides[0]), rest, {} if lost else values, places)

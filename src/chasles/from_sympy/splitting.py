@@ -17,10 +17,11 @@ from chasles.checker.expressions.needs import RELATIONS
 from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.expressions.remainders import at_integer
 from chasles.checker.expressions.switches import deciding
+from chasles.checker.expressions.widened import put
 from chasles.from_sympy.atoms import QuantityNames
 from chasles.from_sympy.complex_symbols import taken_as_real
 from chasles.from_sympy.complexes import RealParts
-from chasles.from_sympy.defined import Pairs, WithoutDefined, put, without_defined
+from chasles.from_sympy.defined import Pairs, WithoutDefined, values_put_in
 from chasles.from_sympy.generalising import Decide, generalised
 from chasles.from_sympy.opening import Entries, atoms_of, opened, sides
 from chasles.from_sympy.remainders import modulus_of
@@ -165,7 +166,7 @@ class Splitting:
         self.needs |= dict.fromkeys(ways[0] for ways in case.required_inside())
         spoken = [*case.sides[0], *case.sides[1], *case.nonzero]
         given = [*case.pairs, *((e, sympy.S.Zero) for e in case.equations)]
-        less = without_defined(spoken, given)
+        less = values_put_in(spoken, given)
         moving = any(isinstance(atom, AppliedUndef) for atom in less.values)
         # What moves is proved where it has its value first: the witness is then a point of a motion.
         found = None if moving else self._generalised(case, spoken, given)
@@ -195,7 +196,7 @@ class Splitting:
         """A point at which the sides differ where every function of which something is given has its value."""
         whole = self._whole
         spoken = [*whole.sides[0], *whole.sides[1], *whole.nonzero]
-        less = without_defined(spoken, list(whole.pairs), AppliedUndef)
+        less = values_put_in(spoken, list(whole.pairs), AppliedUndef)
         times = {t for pair in whole.pairs for e in pair for call in e.atoms(AppliedUndef) for t in call.args}
         if not less.values or any(e.has(AppliedUndef) or e.free_symbols & times for pair in less.given for e in pair):
             return None

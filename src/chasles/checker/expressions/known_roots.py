@@ -9,12 +9,10 @@ from math import isqrt
 from operator import and_, mul
 
 from chasles.checker.expressions.algebra import constant, primitive
-from chasles.checker.expressions.factoring import quotient, root_of_square
+from chasles.checker.expressions.factoring import Terms, quotient, root_of_square
 from chasles.checker.expressions.signs import is_nonnegative
 from chasles.checker.expressions.symbolic import Symbolic
 from chasles.checker.sparse import ONE, Polynomial, Rejected, exponents, number, variable
-
-Terms = frozenset[tuple[int, int]]
 
 
 class KnownRoots(Symbolic):

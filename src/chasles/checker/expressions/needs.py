@@ -10,13 +10,12 @@ from operator import mul
 
 from chasles.checker.expressions.algebra import constant, primitive
 from chasles.checker.expressions.asked import Asked
-from chasles.checker.expressions.factoring import quotient
+from chasles.checker.expressions.factoring import Terms, quotient
 from chasles.checker.expressions.reading_of_proof import Proven
 from chasles.checker.expressions.signs import is_nonnegative, is_positive
 from chasles.checker.expressions.spoken import Spoken
 from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, variable
 
-Terms = frozenset[tuple[int, int]]
 RELATIONS = (" != 0", " > 0", " >= 0")
 """How a need that is no equation ends."""
 

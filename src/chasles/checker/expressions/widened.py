@@ -116,7 +116,7 @@ class _Widened:
             self.needs.require("one of the cases needs", *ways)
         case = replace(case, pairs=(*case.pairs, *((e, sympy.S.Zero) for e in case.equations)), equations=())
         for place, side in node.get("defined", ()):
-            case = _without_defined(case, case.pairs[place], side)
+            case = without_defined(case, case.pairs[place], side)
         case = replace(case, pairs=tuple(pair for pair in case.pairs if pair))
         more = Generalised(case.spoken, int(node.get("parts", 0)), case.names)
         sides = [list(map(more, side)) for side in case.sides]
@@ -162,8 +162,11 @@ class _Widened:
         return case.sign(e) in ((1, -1) if relation == " != 0" else (1,)) or f"{case.back(e)}{relation}" in self.needs
 
 
-def _without_defined(case: CheckedCase, pair: tuple[Any, Any], side: int) -> CheckedCase:
-    """The case with the other side of an equation for a quantity that may have any value, and without the equation."""
+def without_defined(case: CheckedCase, pair: tuple[Any, Any], side: int) -> CheckedCase:
+    """The case with the other side of an equation for a quantity that may have any value, and without the equation.
+
+    Raises `Rejected` where one side of the pair is no such quantity.
+    """
     atom, value = pair[side], pair[1 - side]
     if not isinstance(atom, sympy.Symbol | AppliedUndef) or len(atom.args) > 1:
         raise Rejected(f"{atom} is no quantity that an equation defines")
@@ -173,9 +176,9 @@ def _without_defined(case: CheckedCase, pair: tuple[Any, Any], side: int) -> Che
         raise Rejected(f"{atom} is not defined by {value}")
     if any(getattr(atom, f"is_{kind}") is not None for kind in (*SIGNS, *NUMBERS)):
         raise Rejected(f"{atom} may not have any value")
-    pairs = tuple(() if other is pair else tuple(_put(e, atom, value) for e in other) for other in case.pairs)
-    sides = tuple(tuple(_put(e, atom, value) for e in entries) for entries in case.sides)
-    return replace(case, sides=sides, pairs=pairs, nonzero=tuple(_put(e, atom, value) for e in case.nonzero))
+    pairs = tuple(() if other is pair else tuple(put(e, atom, value) for e in other) for other in case.pairs)
+    sides = tuple(tuple(put(e, atom, value) for e in entries) for entries in case.sides)
+    return replace(case, sides=sides, pairs=pairs, nonzero=tuple(put(e, atom, value) for e in case.nonzero))
 
 
 def _without_motions(case: CheckedCase, times: set[Any]) -> CheckedCase:
@@ -185,14 +188,15 @@ def _without_motions(case: CheckedCase, times: set[Any]) -> CheckedCase:
         pair = case.pairs[place]
         if pair and isinstance(pair[side], AppliedUndef):
             with suppress(Rejected):
-                case = _without_defined(case, pair, side)
+                case = without_defined(case, pair, side)
     pairs = tuple(filter(None, case.pairs))
     if any(e.has(AppliedUndef) or e.free_symbols & times for pair in pairs for e in pair):
         raise Rejected("a function is given that has no value")
     return replace(case, pairs=pairs)
 
 
-def _put(e: Any, atom: Any, value: Any) -> Any:
+def put(e: Any, atom: Any, value: Any) -> Any:
+    """An expression with a value in the place of a quantity, of whose rates it may speak."""
     e = e.xreplace({atom: value})
     return e.doit() if e.has(sympy.Derivative) else e
 

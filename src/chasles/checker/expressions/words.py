@@ -10,6 +10,7 @@ import sympy as sp
 from chasles import vocabulary as w
 from chasles.checker.expansion import Formless, expanded
 from chasles.checker.expressions.principal import Bounds, PrincipalValues, in_fewer_squares
+from chasles.checker.expressions.rates import MOST_RATES
 from chasles.checker.sparse import Rejected
 from chasles.statements import Hypothesis, Problem
 from chasles.vocabulary.functions import Cases, FunctionOf
@@ -25,10 +26,6 @@ DOMAINS = {
 }  # fmt: skip
 """What is not negative where a function is real."""
 RELATIONS = {"<": sp.Lt, "<=": sp.Le, ">": sp.Gt, ">=": sp.Ge}
-
-
-MOST_RATES = 20
-"""So often what is given for rates is put for them, before it is taken to lead back to itself."""
 
 
 class EntriesOfWords:
