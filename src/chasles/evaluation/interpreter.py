@@ -8,33 +8,10 @@ from functools import reduce
 from operator import add
 from typing import Any
 
+from chasles import vocabulary as w
 from chasles.evaluation import matrices
 from chasles.evaluation.matrices import Matrix, each, plus, transposed
-from chasles.vocabulary import (
-    At,
-    Block,
-    Cofactor,
-    Contract,
-    Cross,
-    Determinant,
-    Dot,
-    Group,
-    Identity,
-    Negative,
-    Node,
-    Norm,
-    Number,
-    Power,
-    Quotient,
-    Scale,
-    Skew,
-    Sum,
-    Symbol,
-    Trace,
-    Transpose,
-    Vect,
-    Zero,
-)
+from chasles.vocabulary import Node
 from chasles.vocabulary.shorthand import Shorthand
 
 
@@ -93,35 +70,35 @@ class Interpreter:
         if node in self.rules:
             return self(self.rules[node])
         match node:
-            case Symbol(stands_for=Node() as of) | At(of) | Group(of):
+            case w.Symbol(stands_for=Node() as of) | w.At(of) | w.Group(of):
                 return self(of)
             case Shorthand():
                 return self(node.definition)
-            case Number(value):
+            case w.Number(value):
                 return [[self.constant(value)]]
-            case Identity(size):
+            case w.Identity(size):
                 return [[self.constant(Fraction(i == j)) for j in range(size)] for i in range(size)]
-            case Zero(rows, columns):
+            case w.Zero(rows, columns):
                 return [[self.constant(Fraction(0))] * columns for _ in range(rows)]
-            case Block(rows):
+            case w.Block(rows):
                 lines = (zip(*map(self, row), strict=True) for row in rows)
                 return [[entry for part in parts for entry in part] for line in lines for parts in line]
-            case Sum(terms):
+            case w.Sum(terms):
                 return reduce(plus, map(self, terms))
-            case Negative(term):
+            case w.Negative(term):
                 return each(self(term), lambda entry: -entry)
-            case Scale(factor, term):
+            case w.Scale(factor, term):
                 scalar = self.scalar(factor)
                 return each(self(term), lambda entry: scalar * entry)
-            case Quotient(numerator, denominator):
+            case w.Quotient(numerator, denominator):
                 return self.quotient(self(numerator), denominator)
-            case Contract(factors):
+            case w.Contract(factors):
                 return reduce(self.product, map(self, factors))
-            case Power(Norm(of), exponent) if exponent % 2 == 0:
+            case w.Power(w.Norm(of), exponent) if exponent % 2 == 0:
                 return reduce(self.product, [self.product(transposed(self(of)), self(of))] * (exponent // 2))
-            case Power(base, exponent):
+            case w.Power(base, exponent):
                 return reduce(self.product, [self(base)] * exponent)
-            case Transpose(of):
+            case w.Transpose(of):
                 return transposed(self(of))
             case _:
                 return self._spatial(node)
@@ -129,25 +106,25 @@ class Interpreter:
     def _spatial(self, node: Node) -> Matrix:
         """The operations of three dimensions and of square matrices."""
         match node:
-            case Dot(left, right):
+            case w.Dot(left, right):
                 return self.product(transposed(self(left)), self(right))
-            case Skew(of):
+            case w.Skew(of):
                 return matrices.skew(self(of), self.constant(Fraction(0)))
-            case Cross(left, right):
+            case w.Cross(left, right):
                 return matrices.cross(self(left), self(right))
-            case Vect(of):
+            case w.Vect(of):
                 m, half = self(of), self.constant(Fraction(1, 2))
                 return [[(m[k][j] - m[j][k]) * half] for j, k in ((1, 2), (2, 0), (0, 1))]
-            case Trace(of):
+            case w.Trace(of):
                 m = self(of)
                 return [[reduce(add, (m[i][i] for i in range(len(m))))]]
-            case Determinant(of):
+            case w.Determinant(of):
                 return [[matrices.determinant(self(of), self.is_zero)]]
-            case Cofactor(of):
+            case w.Cofactor(of):
                 return matrices.cofactors(self(of), self.constant(Fraction(1)))
             case _:
                 return self.own(node)
 
     def inverse(self, of: Node) -> Matrix:
         """The inverse of a square matrix: its adjugate over its determinant."""
-        return self.quotient(transposed(self(Cofactor(of))), Determinant(of))
+        return self.quotient(transposed(self(w.Cofactor(of))), w.Determinant(of))

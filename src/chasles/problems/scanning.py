@@ -6,25 +6,9 @@ from collections.abc import Mapping
 from fractions import Fraction
 from math import gcd, lcm
 
+from chasles import vocabulary as w
 from chasles.problems.variables import NoForm, Untreatable, Variables, angle_multiples
-from chasles.vocabulary import (
-    PI,
-    At,
-    Call,
-    Group,
-    Integral,
-    Negative,
-    Node,
-    Norm,
-    Power,
-    Quotient,
-    Rate,
-    Scale,
-    Symbol,
-    children,
-    plain,
-    undotted,
-)
+from chasles.vocabulary import Node, plain
 
 
 def scan(found: Variables, node: Node, order: int, rules: Mapping[Node, Node]) -> None:
@@ -42,31 +26,31 @@ def scan(found: Variables, node: Node, order: int, rules: Mapping[Node, Node]) -
 
 def _scan_parts(found: Variables, node: Node, order: int, rules: Mapping[Node, Node]) -> None:
     match node:
-        case Symbol():
+        case w.Symbol():
             _scan_symbol(found, node, order, rules)
-        case Rate(of):
+        case w.Rate(of):
             scan(found, of, order + 1, rules)
-        case Call(function, argument):
+        case w.Call(function, argument):
             if function not in ("sin", "cos"):
                 raise Untreatable(f"the function {function} in {plain(node)} is not treated: only sin and cos are")
             for symbol, multiple in angle_multiples(argument, rules).items():
-                if symbol != PI:
+                if symbol != w.PI:
                     _scan_angle(found, symbol, multiple, order)
                 elif (2 * multiple).denominator != 1:
                     raise NoForm(f"{plain(node)}: of angles in pi, only whole multiples of pi/2 are treated")
-        case Power(Norm(of), exponent) if exponent % 2 == 0:
+        case w.Power(w.Norm(of), exponent) if exponent % 2 == 0:
             scan(found, of, order, rules)
-        case Quotient(numerator, denominator):
+        case w.Quotient(numerator, denominator):
             scan(found, numerator, order, rules)
             _scan_divisor(found, denominator, order, rules)
-        case At(of, argument):
+        case w.At(of, argument):
             if argument != "t":
                 raise Untreatable(f"{plain(node)} is of another instant than t: declare it as a constant of its own")
             scan(found, of, order, rules)
-        case Norm(of):
+        case w.Norm(of):
             scan(found, of, order, rules)
             found.norms[of] = None
-        case Integral(of):
+        case w.Integral(of):
             if found.running and found.running != node.running:
                 raise Untreatable(f"{plain(node)} is not over the same quantities as another integral of the problem")
             if found.body not in (None, node.body):
@@ -76,7 +60,7 @@ def _scan_parts(found: Variables, node: Node, order: int, rules: Mapping[Node, N
             _require_running(node, rules)
             scan(found, of, order, rules)
         case _:
-            for part in children(node):
+            for part in w.children(node):
                 scan(found, part, order, rules)
 
 
@@ -92,7 +76,7 @@ def _scan_rule(found: Variables, left: Node, order: int, rules: Mapping[Node, No
         found.sought[left] = before
 
 
-def _require_running(node: Integral, rules: Mapping[Node, Node]) -> None:
+def _require_running(node: w.Integral, rules: Mapping[Node, Node]) -> None:
     """Raise `Untreatable` if a rule makes something the same for all elements that the integral is taken over."""
     if not node.density.constant:
         raise Untreatable(f"{plain(node.density)} is a density: declare it constant, for an element keeps its mass")
@@ -104,19 +88,19 @@ def _require_running(node: Integral, rules: Mapping[Node, Node]) -> None:
             )
 
 
-def differs(node: Node, running: frozenset[Symbol], rules: Mapping[Node, Node]) -> bool:
+def differs(node: Node, running: frozenset[w.Symbol], rules: Mapping[Node, Node]) -> bool:
     """Whether an expression differs from element to element of a body, as the running symbols do."""
     match node:
         case _ if node in rules:
             return differs(rules[node], running, rules)
-        case Symbol(stands_for=Node() as inner):
+        case w.Symbol(stands_for=Node() as inner):
             return differs(inner, running, rules)
-        case Symbol():
+        case w.Symbol():
             return node in running
-        case Integral():
+        case w.Integral():
             return False
         case _:
-            return any(differs(part, running, rules) for part in children(node))
+            return any(differs(part, running, rules) for part in w.children(node))
 
 
 def _scan_divisor(found: Variables, node: Node, order: int, rules: Mapping[Node, Node]) -> None:
@@ -124,9 +108,9 @@ def _scan_divisor(found: Variables, node: Node, order: int, rules: Mapping[Node,
     match node:
         case _ if node in rules:
             _scan_divisor(found, rules[node], order, rules)
-        case Power(of, _) | Group(of) | Negative(of):
+        case w.Power(of, _) | w.Group(of) | w.Negative(of):
             _scan_divisor(found, of, order, rules)
-        case Scale(factor, term):
+        case w.Scale(factor, term):
             _scan_divisor(found, factor, order, rules)
             _scan_divisor(found, term, order, rules)
         case _:
@@ -134,12 +118,12 @@ def _scan_divisor(found: Variables, node: Node, order: int, rules: Mapping[Node,
 
 
 def _reach(found: Variables, node: Node, order: int) -> None:
-    base, dots = undotted(node)
-    if isinstance(base, Symbol):
+    base, dots = w.undotted(node)
+    if isinstance(base, w.Symbol):
         found.reached[base] = max(found.reached.get(base, 0), order + dots)
 
 
-def _scan_symbol(found: Variables, symbol: Symbol, order: int, rules: Mapping[Node, Node]) -> None:
+def _scan_symbol(found: Variables, symbol: w.Symbol, order: int, rules: Mapping[Node, Node]) -> None:
     if symbol.stands_for is not None:
         scan(found, symbol.stands_for, order, rules)
         return
@@ -147,15 +131,15 @@ def _scan_symbol(found: Variables, symbol: Symbol, order: int, rules: Mapping[No
         found.orders.setdefault(symbol, 0)
         return
     _reach(found, symbol, order)
-    rate, free = Rate(symbol), 0
+    rate, free = w.Rate(symbol), 0
     while free < order and rate not in rules:
-        rate, free = Rate(rate), free + 1
+        rate, free = w.Rate(rate), free + 1
     found.orders[symbol] = max(found.orders.get(symbol, 0), free)
     if free < order:
         _scan_rule(found, rate, order - free - 1, rules)
 
 
-def _scan_angle(found: Variables, symbol: Symbol, multiple: Fraction, order: int) -> None:
+def _scan_angle(found: Variables, symbol: w.Symbol, multiple: Fraction, order: int) -> None:
     old = found.angles.get(symbol)
     new = abs(multiple)
     if old is not None:
