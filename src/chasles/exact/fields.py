@@ -14,24 +14,7 @@ from operator import add, mul
 from textwrap import shorten
 from typing import Any
 
-from sympy import (
-    Add,
-    Expr,
-    Integer,
-    Mul,
-    Pow,
-    Rational,
-    Symbol,
-    cos,
-    cot,
-    expand,
-    factorint,
-    pi,
-    sin,
-    sqrt,
-    sympify,
-    tan,
-)
+import sympy as sp
 from sympy.polys.domains import QQ
 
 from chasles.exact.enclosures import sign_by_enclosure
@@ -50,48 +33,48 @@ class NumberField:
     """The least field with some exact numbers in it; `roots` and `free` are what it is made of."""
 
     def __init__(self, *values: Any) -> None:
-        atoms = dict.fromkeys(atom for value in values for atom in _atoms(sympify(value)))
+        atoms = dict.fromkeys(atom for value in values for atom in _atoms(sp.sympify(value)))
         self.roots = tuple(sorted((atom for atom in atoms if _is_small_root(atom)), key=str))
         self.free = tuple(sorted((atom for atom in atoms if atom not in self.roots), key=str))
         self.algebraic, self._of_roots = _algebraic(self.roots)
-        self._symbols = {atom: Symbol(f"free_{place}") for place, atom in enumerate(self.free)}
+        self._symbols = {atom: sp.Symbol(f"free_{place}") for place, atom in enumerate(self.free)}
         self.domain = self.algebraic.frac_field(*self._symbols.values()) if self.free else self.algebraic
-        self._elements: dict[Expr, Any] = {}
+        self._elements: dict[sp.Expr, Any] = {}
 
     def __call__(self, value: Any) -> Any:
         """The element that an exact number, or SymPy expression, stands for."""
-        expression = sympify(value)
+        expression = sp.sympify(value)
         if expression not in self._elements:
             self._elements[expression] = self._read(expression)
         return self._elements[expression]
 
-    def _read(self, value: Expr) -> Any:
+    def _read(self, value: sp.Expr) -> Any:
         match value:
-            case Rational():
+            case sp.Rational():
                 return self.domain.convert(QQ(value.p, value.q))
-            case Add():
+            case sp.Add():
                 return reduce(add, map(self, value.args))
-            case Mul():
+            case sp.Mul():
                 return reduce(mul, map(self, value.args))
-            case cot():
-                return self.domain.one / self(tan(value.args[0]))
+            case sp.cot():
+                return self.domain.one / self(sp.tan(value.args[0]))
             case _ if value in self._symbols:
                 return self.domain.from_sympy(self._symbols[value])
-            case Pow(exp=Rational(q=1)):
+            case sp.Pow(exp=sp.Rational(q=1)):
                 return self(value.base) ** int(value.exp)
-            case Pow(exp=Rational(p=p)) if p != 1:
-                return self(Pow(value.base, Rational(1, value.exp.q))) ** int(p)
+            case sp.Pow(exp=sp.Rational(p=p)) if p != 1:
+                return self(sp.Pow(value.base, sp.Rational(1, value.exp.q))) ** int(p)
         if value in self._of_roots:
             element = self._of_roots[value]
             return self.domain.convert_from(element, self.algebraic) if self.free else element
         return reduce(mul, (self(root) for root in _prime_roots(value)))
 
-    def expression(self, element: Any) -> Expr:
+    def expression(self, element: Any) -> sp.Expr:
         """The element as a SymPy expression, roots of numbers multiplied out."""
         if not self.free:
-            return expand(self.domain.to_sympy(element))
+            return sp.expand(self.domain.to_sympy(element))
         back = {symbol: atom for atom, symbol in self._symbols.items()}
-        above, below = (expand(self.domain.to_sympy(part)) for part in (element.numer, element.denom))
+        above, below = (sp.expand(self.domain.to_sympy(part)) for part in (element.numer, element.denom))
         return (above / below).xreplace(back)
 
     def sign(self, element: Any) -> int:
@@ -99,24 +82,24 @@ class NumberField:
         return 0 if not element else sign_of(self.expression(element))
 
 
-def sign_of(value: Expr) -> int:
+def sign_of(value: sp.Expr) -> int:
     """The sign of a real number that is not zero; raises NotDecided if it is too close to zero to be told from it."""
     if found := sign_by_enclosure(value, MOST_BITS):
         return found
     digits = 30
     # SymPy's decimals of a cotangent near a right angle are not what they say.
-    while not value.has(cot) and digits <= MOST_DIGITS:
+    while not value.has(sp.cot) and digits <= MOST_DIGITS:
         decimal = value.evalf(digits, maxn=20 * digits)
         if not decimal.is_Number:
             raise NotDecided(f"{value} is no real number")
-        if abs(decimal) > Rational(10) ** -(digits - 10):
+        if abs(decimal) > sp.Rational(10) ** -(digits - 10):
             return 1 if decimal > 0 else -1
         digits *= 2
     raise NotDecided(f"nothing decides the sign of {shorten(str(value), 80)}")
 
 
 @lru_cache(maxsize=200)
-def _algebraic(roots: tuple[Expr, ...]) -> tuple[Any, dict[Expr, Any]]:
+def _algebraic(roots: tuple[sp.Expr, ...]) -> tuple[Any, dict[sp.Expr, Any]]:
     """The extension of the rationals by some roots, and what each of these is in it; NotDecided for a large one."""
     if (degree := degree_of(roots)) > MOST_DEGREE:
         raise NotDecided(
@@ -126,43 +109,43 @@ def _algebraic(roots: tuple[Expr, ...]) -> tuple[Any, dict[Expr, Any]]:
     return domain, {root: domain.from_sympy(root) for root in roots}
 
 
-def _prime_roots(value: Expr) -> tuple[Expr, ...]:
+def _prime_roots(value: sp.Expr) -> tuple[sp.Expr, ...]:
     """The square root of an integer as those of its prime factors; another root as it is."""
     match value:
-        case Pow(base=Integer(), exp=Rational(p=1, q=2)) if value.base > 1:
-            return tuple(sqrt(prime) for prime in factorint(value.base, multiple=True))
+        case sp.Pow(base=sp.Integer(), exp=sp.Rational(p=1, q=2)) if value.base > 1:
+            return tuple(sp.sqrt(prime) for prime in sp.factorint(value.base, multiple=True))
     return (value,)
 
 
-def _atoms(value: Expr) -> Iterator[Expr]:
+def _atoms(value: sp.Expr) -> Iterator[sp.Expr]:
     """Whatever the four operations do not take apart."""
     match value:
-        case Rational():
+        case sp.Rational():
             return
-        case Add() | Mul():
+        case sp.Add() | sp.Mul():
             for part in value.args:
                 yield from _atoms(part)
-        case Pow(exp=Rational(q=1)):
+        case sp.Pow(exp=sp.Rational(q=1)):
             yield from _atoms(value.base)
-        case Pow(exp=Rational()):
-            yield from _prime_roots(Pow(value.base, Rational(1, value.exp.q)))
-        case cot():
-            yield tan(value.args[0])
+        case sp.Pow(exp=sp.Rational()):
+            yield from _prime_roots(sp.Pow(value.base, sp.Rational(1, value.exp.q)))
+        case sp.cot():
+            yield sp.tan(value.args[0])
         case _:
             yield value
 
 
-def _is_small_root(atom: Expr) -> bool:
+def _is_small_root(atom: sp.Expr) -> bool:
     """Whether the atom is a root of rational numbers, or of such, or the sine of a simple part of a turn."""
     match atom:
-        case Rational():
+        case sp.Rational():
             return True
-        case Add() | Mul():
+        case sp.Add() | sp.Mul():
             return all(map(_is_small_root, atom.args))
-        case Pow(exp=Rational()):
+        case sp.Pow(exp=sp.Rational()):
             return _is_small_root(atom.base)
-        case cos() | sin() | tan():
-            turns = atom.args[0] / pi
+        case sp.cos() | sp.sin() | sp.tan():
+            turns = atom.args[0] / sp.pi
             return bool(turns.is_Rational) and turns.q // gcd(int(turns.q), 2) <= MOST_TURNS
         case _:
             return False
