@@ -46,8 +46,8 @@ class Basis:
             return {k: c for k, c in cofactors.items() if c != 0}, remainder
         if not self._leads:
             self._leads.extend(leads_of(self.ring, self.generators))
-        reduction = reduce_by(self.ring, polynomial, self.generators, self._leads)
-        return folded(reduction.cofactors, self.origins), reduction.remainder
+        cofactors, remainder = reduce_by(self.ring, polynomial, self.generators, self._leads)
+        return folded(cofactors, self.origins), remainder
 
     def without(self, places: Collection[int]) -> Basis:
         """The generators that are not at these places."""
@@ -129,15 +129,15 @@ def _complete(ring: Ring, generators: list[Polynomial], origins: list[Combinatio
         difference = left * generators[i] - right * generators[j]
         if difference == 0:
             continue
-        reduction = reduce_by(ring, difference, generators, [lead for lead, _ in leads])
-        if reduction.is_zero:
+        cofactors, remainder = reduce_by(ring, difference, generators, [lead for lead, _ in leads])
+        if remainder == 0:
             continue
         combination: Combination = {i: left, j: -right}
-        for place, cofactor in reduction.cofactors.items():
+        for place, cofactor in cofactors.items():
             combination[place] = combination[place] - cofactor if place in combination else -cofactor
         origins.append(folded(combination, tuple(origins)))
-        generators.append(reduction.remainder)
-        leads.append(ring.leading(reduction.remainder))
+        generators.append(remainder)
+        leads.append(ring.leading(remainder))
         last = len(generators) - 1
         for k in range(last):
             heappush(pairs, (_degree(leads, (k, last)), k, last))

@@ -8,30 +8,16 @@ is not in the ideal; a certificate does not depend on that.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from math import comb
 
 from chasles.algebra.rings import Exponents, Polynomial, Ring
 from chasles.algebra.work_limit import afford, check, spend
 
 
-@dataclass(frozen=True, slots=True)
-class Reduction:
-    """goal = sum of cofactors[k] * generators[k] + remainder."""
-
-    cofactors: dict[int, Polynomial]
-    remainder: Polynomial
-
-    @property
-    def is_zero(self) -> bool:
-        """Whether nothing is left: the goal is in the ideal of the generators."""
-        return bool(self.remainder == 0)
-
-
 def reduce_by(
     ring: Ring, polynomial: Polynomial, generators: Sequence[Polynomial], leads: Sequence[Exponents] | None = None
-) -> Reduction:
-    """The polynomial reduced by the generators, in their order, until none divides a term of it.
+) -> tuple[dict[int, Polynomial], Polynomial]:
+    """Cofactors of the generators, and what is left of the polynomial, reduced by them until none divides a term of it.
 
     `leads` are the exponents of the generators' leading terms, where the caller knows them already.
     """
@@ -57,7 +43,7 @@ def reduce_by(
                 if polynomial == 0:
                     break
                 degrees = ring.degrees(polynomial)
-    return Reduction({k: c for k, c in cofactors.items() if c != 0}, polynomial)
+    return {k: c for k, c in cofactors.items() if c != 0}, polynomial
 
 
 def leads_of(ring: Ring, generators: Sequence[Polynomial]) -> tuple[Exponents, ...]:

@@ -21,7 +21,7 @@ from chasles.statements import Goal, Problem
 from chasles.vocabulary import Node
 
 if TYPE_CHECKING:
-    from chasles.checker.any_size.at_sizes import Shown
+    from chasles.verdict import Counterexample
 
 Value = Mapping[int, Fraction]
 SIMPLEST = {
@@ -32,7 +32,7 @@ SIMPLEST = {
 """Entries of the subjects of a hypothesis, zeros behind them, where a counterexample leaves all of them out."""
 
 
-def check_counterexample(problem: Problem, shown: Shown) -> None:
+def check_counterexample(problem: Problem, shown: Counterexample) -> None:
     """The point satisfies all that is assumed, and there the entry's two sides differ, as shown; else `Rejected`."""
     from chasles.checker.any_size.at_sizes import check_at_sizes, sizes_in
 
@@ -51,7 +51,7 @@ def check_counterexample(problem: Problem, shown: Shown) -> None:
         raise Rejected(reasons[0] if reasons else f"no equation of the statement is called {shown.goal!r}")
 
 
-def _objections(problem: Problem, shown: Shown) -> Iterator[str]:
+def _objections(problem: Problem, shown: Counterexample) -> Iterator[str]:
     """Why the counterexample does not refute each of the equations with that label."""
     reading = Reading(problem, shown.at)
     units = [(what[1], what[2]) for what in reading.variables if what[0] == "cos"]
@@ -62,7 +62,7 @@ def _objections(problem: Problem, shown: Shown) -> Iterator[str]:
             yield _objection(reading, goal, shown)
 
 
-def _objection(reading: Reading, goal: Goal, shown: Shown) -> str:
+def _objection(reading: Reading, goal: Goal, shown: Counterexample) -> str:
     """Why the counterexample does not refute this equation; empty if it does."""
     row, column = shown.entry
     rows, columns = goal.left.shape

@@ -13,17 +13,15 @@ from typing import Any
 import sympy
 from sympy.core.function import AppliedUndef
 
+from chasles.checker.expressions.assumptions import NUMBERS, SIGNS
 from chasles.checker.expressions.quantities import is_atom
 from chasles.from_sympy.opening import excerpt
 from chasles.from_sympy.positivity import is_definite
 from chasles.problems.variables import Untreatable
 from chasles.vocabulary import PI, Symbol, scalar
 
-# What SymPy may know of a quantity that its values at a point have to respect.
-ASSUMPTIONS = (
-    "positive", "negative", "nonpositive", "nonnegative", "zero", "nonzero", "integer", "noninteger", "even", "odd",
-    "prime", "composite", "rational", "irrational", "algebraic", "transcendental",
-)  # fmt: skip
+ASSUMPTIONS = (*SIGNS, *NUMBERS)
+"""What SymPy may know of a quantity that its values at a point have to respect."""
 
 
 class QuantityNames:
@@ -90,6 +88,11 @@ def _stem(atom: Any) -> str:
     return str(atom.func.__name__) if isinstance(atom, AppliedUndef) else str(atom)
 
 
+def assumed_of(atom: Any) -> dict[str, bool]:
+    """What SymPy knows of an atom, beyond its being real."""
+    return {key: known for key in ASSUMPTIONS if (known := getattr(atom, f"is_{key}")) is not None}
+
+
 def real_copy(expression: Any) -> Any:
     """The expression with every atom a real symbol of which SymPy assumes the same."""
     copies: dict[Any, Any] = {}
@@ -97,8 +100,7 @@ def real_copy(expression: Any) -> Any:
     for part in walk:
         if is_atom(part):
             walk.skip()
-            known = {key: is_so for key in ASSUMPTIONS if (is_so := getattr(part, f"is_{key}")) is not None}
-            copies.setdefault(part, sympy.Dummy(**{**known, "real": True}))
+            copies.setdefault(part, sympy.Dummy(**{**assumed_of(part), "real": True}))
     return expression.xreplace(copies)
 
 

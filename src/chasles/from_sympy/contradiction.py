@@ -18,7 +18,7 @@ from chasles.algebra.polynomial_text import written
 from chasles.algebra.rings import Polynomial
 from chasles.algebra.work_limit import OutOfTime, remaining, within
 from chasles.checker.expressions.quantities import is_atom
-from chasles.from_sympy.atoms import ASSUMPTIONS
+from chasles.from_sympy.atoms import assumed_of
 from chasles.from_sympy.positivity import definite_by
 from chasles.from_sympy.question import Question
 from chasles.problems.context import Context, build
@@ -131,8 +131,7 @@ def _assumed(question: Question, context: Context) -> dict[int, tuple[str, Assum
         if variable.symbol in roots and atom is not None:
             found[place] = "", {"nonnegative": True}
         elif atom is not None:
-            known = {key: is_so for key in ASSUMPTIONS if (is_so := getattr(atom, f"is_{key}")) is not None}
-            found[place] = (str(atom) if is_atom(atom) else ""), known
+            found[place] = (str(atom) if is_atom(atom) else ""), assumed_of(atom)
     return found
 
 

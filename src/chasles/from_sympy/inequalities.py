@@ -12,7 +12,7 @@ from sympy.core.function import AppliedUndef
 from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.expressions.readings import CIRCULAR
 from chasles.from_sympy.angles_between import between, closed
-from chasles.from_sympy.atoms import ASSUMPTIONS
+from chasles.from_sympy.atoms import assumed_of
 from chasles.from_sympy.complex_symbols import expressions_in
 from chasles.from_sympy.decimals import each_replaced, with_values
 from chasles.from_sympy.opening import atoms_of, excerpt
@@ -175,8 +175,7 @@ def _with_excess(said: Said, item: Any, name: str) -> Said:
 
 def _may_be(symbol: Any, value: Any, said: Said) -> bool:
     """Whether what is assumed of a symbol is seen of a value, and no function is said to depend on it."""
-    assumed = [kind for kind in ASSUMPTIONS if getattr(symbol, f"is_{kind}") is not None]
-    seen = all(getattr(symbol, f"is_{kind}") is getattr(value, f"is_{kind}") for kind in assumed)
+    seen = all(getattr(value, f"is_{kind}") is known for kind, known in assumed_of(symbol).items())
     calls = (call for e in expressions_in(said) for call in e.atoms(AppliedUndef))
     return seen and not any(symbol in call.args for call in calls)
 

@@ -16,8 +16,9 @@ from typing import Any
 import sympy
 
 from chasles.algebra.work_limit import afford, check
+from chasles.checker.expressions.assumptions import SIGNS
 from chasles.checker.sparse import Rejected
-from chasles.from_sympy.atoms import ASSUMPTIONS
+from chasles.from_sympy.atoms import assumed_of
 from chasles.from_sympy.enclosures import Enclosures
 from chasles.from_sympy.opening import Entries, atoms_of, excerpt
 from chasles.problems.variables import Untreatable
@@ -25,7 +26,6 @@ from chasles.verdict import Counterexample
 
 FEW, MANY = (4, 16), (30, 300)
 """So many points are looked at, of so many that are drawn."""
-SIGNS = ("positive", "negative", "nonpositive", "nonnegative", "zero", "nonzero")
 TRIES = 20
 TERM = 30
 """What a term of SymPy's counts as, in products."""
@@ -207,17 +207,13 @@ def _drawn(atom: Any, random: Random, attempt: int) -> Any:
 def _may_be(atom: Any, enclosures: Enclosures, dummy: Any) -> bool:
     """Whether the atom may have its value; of one that is not rational only the sign is known."""
     value = enclosures.point.get(dummy, dummy)
-    known = value.is_Rational or not _assumed(atom).keys() - set(SIGNS)
+    known = value.is_Rational or not assumed_of(atom).keys() - SIGNS.keys()
     return known and _agrees(atom, value if value.is_Rational else sympy.Integer(enclosures.sign(dummy)))
 
 
 def _agrees(atom: Any, value: Any) -> bool:
     """Whether the atom may have the value, by what SymPy knows of it."""
-    return all(getattr(value, f"is_{key}") is known for key, known in _assumed(atom).items())
-
-
-def _assumed(atom: Any) -> dict[str, bool]:
-    return {key: known for key in ASSUMPTIONS if (known := getattr(atom, f"is_{key}")) is not None}
+    return all(getattr(value, f"is_{key}") is known for key, known in assumed_of(atom).items())
 
 
 def exactly(value: Any) -> Any:

@@ -10,7 +10,7 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from chasles.algebra.surds import SurdSum
-from chasles.from_sympy.atoms import ASSUMPTIONS
+from chasles.from_sympy.atoms import assumed_of
 from chasles.from_sympy.given import Equations, SideConditions, orders_of
 from chasles.from_sympy.reader import Reader
 from chasles.from_sympy.triads import Triad
@@ -20,7 +20,7 @@ from chasles.points.search import Frame, Search
 def search_for(reader: Reader, given: SideConditions) -> Search:
     """The search that a question needs."""
     atoms = reader.atoms.words
-    assumed = {word.name: _assumed(atom) for atom, word in atoms.items()}
+    assumed = {word.name: assumed_of(atom) for atom, word in atoms.items()}
     triads = [item.triad for item in given.equations if item.triad and not item.derived]
     return Search(
         allowed=lambda name, value: _agrees(value, assumed.get(name, {})),
@@ -82,17 +82,12 @@ def _is_blind(reader: Reader, given: SideConditions) -> bool:
     moving = [orders_of(item.sides) for item in _moving(given)]
     variables = {argument for orders in moving for function in orders for argument in function.args}
     partial = len(variables) > 1 and any(order for orders in moving for order in orders.values())
-    return partial or any(map(_assumed, tied)) or any(map(_is_rigid, turning))
+    return partial or any(map(assumed_of, tied)) or any(map(_is_rigid, turning))
 
 
 def _is_rigid(atom: Any) -> bool:
     """Whether an atom is known to be algebraic: its cosine and sine are not rational then, unless it is zero."""
     return bool(atom.is_algebraic or atom.is_zero)
-
-
-def _assumed(atom: Any) -> dict[str, bool]:
-    """What SymPy knows of an atom, beyond its being real."""
-    return {key: known for key in ASSUMPTIONS if (known := getattr(atom, f"is_{key}")) is not None}
 
 
 def _agrees(value: SurdSum, wanted: Mapping[str, bool]) -> bool:

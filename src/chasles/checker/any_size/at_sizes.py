@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 from math import isqrt
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 from chasles import vocabulary as w
 from chasles.checker.determinants import Matrix, cofactor, determinant
@@ -18,27 +18,15 @@ from chasles.statements import Hypothesis, Problem
 from chasles.vocabulary.functions import FunctionOf
 from chasles.vocabulary.sizes import at_sizes, sizes_of
 
+if TYPE_CHECKING:
+    from chasles.verdict import Counterexample
+
 SAYING_ALL = (
     "nonzero", "positive", "unit", "unit column", "symmetric", "definite", "perpendicular", "rotation", "orthonormal",
     "orthogonal", "orthonormal columns", "skew-symmetric", "idempotent", "commuting",
     "of a rate", "evident",
 )  # fmt: skip
 """Hypotheses that say no more than their equations, what they keep from vanishing, and that something is positive."""
-
-
-class Shown(Protocol):
-    """A point by name, row and column counted from one, the two sides there as text, and the equation's label."""
-
-    @property
-    def at(self) -> Mapping[str, Fraction]: ...
-    @property
-    def entry(self) -> tuple[int, int]: ...
-    @property
-    def left(self) -> str: ...
-    @property
-    def right(self) -> str: ...
-    @property
-    def goal(self) -> str: ...
 
 
 def sizes_in(problem: Problem) -> tuple[str, ...]:
@@ -123,7 +111,7 @@ class PointAtSizes:
         return all(minor > 0 for minor in minors)
 
 
-def check_at_sizes(problem: Problem, shown: Shown) -> None:
+def check_at_sizes(problem: Problem, shown: Counterexample) -> None:
     """The point satisfies all that is assumed, and there the two sides of the entry differ and are as shown.
 
     Raises `Rejected` with the reason if not.

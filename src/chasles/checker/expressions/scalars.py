@@ -6,9 +6,9 @@ Prover and checker read such a problem here, and from here on as they read what 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import sympy as sp
 
@@ -19,10 +19,8 @@ from chasles.checker.expressions.words import EntriesOfWords
 from chasles.checker.sparse import Rejected
 from chasles.statements import Hypothesis, Problem
 from chasles.statements.conditions import ASSUMED
+from chasles.verdict import Counterexample, HoldsUnder
 from chasles.vocabulary.functions import FunctionOf
-
-if TYPE_CHECKING:
-    from chasles.checker.any_size.at_sizes import Shown
 
 BY_MORE = frozenset(("definite",))
 """Hypotheses that say more than their equations and what they keep from vanishing."""
@@ -50,25 +48,6 @@ class ScalarQuestion:
     def asked(self) -> tuple[Any, ...]:
         """The question as `chasles.prove` takes it."""
         return self.left, self.right, self.given, self.nonzero
-
-
-@dataclass(frozen=True, slots=True)
-class _Said:
-    """What a verdict says that holds."""
-
-    needs: tuple[str, ...]
-    certificate: Mapping[str, Any]
-    witness: Any
-
-
-@dataclass(frozen=True, slots=True)
-class _Point:
-    """What a counterexample says."""
-
-    at: Mapping[str, Fraction]
-    entry: tuple[int, int]
-    left: str
-    right: str
 
 
 def scalar_question(problem: Problem, proving: bool = True) -> ScalarQuestion:
@@ -138,10 +117,10 @@ def check_scalars(problem: Problem, certificate: Mapping[str, Any]) -> None:
     needs = tuple(certificate["needs"])
     shown = certificate.get("point")
     witness: Any = None if shown is None else {name: Fraction(value) for name, value in shown.items()}
-    check_proof(_Said(needs, certificate["scalars"], witness), *question.asked)
+    check_proof(HoldsUnder(needs, certificate["scalars"], witness), *question.asked)
 
 
-def check_scalar_counterexample(problem: Problem, shown: Shown) -> None:
+def check_scalar_counterexample(problem: Problem, shown: Counterexample) -> None:
     """The point refutes the question that the problem asks; raises `Rejected` with the reason if not."""
     question = scalar_question(problem, proving=False)
     if question.partial:
@@ -149,4 +128,4 @@ def check_scalar_counterexample(problem: Problem, shown: Shown) -> None:
     if (shown.goal, shown.entry) not in question.places:
         raise Rejected(f"no equation of the statement is called {shown.goal!r}, or it has no such entry")
     row = question.places.index((shown.goal, shown.entry))
-    check_refutation(_Point(shown.at, (row + 1, 1), shown.left, shown.right), *question.asked)
+    check_refutation(replace(shown, entry=(row + 1, 1)), *question.asked)

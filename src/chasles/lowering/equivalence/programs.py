@@ -251,7 +251,7 @@ class _Fractions(Operators):
             ]
             if not rules:
                 break
-            numerator = reduce_by(ring, numerator, *zip(*rules, strict=True)).remainder
+            _, numerator = reduce_by(ring, numerator, *zip(*rules, strict=True))
         return Ratio(self._field, numerator, ratio.denominator)
 
     def _let_vanish(self, polynomial: Polynomial) -> None:
