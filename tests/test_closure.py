@@ -9,7 +9,7 @@ import pytest
 
 from chasles.report.closure import CHECKERS, closure, lines
 
-MOST = {"declared": 6_200, "prove": 5_354}
+MOST = {"declared": 6_205, "prove": 5_344}
 """It may become less."""
 
 
