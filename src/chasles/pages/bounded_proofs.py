@@ -15,9 +15,9 @@ from chasles.deciding import decided
 from chasles.decisions.kept_answers import verdict_stands
 from chasles.decisions.session import Session
 from chasles.points.evaluation import Point
+from chasles.points.search import UnreducedEntry
 from chasles.problems.context import Context
 from chasles.prover.conditions import Solved
-from chasles.prover.counterexample import UnprovedPart
 from chasles.prover.decide import decide_problem, pose
 from chasles.prover.sources import DeclaredPoints
 from chasles.statements import Claim, Hypothesis, Problem, problem_of
@@ -51,12 +51,12 @@ class _FewTerms(DeclaredPoints):
     attempts = ATTEMPTS
     fruitless = 8
 
-    def likely_vanish(self, context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnprovedPart]) -> bool:
+    def likely_vanish(self, context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnreducedEntry]) -> bool:
         _require_few_terms(context, suspects)
         return super().likely_vanish(context, solved, suspects)
 
     def refute_soon(
-        self, context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnprovedPart]
+        self, context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnreducedEntry]
     ) -> Counterexample | None:
         _require_few_terms(context, suspects)
         return super().refute_soon(context, solved, suspects)
@@ -66,7 +66,7 @@ class _FewTerms(DeclaredPoints):
         return super().witness(context, solved)
 
 
-def _require_few_terms(context: Context, suspects: Sequence[UnprovedPart]) -> None:
+def _require_few_terms(context: Context, suspects: Sequence[UnreducedEntry]) -> None:
     polynomials = (*(g.polynomial for g in context.generators), *(e.ratio.numerator for e in suspects))
     if sum(map(len, polynomials)) > MOST_TERMS:
         raise _Unproved("written out it is too long")
@@ -77,10 +77,10 @@ class _Likely(DeclaredPoints):
 
     attempts = ATTEMPTS
 
-    def refute(self, context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnprovedPart]) -> None:
+    def refute(self, context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnreducedEntry]) -> None:
         raise _Unproved
 
-    def refute_soon(self, context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnprovedPart]) -> None:
+    def refute_soon(self, context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnreducedEntry]) -> None:
         return None
 
     def contradiction(self, problem: Problem) -> Contradictory | None:
@@ -90,7 +90,7 @@ class _Likely(DeclaredPoints):
 class _NoCounterexamples(_Likely, _FewTerms):
     """Points at which a problem is looked at before a proof is tried, and one that satisfies what a proof rests on."""
 
-    def refute_soon(self, context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnprovedPart]) -> None:
+    def refute_soon(self, context: Context, solved: tuple[Solved, ...], suspects: Sequence[UnreducedEntry]) -> None:
         if not self.likely_vanish(context, solved, suspects):
             raise _Unproved
 
