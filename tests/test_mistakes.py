@@ -111,6 +111,8 @@ NAMED: list[tuple[Callable[[], Any], str]] = [
     (lambda: Identity(M), "M is no size: write a whole number, or a letter for one"),
     (lambda: vector("z", "z", "", size=0), "0 is no size: it is 1 or more"),
     (lambda: Size("n") * 2.5, "2.5 is no size"),
+    (lambda: Notation({"sinus": "#1"}), "'sinus' is no function of a scalar: name a word itself"),
+    (lambda: Notation({"sin": "#2"}), "for sin has to name its 1 part"),
     (lambda: Notation([CPM]), "Notation takes a table of words and forms"),
     (lambda: vocabulary.Dot(v, 3), "Dot: `right` is 3, and must be an expression"),
 ]  # fmt: skip

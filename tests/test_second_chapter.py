@@ -221,8 +221,8 @@ def test_its_c_library_passes_its_self_test(emitted: Path, tmp_path: Path) -> No
 
 
 SMALL = """
-from chasles.statements import Claim, Section
-from chasles.vocabulary import scalar
+from chasles.statements import Claim, Definition, Section, Theorem
+from chasles.vocabulary import scalar, vector
 section = Section("1", "One")
 x = scalar("x", "x", "a number")
 claim = Claim("1.1", x + x, 2 * x, says="Twice.")
@@ -284,6 +284,26 @@ def test_what_is_installed_comes_before_the_current_folder(
         (
             {"__init__": "SECTIONS = ('one',)", "one": f"{SMALL}again = Claim('1.1', x, x)\n"},
             "claim and again are both declared as (1.1), part 1: give the second another `part`",
+        ),
+        ({"__init__": "SECTIONS = ('one',)\nUNIT = False", "one": SMALL}, "line 2: nothing reads UNIT: write UNITS"),
+        ({"__init__": "SECTIONS = ('one',)\nTITLE = 3", "one": SMALL}, "line 2: TITLE is 3: make it a text"),
+        (
+            {"__init__": "SECTIONS = ('one',)\nCONVENTIONS = 'one'", "one": SMALL},
+            "CONVENTIONS is 'one': make it a tuple of texts",
+        ),
+        *(
+            ({"__init__": "SECTIONS = ('one',)", "one": SMALL + said}, f"one.py, line 7: {told}")
+            for said, told in (
+                ("twice = Definition('1.2', 2 * x, x)\n", "twice (1.2) defines 2 x, which is no symbol"),
+                ("empty = Theorem('1.2', 'it holds', ())\n", "empty (1.2) has no forms: they are what it says"),
+                ("by = Claim('1.2', x, x, by=2)\n", "by (1.2) is said to be multiplied by 2, and not what"),
+                (
+                    "other = Claim('1.2', x, x, reading=vector('v', 'v', ''))\n",
+                    "other (1.2) has another form",
+                ),
+                ("void = Claim(' ', x, x)\n", "void ( ) has no number"),
+                ("letter = scalar('l', ' ', '')\n", "a symbol has a name and a letter, and 'l' has one"),
+            )
         ),
         ({"__init__": "SECTIONS = ('one',)", "one": "import none_such\n"}, "one.py, line 1: ModuleNotFoundError"),
         ({"__init__": "SECTIONS = ('one',)", "one": SMALL.replace("2 * x", "2 * y")}, "one.py, line 6: NameError"),

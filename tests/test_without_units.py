@@ -107,7 +107,7 @@ def test_units_are_there_or_not(tmp_path: Path, units: str) -> None:
     (tmp_path / "unsaid").mkdir()
     (tmp_path / "unsaid" / "__init__.py").write_text(f'SECTIONS = ("s1",)\nUNITS = {units}\n', "utf-8")
     try:
-        with pytest.raises(DeclarationError, match=r"UNITS of unsaid is .*: write UNITS = False"):
+        with pytest.raises(DeclarationError, match=r"UNITS is .*: make it True or False: UNITS = False for"):
             load(tmp_path / "unsaid")
     finally:
         del sys.modules["unsaid"]

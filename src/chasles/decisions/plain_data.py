@@ -65,7 +65,8 @@ def from_data(data: Any) -> Any:
             made = CLASSES[name]
             assert is_dataclass(made)
             named = zip(_told(made), held, strict=True)
-            return made(*(one if each.name in VERBATIM else from_data(one) for each, one in named))
+            # By name: what tells no value from others may stand before what does.
+            return made(**{each.name: one if each.name in VERBATIM else from_data(one) for each, one in named})
         case _:
             raise ValueError(f"no verdict and no repair: {data!r:.60}")
 

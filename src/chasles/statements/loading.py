@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from difflib import get_close_matches
 from importlib import import_module
 from importlib.util import find_spec
 from itertools import combinations
@@ -17,17 +18,31 @@ from chasles.statements.chapter import Entry, Section, place_of
 from chasles.statements.elsewhere import is_of_another
 from chasles.statements.inversion import Inverse
 from chasles.statements.packages import DeclarationError
-from chasles.statements.statement import Statement, Theorem
+from chasles.statements.statement import Claim, Definition, Statement, Theorem, is_rule
+from chasles.vocabulary.arguments import fits
+from chasles.vocabulary.families import indices_of
+from chasles.vocabulary.fitting import measured
+from chasles.vocabulary.measure import Misfit, added
+
+KNOWN: dict[str, tuple[Any, str]] = {
+    "TITLE": (str, "a text"),
+    "SOURCE": (str, "a text"),
+    "UNITS": (bool, "True or False: UNITS = False for a chapter without"),
+    "CONVENTIONS": (tuple[str, ...], 'a tuple of texts: ("Angles are in radians.",)'),
+    "NOTATION": (Any, ""),
+}
+"""What a package says of itself beside its SECTIONS."""
 
 
 def declared_by(book: ModuleType) -> tuple[Entry, ...]:
     """The statements of a chapter, by its package, module by module. Raises `DeclarationError`."""
     entries: list[Entry] = []
     seen: set[int] = set()
-    if not isinstance(getattr(book, "UNITS", True), bool):
-        raise DeclarationError(f"UNITS of {book.__name__} is {book.UNITS!r}: write UNITS = False for a chapter without")
+    _refuse_misnamed(book)
     for module in _modules(book):
         _refuse_lost(module)
+        for each in _entries(module, seen):
+            _refuse_senseless(each)
         own = [each for each in _entries(module, seen) if not is_of_another(each.statement, book.__name__)]
         entries += _in_own_sections(module.__name__, own)
         seen.update(id(entry.statement) for entry in entries)
@@ -41,6 +56,42 @@ def declared_by(book: ModuleType) -> tuple[Entry, ...]:
     if not entries:
         raise DeclarationError(f"{book.__name__} has no statements: none of its SECTIONS declares one")
     return tuple(entries)
+
+
+def _refuse_misnamed(book: ModuleType) -> None:
+    """Raise `DeclarationError` for what the package says of itself in another way than is read, or by another name."""
+    for name, value in vars(book).items() if book.__file__ else ():
+        meant = next(iter(get_close_matches(name, KNOWN, 1, 0.8)), "") if name.isupper() else ""
+        wrong = ""
+        if meant not in ("", name) and meant not in vars(book):
+            wrong = f"nothing reads {name}: write {meant}, or give it another name"
+        elif name in KNOWN and not fits(value, KNOWN[name][0]):
+            wrong = f"{name} is {value!r}: make it {KNOWN[name][1]}"
+        if wrong:
+            lines = Path(book.__file__ or "").read_text("utf-8").splitlines()
+            line = next((k for k, text in enumerate(lines, 1) if re.match(rf"{name}\b", text)), 1)
+            raise DeclarationError(f"{book.__file__}, line {line}: {wrong}")
+
+
+def _refuse_senseless(entry: Entry) -> None:
+    """Raise `DeclarationError` for a declaration that says nothing, or that no other could use."""
+    said, wrong = entry.statement, ""
+    if not said.number.strip():
+        wrong = "has no number"
+    elif isinstance(said, Theorem) and not said.forms:
+        wrong = "has no forms: they are what it says"
+    elif isinstance(said, Claim) and said.by is not None and said.restates is None:
+        wrong = f"is said to be multiplied by {said.by}, and not what it restates"
+    elif isinstance(said, Definition) and not (is_rule(said) or indices_of(said.left)):
+        wrong = f"defines {said.left}, which is no symbol: state it as a Condition on what it determines"
+    try:
+        others = ("reading", "corrected") if isinstance(said, Statement) else ()
+        for left, right in (said.form(which) for which in others if said.form_exists(which)):  # type: ignore[union-attr]
+            added(measured(left), measured(right), (left, right), "equate")
+    except Misfit as misfit:
+        wrong = f"has another form that does not fit: {misfit}"
+    if wrong:
+        raise DeclarationError(f"{entry.place}{entry.name} ({said.number}) {wrong}")
 
 
 def _refuse_lost(module: ModuleType) -> None:

@@ -36,11 +36,13 @@ class Notation:
         if not isinstance(forms, Mapping):
             raise WrongArgument(f"Notation takes a table of words and forms: {FORMS}")
         self.all_forms = {_key(word): form for word, form in forms.items()}
+        named = _named() if self.all_forms else {}
         for word, form in self.all_forms.items():
-            parts = None if isinstance(word, str) else node_fields(word)
+            if isinstance(word, str) and word not in named:
+                raise WrongArgument(f"Notation: {word!r} is no function of a scalar: name a word itself, as in {FORMS}")
+            name, count = (word, named[word]) if isinstance(word, str) else (word.__name__, len(node_fields(word)))
             places = set(map(int, PLACE.findall(form))) if isinstance(form, str) else None
-            if places is None or (parts and places != set(range(1, len(parts) + 1))):
-                name, count = (word, 1) if isinstance(word, str) else (word.__name__, len(parts or ()))
+            if places is None or (count and places != set(range(1, count + 1))):
                 raise WrongArgument(f"Notation: {form!r} for {name} has to name its {count} part(s): {FORMS}")
 
     def form(self, node: Node) -> str | None:
@@ -56,6 +58,8 @@ class Notation:
             usual = any(each.name == "letter" and each.default == node.letter for each in fields(node))
             return Piece(form.replace("#1", str(node.shape[0])), Precedence.ATOM) if usual else None
         parts = node.below
+        if len(parts) < max(map(int, PLACE.findall(form)), default=0):
+            return None
         infix = len(parts) > 1 and len(ENCLOSED.findall(form)) < len(parts)
         enclosed = {int(number) - 1 for number in ENCLOSED.findall(form)}
         least = Precedence.PRODUCT if infix else Precedence.ATOM
@@ -92,6 +96,20 @@ def notation_of(node: Node) -> Notation:
                     raise TypeError(f"NOTATION of {module} is {found!r}: write Notation({EXAMPLE})")
             return BOOK
     return BOOK
+
+
+def _named() -> dict[str, int]:
+    """The names of functions and of defined words, with how many parts they have; 0 for any number."""
+    from chasles.vocabulary.functions import PRINTED  # of no use where words are printed as usual
+    from chasles.vocabulary.shorthand import Shorthand
+
+    defined, waiting = dict[str, int](), [Shorthand]
+    while waiting:
+        kind: Any = waiting.pop()
+        waiting += kind.__subclasses__()
+        if isinstance(name := getattr(kind, "function", None), str):
+            defined[name] = len(node_fields(kind))
+    return {**defined, **dict.fromkeys(("sin", "cos", *PRINTED), 1), "atan2": 2, "max": 0, "min": 0}
 
 
 def _around(module: str) -> Iterator[str]:
