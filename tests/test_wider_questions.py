@@ -176,3 +176,18 @@ def test_a_function_that_is_given_has_its_value_at_other_arguments_too() -> None
 def test_a_symbol_without_a_name_is_no_crash() -> None:
     nameless = sp.Symbol("", real=True)
     assert isinstance(prove(sp.exp(nameless) * sp.exp(y), sp.exp(nameless + y)), Undecided)
+
+
+@pytest.mark.parametrize(
+    ("lhs", "rhs", "verdict"),
+    [
+        ((x, x < sin(x) ** 2 + cos(x) ** 2), sp.Piecewise((x, x < 1), (y, True)), Undecided),
+        ((x, x < cos(x)), y - sp.Piecewise((y - x, x < cos(x)), (0, True)), Holds),
+        ((x, x < y * sin(x)), sp.Piecewise((y, x >= y * sin(x)), (x, True)), Holds),
+        ((x, x + sin(x) < y + sin(y)), x, Fails),
+    ],
+    ids=name,
+)
+def test_conditions_on_what_is_no_polynomial_come_to_an_end(lhs: Any, rhs: Any, verdict: type) -> None:
+    """SymPy simplifies some of these without end once 1 + d is put for x; sin(x)**2 + cos(x)**2 - x is not linear."""
+    assert isinstance(prove(sp.Piecewise(lhs, (y, True)), rhs), verdict)

@@ -66,6 +66,8 @@ def prove(lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), budget: float 
             verdict = _verdict(*asked)
     except OutOfTime as error:
         return Undecided(str(error))
+    except Rejected as error:
+        return Undecided(f"a case is not read by the checker: {error}")
     except RecursionError as error:
         raise Untreatable("it is nested too deeply, or SymPy does not come to an end with it") from error
     if not isinstance(verdict, Holds | HoldsUnder):

@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from functools import partial, reduce
 from itertools import combinations
 from math import prod
-from operator import methodcaller
 from typing import Any
 
 import sympy
@@ -16,7 +15,15 @@ from sympy.core.function import AppliedUndef
 from chasles.checker.expressions.assumptions import NUMBERS
 from chasles.checker.expressions.enclosed import sign_of_number
 from chasles.checker.expressions.remainders import at_integer
-from chasles.checker.expressions.switches import SWITCHES, deciding, excludes, sign_of_multiple, visible_sign, written
+from chasles.checker.expressions.switches import (
+    SWITCHES,
+    deciding,
+    excludes,
+    sign_of_multiple,
+    visible_sign,
+    with_values,
+    written,
+)  # fmt: skip
 from chasles.checker.sparse import Rejected
 
 Pairs = tuple[tuple[Any, Any], ...]
@@ -86,7 +93,7 @@ class CheckedCase:
             values = ((part, written(part, case.sign)) for part in case.switches())
             if (put := next(({part: value} for part, value in values if value is not None), None)) is None:
                 return case
-            case = replace(case.each(methodcaller("xreplace", put)), equations=case.equations, facts=case.facts)
+            case = replace(case.each(partial(with_values, put=put)), equations=case.equations, facts=case.facts)
 
     def switches(self) -> list[Any]:
         """What changes its form with a sign, innermost first."""
@@ -164,7 +171,7 @@ class CheckedCase:
         inside = {s for e in (*self.spoken, *self.equations) for f in e.atoms(AppliedUndef, sympy.Derivative)
                   for s in f.free_symbols}  # fmt: skip
         for symbol in sorted(factor.free_symbols - inside, key=str):
-            slope = sympy.diff(factor, symbol)
+            slope = sympy.diff(factor, symbol) if factor.is_polynomial(symbol) else sympy.nan
             if slope.is_Rational and slope != 0 and all(getattr(symbol, f"is_{kind}") is None for kind in NUMBERS):
                 return symbol
         return None
@@ -214,7 +221,7 @@ class CheckedCase:
 def _with_value(e: Any, put: Mapping[Any, Any]) -> Any:
     """The expression at the value; undefined where something in it is that SymPy does not compare."""
     try:
-        return e.xreplace(put)
+        return with_values(e, put)
     except (TypeError, ValueError, ZeroDivisionError):
         return sympy.zoo
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import combinations
 from typing import Any
 
@@ -40,6 +40,14 @@ def written(part: Any, sign_of: Sign) -> Any:
     if isinstance(part, sympy.sign):
         return sympy.Integer(sign)
     return sympy.Integer(max(sign, 0)) if sign else part.args[1]
+
+
+def with_values(e: Any, put: Mapping[Any, Any]) -> Any:
+    """The expression with values put in, its cases as they stand: SymPy may simplify conditions without end."""
+    if e in put or not e.has(sympy.Piecewise):
+        return e.xreplace(put)
+    parts = [with_values(part, put) for part in e.args]
+    return sympy.Piecewise(*parts, evaluate=False) if isinstance(e, sympy.Piecewise) else e.func(*parts)
 
 
 def deciding(parts: Iterable[Any]) -> Iterator[Any]:
