@@ -75,7 +75,7 @@ def _impossible(question: Question, conditions: Sequence[Hypothesis], effort: fl
 
 def _searched(question: Question, conditions: Sequence[Hypothesis], effort: float) -> _Found | None:
     divisors = [(h, node) for h in conditions for node in h.nonvanishing]
-    inverses = {h: scalar(f"inverse_{k + 1}", "", "", constant=True) for k, (h, _) in enumerate(divisors)}
+    inverses = {h: scalar(f"inverse_{k + 1}", f"d_{k + 1}", "", constant=True) for k, (h, _) in enumerate(divisors)}
     turned = [_inverted(h, node, inverses[h]) for h, node in divisors]
     problem = question.problem
     context = build(Problem((), problem.rules, (), problem.unknowns, (*conditions, *turned)))
