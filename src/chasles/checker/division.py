@@ -7,8 +7,8 @@ from math import gcd
 
 from chasles.checker.sparse import Polynomial, Rejected, exponents
 
-Division = tuple[int, Polynomial]
-"""The factors of a term, and what the term equals."""
+Division = tuple[int, int, Polynomial]
+"""The factors of a term, a bit above each of their exponents, and what the term equals."""
 MOST_REPLACED = 10**6
 """So many terms are replaced at most when a polynomial is divided."""
 
@@ -18,7 +18,8 @@ def solved_for(factors: int, vanishing: Polynomial) -> Division:
     terms = vanishing.terms
     common = gcd(*terms.values())
     rest = {monomial: -c // common for monomial, c in terms.items() if monomial != factors}
-    return factors, Polynomial(rest, terms[factors] // common)
+    guard = sum(128 << 8 * place for place, _ in exponents(factors))
+    return factors, guard, Polynomial(rest, terms[factors] // common)
 
 
 def divided(polynomial: Polynomial, divisions: Sequence[Division]) -> Polynomial:
@@ -26,8 +27,7 @@ def divided(polynomial: Polynomial, divisions: Sequence[Division]) -> Polynomial
     replaced, before = 0, -1
     while before < replaced:
         before = replaced
-        for factors, equal in divisions:
-            guard = sum(128 << 8 * place for place, _ in exponents(factors))
+        for factors, guard, equal in divisions:
             # No bit of the guard is borrowed from where the exponents of the factors are not larger.
             while found := {m for m in polynomial.terms if (m | guard) - factors & guard == guard}:
                 quotient = {monomial - factors: polynomial.terms[monomial] for monomial in found}
