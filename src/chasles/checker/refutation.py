@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
-from math import isqrt
 from typing import TYPE_CHECKING
 
 from chasles.checker.elimination import eliminated
@@ -16,7 +15,7 @@ from chasles.checker.expansion import Formless
 from chasles.checker.motion import require_motion
 from chasles.checker.reading import Reading
 from chasles.checker.sparse import ZERO, Polynomial, Rejected, cleared, product, well_formed
-from chasles.checker.witness import Point, point_of, require, value_at
+from chasles.checker.witness import Point, point_of, require, root_of, value_at
 from chasles.statements import Goal, Problem
 from chasles.vocabulary import Node
 
@@ -139,7 +138,7 @@ def _norms(reading: Reading, point: Point, relevant: set[int]) -> None:
         entries = [entry for (entry,) in reading(of)] if kind == "norm" else []
         if entries and all(entry.places <= point.keys() for entry in entries):
             numbers = [number for entry in entries for number in quotient_at(reading, entry, point).values()]
-            root = _root(sum((number * number for number in numbers), Fraction(0)))
+            root = root_of(sum((number * number for number in numbers), Fraction(0)))
             if root is not None:
                 point[place] = root, 0
 
@@ -165,13 +164,6 @@ def _solution(rows: list[list[Fraction]], size: int) -> dict[int, Fraction]:
     """Values that satisfy the equations, by elimination, if any do; zero is meant where there is a choice."""
     reduced, pivots = eliminated(rows, size)
     return {column: row[-1] for column, row in zip(pivots, reduced, strict=False)}
-
-
-def _root(square: Fraction) -> Fraction | None:
-    if square < 0:
-        return None
-    root = Fraction(isqrt(square.numerator), isqrt(square.denominator))
-    return root if root * root == square else None
 
 
 def quotient_at(reading: Reading, polynomial: Polynomial, point: Point) -> Value:

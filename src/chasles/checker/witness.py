@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
-from math import prod
+from math import isqrt, prod
 from typing import Any
 
 from chasles.checker.quantities import squeezed
@@ -58,6 +58,12 @@ def value_at(polynomial: Polynomial, point: Point) -> dict[int, Any]:
         value = prod((point[place][0] ** exponent for place, exponent in powers), start=Fraction(coefficient))
         total[power] = total.get(power, Fraction(0)) + value
     return {power: value / polynomial.below for power, value in total.items() if value}
+
+
+def root_of(square: Fraction) -> Fraction | None:
+    """The rational square root, if there is one."""
+    root = Fraction(isqrt(max(square.numerator, 0)), isqrt(square.denominator))
+    return root if root * root == square else None
 
 
 def _standing_for(reading: Reading, occurring: set[int]) -> set[int]:

@@ -13,8 +13,8 @@ from math import prod
 from random import Random
 
 from chasles.algebra.values import is_zero
+from chasles.checker.witness import root_of
 from chasles.points.evaluation import Point, evaluate, terms_of
-from chasles.points.rational import root_of
 from chasles.problems.context import Context, Generator
 from chasles.vocabulary import PI, Symbol
 

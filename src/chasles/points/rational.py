@@ -8,7 +8,6 @@ axes, quarter turns, zeros and ones as far as possible.
 from __future__ import annotations
 
 from fractions import Fraction
-from math import isqrt
 from random import Random
 
 Numbers = list[list[Fraction]]
@@ -70,14 +69,6 @@ def on_sphere(size: int, draw: Random, rich: bool) -> list[Fraction]:
         return [Fraction(draw.choice((1, -1)))]
     cosine, sine = circle(draw) if rich else draw.choice(CIRCLE)
     return [cosine, *(sine * entry for entry in on_sphere(size - 1, draw, rich))]
-
-
-def root_of(square: Fraction) -> Fraction | None:
-    """The rational square root, if there is one."""
-    if square < 0:
-        return None
-    above, below = isqrt(square.numerator), isqrt(square.denominator)
-    return Fraction(above, below) if above * above == square.numerator and below * below == square.denominator else None
 
 
 def rotation(draw: Random, rich: bool) -> Numbers:

@@ -6,9 +6,9 @@ from fractions import Fraction
 from random import Random
 
 from chasles.algebra.localization import Ratio
+from chasles.checker.witness import root_of
 from chasles.evaluation.matrices import Matrix
 from chasles.points.evaluation import Point, ratio_at
-from chasles.points.rational import root_of
 from chasles.problems.context import Context
 from chasles.vocabulary import Node, Symbol
 

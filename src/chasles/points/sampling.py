@@ -13,6 +13,7 @@ from random import Random
 
 from chasles.algebra.rings import Polynomial
 from chasles.algebra.values import divided
+from chasles.checker.witness import QUARTERS
 from chasles.points.adjustment import adjusted
 from chasles.points.evaluation import Point, evaluate, satisfies
 from chasles.points.quadrics import on_quadrics
@@ -26,7 +27,6 @@ from chasles.vocabulary import Symbol
 
 ATTEMPTS = 400
 SIMPLE_ATTEMPTS = 8
-QUARTERS = tuple((Fraction(c), Fraction(s)) for c, s in ((1, 0), (0, 1), (-1, 0), (0, -1)))
 
 
 def sample(

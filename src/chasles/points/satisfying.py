@@ -11,6 +11,7 @@ from math import comb
 from operator import mul
 from random import Random
 
+from chasles.checker.witness import root_of
 from chasles.evaluation.matrices import product
 from chasles.points.rational import (
     CIRCLE,
@@ -20,7 +21,6 @@ from chasles.points.rational import (
     free,
     half_turn,
     on_sphere,
-    root_of,
     rotation,
     unit_vector,
 )

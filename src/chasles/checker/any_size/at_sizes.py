@@ -7,13 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
-from math import isqrt
 from typing import TYPE_CHECKING, Any
 
 from chasles import vocabulary as w
 from chasles.checker.determinants import Matrix, cofactor, determinant
 from chasles.checker.expansion import expanded, scaled
 from chasles.checker.sparse import Rejected
+from chasles.checker.witness import root_of
 from chasles.statements import Hypothesis, Problem
 from chasles.vocabulary.functions import FunctionOf
 from chasles.vocabulary.sizes import at_sizes, sizes_of
@@ -78,9 +78,7 @@ class PointAtSizes:
             case w.Quotient(numerator, divisor):
                 return scaled(_over(self._of(divisor)[0][0], divisor), self._of(numerator))
             case w.Norm(of):
-                square = self._of(w.Dot(of, of))[0][0]
-                root = Fraction(isqrt(square.numerator), isqrt(square.denominator))
-                if root * root != square:
+                if (root := root_of(self._of(w.Dot(of, of))[0][0])) is None:
                     raise Rejected(f"the length of {of} is no rational number there")
                 return [[root]]
             case FunctionOf("abs" | "sign" as function, (of,)):
