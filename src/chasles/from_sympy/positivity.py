@@ -1,18 +1,17 @@
 """Polynomials that are positive for all real values of their variables, with the reason.
 
 Either every term is a product of squares and of variables whose sign is known, or the polynomial is a sum of squares
-and a positive number, by completing squares (Lagrange's reduction).
+and a positive number.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
-from itertools import product
 
+from chasles.algebra import squares
 from chasles.algebra.rings import Polynomial, Ring
 
-MOST_SQUARES, MOST_TERMS = 3, 16
 Exponents = tuple[int, ...]
 Terms = Mapping[Exponents, Fraction]
 
@@ -56,30 +55,6 @@ def is_definite(terms: Terms) -> bool:
     return any(not any(exponents) for _, base in sum_of_squares(terms) for exponents in base if len(base) == 1)
 
 
-def sum_of_squares(terms: Terms, squares: int = MOST_SQUARES) -> list[tuple[Fraction, Terms]]:
-    """A polynomial as a sum of positive multiples of squares, by completing these; nothing if none is found."""
-    bad = [m for m, c in terms.items() if c < 0 or any(power % 2 for power in m)]
-    if not bad:
-        return [(c, {tuple(power // 2 for power in m): Fraction(1)}) for m, c in terms.items()]
-    for square in terms if squares and len(terms) < MOST_TERMS else ():
-        half = tuple(power // 2 for power in square)
-        if square in bad or not any(half):
-            continue
-        crossed = [m for m in bad if all(a >= b for a, b in zip(m, half, strict=True))]
-        rest = _without_square(terms, square, crossed) if crossed else {}
-        found = sum_of_squares(rest, squares - 1) if rest else []
-        if found or (crossed and not rest):
-            c = terms[square]
-            sides = {tuple(a - b for a, b in zip(m, half, strict=True)): terms[m] / (2 * c) for m in crossed}
-            return [(c, {half: Fraction(1), **sides}), *found]
-    return []
-
-
-def _without_square(terms: Terms, square: Exponents, crossed: list[Exponents]) -> dict[Exponents, Fraction]:
-    """What c (m + b/2c)^2 leaves, where c m^2 is one of the terms and m b are others: -b^2/4c and the rest."""
-    half = [power // 2 for power in square]
-    rest = {m: c for m, c in terms.items() if m != square and m not in crossed}
-    for one, other in product(crossed, repeat=2):
-        m = tuple(i + j - 2 * k for i, j, k in zip(one, other, half, strict=True))
-        rest[m] = rest.get(m, Fraction(0)) - terms[one] * terms[other] / (4 * terms[square])
-    return {m: c for m, c in rest.items() if c}
+def sum_of_squares(terms: Terms) -> list[tuple[Fraction, Terms]]:
+    """A polynomial as a sum of positive multiples of squares; nothing if none is found."""
+    return [(factor, base) for factor, _, base in squares.sum_of_squares(terms, ()) or ()]
