@@ -103,7 +103,7 @@ class Reckoning:
         before, count = -1, 0
         while before < count and divides:
             before = count
-            for k, (_, factors, equal) in enumerate(self._divisions):
+            for k, (_, factors, _, equal) in enumerate(self._divisions):
                 while quotient := multiples(polynomial, factors):
                     polynomial = replaced(polynomial, factors, quotient, equal)
                     quotients[k] += quotient
@@ -112,7 +112,7 @@ class Reckoning:
                         raise Rejected("the division is too long")
         if polynomial:
             raise Rejected("something is left when the certificate's division is done")
-        for (label, factors, _), quotient in zip(self._divisions, quotients, strict=True):
+        for (label, factors, *_), quotient in zip(self._divisions, quotients, strict=True):
             vanishing = self.reading.vanishing[label]
             yield label, quotient * number(Fraction(vanishing.below, vanishing.terms[factors]))
 

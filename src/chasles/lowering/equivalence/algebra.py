@@ -13,11 +13,11 @@ from itertools import zip_longest
 from chasles.algebra.groebner import Basis, completed, stated
 from chasles.algebra.localization import Ratio, quotient
 from chasles.algebra.rings import Polynomial
+from chasles.checker.witness import root_of
 from chasles.lowering.divisors import divisors_of
 from chasles.lowering.equivalence.rotation_vectors import by_directions
 from chasles.lowering.equivalence.units import Units
 from chasles.lowering.request import Request
-from chasles.points.rational import root_of
 from chasles.problems.context import Context, build
 from chasles.statements import Goal, Problem, nonzero
 from chasles.vocabulary import Node, Norm, Symbol
