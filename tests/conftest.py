@@ -10,7 +10,6 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from tempfile import TemporaryDirectory
 
 import pytest
 from hypothesis import HealthCheck, settings
@@ -103,15 +102,16 @@ def report(made_once: Callable[[str, Callable[[Path], object]], Path]) -> dict[s
 
 
 @pytest.fixture(scope="session")
-def coq_cache(made_once: Callable[[str, Callable[[Path], object]], Path]) -> Path:
-    """A cache that has nothing but the theories for Coq, compiled; who adds to it makes a copy."""
+def coq_cache(pytestconfig: pytest.Config, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A cache that has nothing but the theories for Coq, compiled; who adds to it makes a copy.
 
-    def compiled(folder: Path) -> None:
-        with pytest.MonkeyPatch.context() as patch, TemporaryDirectory() as place:
-            patch.setenv("CHASLES_CACHE", str(folder))
-            compile_theories(Path(place))
-
-    return made_once("coq", compiled)
+    Pytest keeps it from one run to the next: a folder in it has the name of what it was compiled from.
+    """
+    kept = pytestconfig.cache.mkdir("coq")
+    with pytest.MonkeyPatch.context() as patch, only_one(kept / "lock"):
+        patch.setenv("CHASLES_CACHE", str(kept))
+        compile_theories(tmp_path_factory.mktemp("theories"))
+        return shutil.copytree(kept, tmp_path_factory.mktemp("coq") / "cache")
 
 
 @contextmanager
