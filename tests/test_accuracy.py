@@ -170,7 +170,7 @@ def condition(request: Specification, point: dict[Any, Any], k: int, places: tup
     return float(total / max(map(abs, exact)))
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(7)
 @pytest.mark.parametrize("dtype", PRECISIONS)
 @pytest.mark.parametrize("name", UNITS)
 def test_right_to_the_last_digits_at_every_angle(book: Book, name: str, dtype: type[np.floating[Any]]) -> None:
@@ -184,6 +184,7 @@ def test_right_to_the_last_digits_at_every_angle(book: Book, name: str, dtype: t
     assert compared > 50
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("dtype", PRECISIONS)
 @pytest.mark.parametrize("name", NORMWISE)
 def test_no_error_beside_the_statement_is_larger_than_proved(

@@ -44,6 +44,7 @@ FALSE_AT_AN_END: list[tuple[Any, Any, list[Any]]] = [
 ]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("one", "other"), TRUE, ids=str)
 def test_angles_of_points_are_equal(one: Any, other: Any) -> None:
     verdict = prove(one, other)

@@ -25,7 +25,7 @@ WRAPPERS = {"sympy_ufuncify", "sympy_autowrap"}
 SLOW = WRAPPERS | {"numba_jit", "casadi_c", "symforce_cpp", "sympy_codegen_c", "sympy_cse_c"}
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("name", [pytest.param(n, marks=pytest.mark.slow) if n in SLOW else n for n in (OURS, *PEERS)])
 def test_a_peer_gives_the_right_values(name: str) -> None:
     peer = pytest.importorskip(f"benchmarks.peers.{name}", exc_type=ImportError)

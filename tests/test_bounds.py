@@ -241,7 +241,7 @@ def compare(
     return [(g, float(x) / unit) for g, x in zip(bound.guarantees, worst, strict=True)]
 
 
-@pytest.mark.sampled(5)
+@pytest.mark.sampled(11)
 @pytest.mark.parametrize("dtype", [np.float64, np.float32])
 @pytest.mark.parametrize("name", [name for name in PROVED if name not in CHOOSING])
 def test_no_kernel_errs_by_more_than_is_proved(book: Book, name: str, dtype: type[np.floating[Any]]) -> None:
@@ -311,6 +311,7 @@ def errors_beside_cases(book: Book, name: str, dtype: Any, factor: float = 1.0) 
     return [(g, float(x) / unit) for g, x in zip(guarantees, worst, strict=True)]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("dtype", [np.float64, np.float32])
 @pytest.mark.parametrize("name", sorted(CHOOSING))
 def test_no_kernel_of_several_cases_errs_by_more_than_is_proved(book: Book, name: str, dtype: Any) -> None:
@@ -487,6 +488,7 @@ def test_a_rounding_left_out_is_missed(book: Book, name: str, monkeypatch: pytes
     assert worst_found(book, name, SINGLE, point, guarantee.against) > float(guarantee.units)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("name", ["power", "inertia_about_point", "momentum_screw", "kinetic_energy"])
 def test_counted_roundings_can_all_happen(book: Book, name: str) -> None:
     ones = [np.float32(1 + 2**-20 + np.zeros(a.shape)) for a in book.made[name][1].arguments]

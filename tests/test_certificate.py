@@ -244,6 +244,7 @@ def test_every_division_counts(name: str) -> None:
             refused(name, lambda c, k=place, forged=forged: c["division"].__setitem__(k, forged), reason)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("name", WITH_DIVISION)
 def test_division_by_any_term_proves_nothing_false(name: str) -> None:
     """Whatever the certificate divides by, and for whichever term it is solved."""

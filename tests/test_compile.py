@@ -98,6 +98,7 @@ EXPRESSIONS = [
 ]
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("dtype", [np.float64, np.float32])
 def test_values_are_those_of_lambdify(dtype, backend, draw):
     points = [draw(-3, 3, 200).astype(dtype) for _ in range(3)]
@@ -180,6 +181,7 @@ JACOBIANS = [
 ]
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("expressions", JACOBIANS)
 def test_derivatives_are_those_of_sympy(expressions, backend, draw):
     kernel = chasles.compile(expressions, (x, y, z), jacobian=True)

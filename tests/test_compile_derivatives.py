@@ -79,7 +79,7 @@ def direction(request, monkeypatch):
     return request.param
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize("expression", EXPRESSIONS, ids=str)
 def test_all_kinds_are_those_of_sympy_in_both_directions(expression, direction):
     symbols = (x, y, z)
@@ -93,7 +93,7 @@ def test_all_kinds_are_those_of_sympy_in_both_directions(expression, direction):
         assert same(found["result_vjp"], [5 * slope for slope in slopes])
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize("at", [0.0, 1e-200, 1e-9, 1e-3, 0.4])
 @pytest.mark.parametrize("shape", ["sin(r)/r", "(1 - cos(r))/r**2", "cos(r)", "(r - sin(r))/r**3"])
 def test_second_derivatives_at_removable_singularities(shape, at, in_numpy, direction):

@@ -193,6 +193,7 @@ def model(request):
         return request.param, method, chasles.compile(method, outputs=outputs, name="model")
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("seed", range(3))
 def test_accelerations_solve_the_equations_exactly(model, seed):
     name, _, kernel = model

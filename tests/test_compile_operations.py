@@ -21,6 +21,7 @@ MOST = {
 }
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("name", MOST)
 def test_models_take_no_more_operations(name):
     model = MODELS[name]()

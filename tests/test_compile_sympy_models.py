@@ -43,7 +43,7 @@ FORMED = [
 ]
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(("module", "name"), FORMED)
 def test_a_model_compiles_as_it_comes(module, name, monkeypatch):
     monkeypatch.setenv("CC", "no-such-compiler")

@@ -87,7 +87,7 @@ def computed():
         return {"c": kernel(first, second), "numpy": kernel.array_api(first, second), "one at a time": single}
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.sampled(7)
 @pytest.mark.parametrize("way", ["c", "numpy", "one at a time"])
 @pytest.mark.parametrize("number", range(len(EXPRESSIONS)), ids=lambda number: str(EXPRESSIONS[number]))
 def test_every_function_beside_400_digits(computed, number, way):
@@ -129,6 +129,7 @@ SUPPOSED = {
 
 
 @pytest.mark.skipif(np.finfo(np.longdouble).nmant < 63, reason="needs numbers of more digits")
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("name", SUPPOSED)
 def test_functions_are_within_what_error_bounds_suppose(name):
     """Compiled, and in NumPy, in both precisions."""

@@ -112,7 +112,7 @@ def turns(name: str) -> bool:
     return re.search(r"operations .*\b(sine|cosine)", getattr(kernels, name).__doc__ or "") is not None
 
 
-@pytest.mark.sampled(5)
+@pytest.mark.sampled(13)
 @pytest.mark.parametrize("kind", [np.float64, np.float32])
 @pytest.mark.parametrize("name", sorted(set(dir(kernels)) - {"array_api", "backend", "instructions", "one"}))
 def test_a_batch_is_what_the_scalar_function_gives(

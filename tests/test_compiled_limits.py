@@ -44,7 +44,7 @@ def exact(expression, point):
         return [float(value) for value in sp.lambdify([x, y, z], rows, "mpmath")(*map(mpmath.mpf, point))]
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("number", range(len(LIMITS)), ids=lambda number: str(LIMITS[number]))
 def test_values_and_derivatives_near_a_limit(kernel, number):
     expression = LIMITS[number].replace(sp.sinc, lambda a: sp.sin(a) / a)
@@ -59,6 +59,7 @@ def test_at_the_limit_itself_all_have_values(kernel):
     assert all(np.isfinite(part).all() for part in kernel(0.0, 0.0, 0.0))
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     "expression",
     [sp.sin(x) / x**2, sp.cos(x) / x, 1 / sp.sin(x), sp.sin(y) / x, sp.sin(x + y) / x, sp.sin(x) / (x + y), 1 / x],
@@ -74,6 +75,7 @@ def test_a_piece_that_is_no_limit_stays():
     assert without_removable(sp.Piecewise((sp.sin(x) / x, sp.Ne(x, 1)), (1, True))).has(sp.Piecewise)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("order", range(8))
 def test_the_functions_of_stumpff(order):
     kernel = chasles.compile(Stumpff(order, x), x)
@@ -186,6 +188,7 @@ def test_no_size_is_a_negative_zero(expression):
         assert way(0.0, -1.0) == math.pi
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     "expression",
     [

@@ -90,6 +90,7 @@ POSSIBLE: list[tuple[list[Any], list[Any]]] = [
 ]
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(("given", "nonzero", "said"), IMPOSSIBLE)
 def test_conditions_that_nothing_satisfies_are_told_and_none_to_spare(
     given: list[Any], nonzero: list[Any], said: set[str]
@@ -105,6 +106,7 @@ def test_a_divisor_that_vanishes_everywhere_is_told() -> None:
     assert prove(1 / divisor, 0) == Contradictory((f"{divisor} != 0",), prove(1 / divisor, 0).certificate)
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(("given", "nonzero"), POSSIBLE)
 def test_conditions_that_something_satisfies_do_not_contradict_each_other(given: list[Any], nonzero: list[Any]) -> None:
     assert isinstance(prove(z, z, given=given, nonzero=nonzero), Holds | HoldsUnder)

@@ -74,8 +74,8 @@ FIRST: list[tuple[Any, ...]] = [
     (Inverse(A * B), Inverse(B) * Inverse(A)),
     (Sum(x * k**2, (k, 1, 4)), 30 * x),
 ]
-"""One of a class: quotients, half angles, matrices, functions of time, roots and absolute values, roots of roots, angles
-by parts of pi, cases, roots of functions, hyperbolic functions, logarithms, exponentials of time, inverses, sums."""
+"""One of each class: quotients, half angles, matrices, functions of time, roots with absolute values, nested roots,
+parts of pi, cases, roots of functions, hyperbolic functions, logarithms, exponentials of time, inverses, sums."""
 MORE: list[tuple[Any, ...]] = [
     (cos(3 * x), 4 * cos(x) ** 3 - 3 * cos(x)),
     (tan(x + y), (tan(x) + tan(y)) / (1 - tan(x) * tan(y))),

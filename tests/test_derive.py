@@ -92,6 +92,7 @@ def road_of(*made: Step, to: Statement, **more: object) -> Derivation:
     return Derivation("a road of a test", to, "", made, **more)  # type: ignore[arg-type]
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("name", SOME)
 def test_a_road_arrives(walked: Walked, name: str) -> None:
     road = walked[name]

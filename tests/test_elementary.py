@@ -351,6 +351,7 @@ LOGARITHMS = [
 ]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("lhs", "rhs"), LOGARITHMS, ids=name)
 def test_sums_of_logarithms_are_compared_by_what_they_are_of(lhs: Any, rhs: Any) -> None:
     verdict = prove(lhs, rhs)

@@ -27,6 +27,7 @@ FUNCTIONS: list[Any] = [
 ]  # fmt: skip
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("function", FUNCTIONS, ids=lambda f: str(f(x)))
 def test_values_are_enclosed(function: Any) -> None:
     expression = function(x)
@@ -87,7 +88,7 @@ def test_given_equations_hold_at_the_point(one: Any, given: list[Any]) -> None:
     assert abs(sp.N(one.subs(values), 40)) > Rational(1, 10**10)
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(
     "sides",
     [

@@ -98,6 +98,7 @@ def test_the_rates_go_back_through_the_matrix(sequence: str) -> None:
     np.testing.assert_allclose((W @ rates[..., None])[..., 0], VELOCITIES, rtol=0, atol=1e-12)
 
 
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize("sequence", SEQUENCES)
 @pytest.mark.parametrize("dtype", [np.float64, np.float32])
 def test_near_a_singular_configuration_the_rates_are_right(sequence: str, dtype: type) -> None:

@@ -197,6 +197,7 @@ def expression(random: Random, depth: int) -> Node:
     return random.choice(made)()
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("seed", range(40))
 def test_coefficients_are_those_of_the_taylor_series(seed: int) -> None:
     """Against differences of values of 60 digits near zero, for expressions made at random."""

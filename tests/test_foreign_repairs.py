@@ -41,6 +41,7 @@ INSIDE: list[tuple[Node, Node, bool, str]] = [
 ]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("left", "wrong", "transposed", "right"), INSIDE, ids=range(len(INSIDE)))
 def test_a_block_that_is_missing_in_a_factor_is_found(left: Node, wrong: Node, transposed: bool, right: str) -> None:
     factor = array("P", "P", "a factor", wrong)

@@ -112,7 +112,7 @@ FALSE: list[tuple[Any, Any, list[Any]]] = [
 ]
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(7)
 @pytest.mark.parametrize(("left", "right", "given"), [*TRUE, *BETWEEN, *NONE_IS_NEGATIVE], ids=str)
 def test_what_holds_where_they_do_is_proved(left: Any, right: Any, given: list[Any]) -> None:
     verdict = prove(left, right, given)
@@ -128,6 +128,7 @@ def test_the_verdict_says_between_what_a_symbol_is(left: Any, right: Any, given:
     assert not verdict.unused
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("left", "right", "given"), FALSE, ids=str)
 def test_what_fails_somewhere_where_they_hold_is_refuted_there(left: Any, right: Any, given: list[Any]) -> None:
     verdict = prove(left, right, given)
@@ -145,6 +146,7 @@ def test_what_nothing_satisfies_is_contradictory(given: list[Any]) -> None:
     assert isinstance(prove(x, 2 * y, given), Contradictory)
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(("left", "right", "given"), TRUE[:12] + TRUE[20:26], ids=str)
 def test_a_proof_does_not_do_without_them(left: Any, right: Any, given: list[Any]) -> None:
     verdict = prove(left, right, given)

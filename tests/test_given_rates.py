@@ -44,6 +44,7 @@ FALSE: list[tuple[Any, Any, Any]] = [
 ]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("left", "right", "given"), TRUE, ids=str)
 def test_true_ones_are_proved(left: Any, right: Any, given: Any) -> None:
     """Once these were refuted, by a rate that is not the given one."""

@@ -36,7 +36,7 @@ def test_what_is_kept_is_true_by_numbers_and_what_is_falsified_is_not() -> None:
 @pytest.mark.parametrize("name", ["textbook", "sympy"])
 def test_nothing_is_decided_wrongly(name: str) -> None:
     questions = measure.textbook() if name == "textbook" else measure.of_sympy("real")
-    every = {"textbook": 11, "sympy": 25} if WHOLE else {"textbook": 60, "sympy": 250}
+    every = {"textbook": 11, "sympy": 25} if WHOLE else {"textbook": 120, "sympy": 500}
     found = measure.measure(name, questions, every[name], verbose=True)
     assert found["WRONG"] == found["broken"] == 0
     assert found["right"] > found.total() * (0.9 if name == "textbook" else 0.5)

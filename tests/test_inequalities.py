@@ -105,7 +105,7 @@ def test_what_is_false_is_refuted_where_the_inequalities_hold(said: Claim) -> No
     refuted(said)
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(
     "said",
     [

@@ -53,6 +53,7 @@ FALSE = [
 ]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("left", "right"), TRUE, ids=str)
 def test_remainders_prove(left: Any, right: Any) -> None:
     verdict = prove(left, right)
@@ -126,7 +127,7 @@ SUMS = [
 ]
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize(("left", "right"), SUMS, ids=str)
 def test_sums_of_polynomials_to_any_limit(left: Any, right: Any) -> None:
     verdict = prove(left, right)

@@ -263,6 +263,7 @@ def decided(claim: Statement | Theorem) -> Verdict:
     return found
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(("name", "left", "right", "more", "needs"), HOLDS)
 def test_it_holds_where_there_is_an_inverse(
     name: str, left: Node, right: Node, more: dict[str, Any], needs: set[str]
@@ -273,6 +274,7 @@ def test_it_holds_where_there_is_an_inverse(
     assert needs <= said <= needs | {h.text for h in more.get("assuming", ())}
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(("name", "left", "right", "more"), FAILS)
 def test_it_fails_at_a_point_that_is_checked(name: str, left: Node, right: Node, more: dict[str, Any]) -> None:
     assert isinstance(decided(Claim(name, left, right, **more)), Fails)

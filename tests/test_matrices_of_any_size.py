@@ -98,6 +98,7 @@ def agree(problem: Problem) -> int:
     return count
 
 
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize(("name", "claim"), list(claims()), ids=NAMES)
 def test_identities_hold(name: str, claim: Claim) -> None:
     verdict = Session().decide(claim).verdict
@@ -107,7 +108,7 @@ def test_identities_hold(name: str, claim: Claim) -> None:
     assert from_data(to_data(verdict)) == verdict
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(7)
 @pytest.mark.parametrize(("name", "left", "right", "assuming"), IDENTITIES, ids=NAMES)
 def test_slips_are_refuted_or_are_none(name: str, left: Node, right: Node, assuming: Any) -> None:
     for kind, other in slips(right):

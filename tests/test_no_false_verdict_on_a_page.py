@@ -28,6 +28,7 @@ def verdicts_as_proposed(*equations: str) -> list[str]:
     return [each.verdict for each in chasles.read(page, notation, "tex").equations]
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("sign", [r"\Delta", r"\delta", "d", r"\mathrm{d}", r"\partial"])
 @pytest.mark.parametrize(
     "claim",
@@ -105,6 +106,7 @@ def test_the_numbers_that_an_index_runs_through_are_factors(claim: str, verdict:
     assert verdicts(claim) == [verdict]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("nabla", [r"\nabla", r"\boldsymbol{\nabla}", r"\vec{\nabla}", r"\bm\nabla"])
 @pytest.mark.parametrize(
     "claim",

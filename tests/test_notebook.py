@@ -290,7 +290,7 @@ def cells() -> dict[str, list[Any]]:
     return dict(zip([*CELLS, "printing"], (cell.outputs for cell in book.cells[1:]), strict=True))
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(7)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", CELLS)
 def test_a_kernel_displays_each_once(name: str, cells: dict[str, list[Any]]) -> None:

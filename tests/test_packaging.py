@@ -126,7 +126,7 @@ class Environment:
 
     def install(self, *words: str | Path, **environment: str) -> None:
         """Install with the pip of this environment, which finds its build tools here and downloads nothing."""
-        pip = (sys.executable, "-m", "pip", "--python", self.python, "install", "--no-index", "--quiet")
+        pip = (sys.executable, "-m", "pip", "--python", self.python, "install", "--no-index", "--no-compile", "--quiet")
         succeed(*pip, *words, cwd=self.folder, **environment)
 
     def run(self, line: str) -> str:
@@ -256,12 +256,13 @@ def test_the_pure_wheel_in_one_go(pure_wheel: Path, environment: Environment) ->
     assert "holds under  The point of the screw axis nearest the origin." in said
     assert said.splitlines()[-1] == "numpy"
     assert not (environment.packages / "flint").exists()
-    some = "" if WHOLE else " --section 3.2"
-    said = environment.run(f"CHASLES_CACHE= chasles decide --brief{some} && chasles solve 3.3 && chasles derive 3.96c")
+    some = "" if WHOLE else " --section 3.2.1"
+    said = environment.run(f"CHASLES_CACHE= chasles decide --brief{some} && chasles derive 3.96c")
     assert ("522 statements: " if WHOLE else " statements: ") in said
     assert "complete; all results are as printed" in said
 
 
+@pytest.mark.skipif(not WHOLE, reason="wheels of the folder and installed ones are tried: set CHASLES_TEST_WHOLE=1")
 def test_the_folder_itself_can_be_installed(tree: Path, builder: Environment) -> None:
     builder.install("--no-deps", "--no-build-isolation", tree, **PURE)
     assert "The point of the screw axis nearest the origin." in builder.run("chasles list --section 3.2.1")

@@ -114,6 +114,7 @@ PAGES: dict[str, tuple[list[Equation], list[str]]] = {
 }  # fmt: skip
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("name", PAGES)
 def test_equations_in_a_row_get_roles_and_premises(name: str) -> None:
     equations, verdicts = PAGES[name]

@@ -155,6 +155,7 @@ INSIDE: list[tuple[Node, Node, tuple[Hypothesis, ...], str]] = [
 ]
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(("wrong", "right", "assuming", "meant"), INSIDE, ids=[meant for *_, meant in INSIDE])
 def test_slips_inside_derivatives_and_lengths(wrong: Node, right: Node, assuming: Any, meant: str) -> None:
     assert meant in [plain(each.left) for each in repair(Claim("1", wrong, right, assuming=assuming))]

@@ -77,6 +77,7 @@ FALSE = [
 ]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("said", TRUE, ids=lambda said: f"{said.left} = {said.right}")
 def test_what_is_true_is_proved_and_checked(said: Claim) -> None:
     proved(said)

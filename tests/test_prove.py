@@ -216,6 +216,7 @@ def name(case: Any) -> str:
     )
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("lhs", "rhs"), TRUE, ids=name)
 def test_identities_hold(lhs: Any, rhs: Any) -> None:
     verdict = prove(lhs, rhs)
@@ -542,9 +543,9 @@ from tests import test_prove as cases
 from tests.sampling import sample
 from chasles.prove import prove
 
-answers = [prove(lhs, rhs) for lhs, rhs in sample(cases.TRUE, 20)]
-answers += [prove(lhs, rhs, **under) for lhs, rhs, under, _ in sample(cases.CONDITIONAL, 20)]
-answers += [prove(lhs, rhs, **under) for lhs, rhs, under in sample(cases.FALSE, 20)]
+answers = [prove(lhs, rhs) for lhs, rhs in sample(cases.TRUE, 40)]
+answers += [prove(lhs, rhs, **under) for lhs, rhs, under, _ in sample(cases.CONDITIONAL, 40)]
+answers += [prove(lhs, rhs, **under) for lhs, rhs, under in sample(cases.FALSE, 40)]
 print(json.dumps([str(answer) for answer in answers]))
 """
 
@@ -560,7 +561,7 @@ def test_both_kinds_of_polynomials_say_the_same() -> None:
         assert done.returncode == 0, done.stderr
         said.append(json.loads(done.stdout))
     assert said[0] == said[1]
-    assert len(said[0]) == sum(len(sample(cases, 20)) for cases in (TRUE, CONDITIONAL, FALSE))
+    assert len(said[0]) == sum(len(sample(cases, 40)) for cases in (TRUE, CONDITIONAL, FALSE))
 
 
 SEEDED = """
@@ -569,7 +570,7 @@ from chasles.prove import Untreatable, prove
 from tests.sampling import WHOLE, sample
 from tests.test_prove_motion import FALSE, TRUE
 
-CASES = {str(case): case for case in sample([*TRUE, *FALSE], 9)}
+CASES = {str(case): case for case in sample([*TRUE, *FALSE], 18)}
 if WHOLE:
     from tests import mechanics
 
@@ -584,7 +585,7 @@ def said(*asked):
 
 for name, (left, right, given) in CASES.items():
     print(name, said(left, right, given))
-for item in sample(list(identities())[::20], 3):
+for item in sample(list(identities())[::20], 6):
     print(item.text, said(item.left, item.right, item.given))
 """
 
@@ -599,5 +600,5 @@ def test_two_hash_seeds_give_the_same_verdicts() -> None:
             [sys.executable, "-c", SEEDED], capture_output=True, text=True, env=environment, check=True
         )
         texts.append(run.stdout.splitlines())
-    assert len(texts[0]) > (15 if WHOLE else 8)
+    assert len(texts[0]) > (15 if WHOLE else 4)
     assert texts[0] == texts[1]

@@ -31,6 +31,7 @@ EQUATIONS: list[list[tuple[Node, Node]]] = [
 ]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("equations", EQUATIONS, ids=str)
 def test_points_satisfy_the_equations(equations: list[tuple[Node, Node]]) -> None:
     said = tuple(as_hypothesis(f"({k})", *each, Session()) for k, each in enumerate(equations))

@@ -123,7 +123,7 @@ FALSE: list[tuple[Any, Any]] = [
 ]
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(7)
 @pytest.mark.parametrize(("left", "right"), [*ANGLES, *NUMBERS, *CASES], ids=str)
 def test_what_is_true_is_proved_and_the_proof_is_accepted(left: Any, right: Any) -> None:
     verdict = prove(left, right)

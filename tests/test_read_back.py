@@ -361,7 +361,7 @@ def value_of(node: Node) -> Value:
 
 
 @pytest.mark.parametrize("kind", ["scalar", "vector", "matrix"])
-@settings(max_examples=150 if WHOLE else 50, deadline=None)
+@settings(max_examples=150 if WHOLE else 25, deadline=None)
 @given(data=st.data())
 def test_what_is_written_reads_back_as_it_was_meant(kind: str, data: st.DataObject) -> None:
     node = data.draw(expressions(kind, 3))

@@ -46,6 +46,8 @@ from chasles.vocabulary import (
     undotted,
 )
 
+from .sampling import sample
+
 LAYOUT = {r"\left", r"\right", r"\quad", r"\,", r"\ ", r"\\", r"\mathbf", r"\boldsymbol", r"\overrightarrow", r"\text",
           r"\mathsf", r"\mathrm", r"\operatorname", "&", ",", "{", "}"}  # fmt: skip
 MATRIX = re.compile(r"\\(begin|end)\{[bp]matrix\}")
@@ -178,7 +180,7 @@ IN_ROTATIONS = in_module(import_module("chasles.rotations.notation"))
 
 
 def test_the_second_chapter_is_read_back():
-    statements = [entry.statement for entry in ROTATIONS if isinstance(entry.statement, Statement)]
+    statements = sample([entry.statement for entry in ROTATIONS if isinstance(entry.statement, Statement)], 4)
     texts = [PrintedEquation(f"{latex(each.left)} {each.sign} {latex(each.right)}") for each in statements]
     found = Counter()
     for statement, equation in zip(statements, read_equations(texts, IN_ROTATIONS), strict=True):

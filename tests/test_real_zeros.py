@@ -35,6 +35,7 @@ ZEROS: list[tuple[Any, Any, list[Any]]] = [
 ]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("left", "right", "given"), ZEROS, ids=str)
 def test_each_square_of_a_sum_that_vanishes_does(left: Any, right: Any, given: list[Any]) -> None:
     verdict = prove(left, right, given=given)
@@ -43,6 +44,7 @@ def test_each_square_of_a_sum_that_vanishes_does(left: Any, right: Any, given: l
     assert isinstance(prove(left, right + 1, given=given), Fails)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("left", "right", "given"), ZEROS, ids=str)
 def test_no_other_sum_of_squares_is_accepted(left: Any, right: Any, given: list[Any]) -> None:
     verdict = prove(left, right, given=given)
@@ -88,6 +90,7 @@ BOTH: list[tuple[Any, Any, list[Any]]] = [
 ]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("left", "right", "given"), BOTH, ids=str)
 def test_logarithms_and_exponentials_of_both_sides_are_equal(left: Any, right: Any, given: list[Any]) -> None:
     verdict = prove(left, right, given=given)

@@ -189,6 +189,7 @@ def test_an_altered_witness_is_rejected(lhs: Any, rhs: Any, given: list[Any]) ->
             rejected(replace(verdict, witness={**verdict.witness, key: other}), lhs, rhs, given)
 
 
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize(("lhs", "rhs", "given"), REFUTED, ids=name)
 def test_a_counterexample_is_accepted_and_no_other(lhs: Any, rhs: Any, given: list[Any]) -> None:
     verdict = prove(lhs, rhs, given=given)

@@ -103,7 +103,7 @@ def test_a_print_that_is_right_for_another_left_inverse_is_told_from_a_wrong_one
     assert all(each.modulo is None and each.left == left for each in alone)
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(
     ("name", "count"),
     [

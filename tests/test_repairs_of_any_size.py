@@ -69,7 +69,7 @@ SLIPPED: list[tuple[Node, Node, str, tuple[Any, ...]]] = [
 ]  # fmt: skip
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(("left", "right", "meant", "assuming"), SLIPPED, ids=lambda said: str(said)[:60])
 def test_slips_are_repaired(left: Node, right: Node, meant: str, assuming: Any) -> None:
     repairs = repair(Claim("1", left, right, assuming=assuming))

@@ -65,7 +65,7 @@ SLIPS: list[tuple[Claim, Claim]] = [
 ]
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(("wrong", "right"), SLIPS, ids=lambda said: f"{said.left} = {said.right}")
 def test_the_slip_is_among_the_first_that_are_mended(wrong: Claim, right: Claim) -> None:
     assert not Session().decide(wrong).verdict.true

@@ -82,6 +82,7 @@ DEFINITE: list[tuple[Any, Any, Any]] = [
 ]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("left", "right"), [*ROOTS, *DIVISORS], ids=str)
 def test_true_identities_are_proved_and_checked(left: Any, right: Any) -> None:
     verdict = prove(left, right)
@@ -89,7 +90,7 @@ def test_true_identities_are_proved_and_checked(left: Any, right: Any) -> None:
     recheck(verdict, left, right)
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize(("left", "right"), [*ROOTS, *DIVISORS], ids=str)
 def test_what_is_twice_as_large_is_refuted(left: Any, right: Any) -> None:
     verdict = prove(left, 2 * right)
@@ -97,7 +98,7 @@ def test_what_is_twice_as_large_is_refuted(left: Any, right: Any) -> None:
     recheck(verdict, left, 2 * right)
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize(("left", "right"), [*ROOTS, *DIVISORS], ids=str)
 def test_no_proof_is_accepted_for_another_equation_or_without_needs(left: Any, right: Any) -> None:
     verdict = prove(left, right)

@@ -174,6 +174,7 @@ def test_the_length_of_a_unit_vector_is_one_beside_its_cosine() -> None:
     check(claim, "printed", verdict.certificate)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("claim", UNTREATED)
 def test_where_more_is_known_of_a_length_it_is_a_question_of_scalars(claim: Claim) -> None:
     verdict = Session().decide(claim).verdict

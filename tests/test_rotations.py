@@ -109,6 +109,7 @@ def test_certificates_are_accepted() -> None:
     assert not found.rejected
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("section", SECTIONS)
 def test_numbers_agree(section: str) -> None:
     """At an explicit motion, in 80 digits and more, with differences for rates."""
@@ -223,6 +224,7 @@ def _walked(node: Node) -> list[Node]:
     return [node, *(below for part in node._parts() for below in _walked(part))]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("name", WORDS)
 def test_a_word_means_what_others_mean_by_it(name: str) -> None:
     word, other = WORDS[name]
@@ -317,6 +319,7 @@ STRETCHED = {
 }
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("vector", STRETCHED)
 @pytest.mark.parametrize("word", [exp_of_vector, left_jacobian, right_jacobian])
 def test_words_that_divide_by_a_length_take_any_vector(word: Callable[[Node], Node], vector: str) -> None:

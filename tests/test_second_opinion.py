@@ -215,6 +215,7 @@ def flipped_signs(node: Node) -> Iterator[Node]:
             yield Sum((*node.terms[:place], turned, *node.terms[place + 1 :]))
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("section", SECTIONS)
 def test_without_a_hypothesis_that_it_needs_a_claim_is_violated(section: str) -> None:
     for entry, sentence, verdict in decided(section):

@@ -123,7 +123,7 @@ def test_what_is_needed(chapter: Chapter, judge: Session, name: str, needs: set[
     assert set(verdict.needs) == needs
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize(
     "name",
     [

@@ -114,7 +114,7 @@ def test_nothing_on_the_roads_is_searched_for(name: str, walker: Session, search
     assert searched == []
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(5)
 @pytest.mark.usefixtures("new_judge")
 @pytest.mark.parametrize("number", exercise_numbers())
 def test_nothing_of_the_exercises_is_searched_for(number: str, searched: list[str]) -> None:
@@ -125,12 +125,12 @@ def test_nothing_of_the_exercises_is_searched_for(number: str, searched: list[st
 def test_what_is_shipped_is_what_is_found() -> None:
     """`chasles emit --anew` writes what is found into the file."""
     judge = Session(book=CHAPTER)
-    for entry in sample(CHAPTER, 8):
+    for entry in sample(CHAPTER, 11):
         judge.decide(entry.statement)
-    for road in sample(ROADS.values(), 12):
+    for road in sample(ROADS.values(), 24):
         walk(road, judge)
     found = json.loads(json.dumps(judge.memory.everything))
-    assert len(found) > 60
+    assert len(found) > 40
     assert {key: SHIPPED.get(key) for key in found} == found
 
 
@@ -284,12 +284,7 @@ for file in sorted(Path({out!r}).glob("*")):
 print(json.dumps(said))
 """
 EVERY_COMMAND = [["decide"], ["derive"], ["repair"], ["report", "--out"], ["decide", "--brief", "--anew"]]
-SOME_COMMANDS = [
-    ["decide", "--section", "3.4.1"],
-    ["derive", "3.18", "3.96c"],
-    ["repair", "3.148", "3.96e"],
-    ["decide", "--section", "3.4.1", "--brief", "--anew"],
-]
+SOME_COMMANDS = [["decide", "3.46"], ["derive", "3.18"], ["repair", "3.148"], ["decide", "3.46", "--brief", "--anew"]]
 
 
 @pytest.mark.slow
@@ -300,7 +295,7 @@ def test_all_commands_say_the_same_without_flint(tmp_path: Path) -> None:
     out = str(tmp_path / "report")
     commands = EVERY_COMMAND if WHOLE else SOME_COMMANDS
     words = [[*words, out] if words[-1] == "--out" else words for words in commands]
-    words += [["solve", number] for number in sample(exercise_numbers(), 10)]
+    words += [["solve", number] for number in sample(exercise_numbers(), 20)]
     for hidden in (True, False) if find_spec("flint") else (True,):
         script = COMMANDS.format(hidden=hidden, out=out, words=words)
         done = subprocess.run(

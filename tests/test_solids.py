@@ -52,6 +52,7 @@ def plane(draw: Random) -> Plane:
             return Plane(entries, Fraction(draw.randint(-8, 12), 2))
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("seed", range(30))
 def test_the_parts_add_up_to_the_whole(seed: int) -> None:
     draw = Random(seed)
@@ -265,6 +266,7 @@ def test_nested_roots_and_what_is_no_root() -> None:
     assert sp.simplify(whole.mass - 3 * sp.sqrt(15) / 2 * side**2) == 0
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("height", ["pi", "cot(pi/9)", "sqrt(3)*cot(pi/9)", "pi*cot(1)", "cos(1)", "sqrt(pi)"])
 def test_a_height_that_square_roots_do_not_make(height: str) -> None:
     high = read_number(height)

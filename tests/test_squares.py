@@ -110,6 +110,7 @@ def test_sums_of_squares_are_never_negative(relation: Relation, assuming: tuple[
     check(said, "printed", verdict.certificate)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("relation", "assuming"), FALSE, ids=str)
 def test_what_is_negative_somewhere_is_refuted(relation: Relation, assuming: tuple[Hypothesis, ...]) -> None:
     said = claim(relation, assuming)
@@ -139,7 +140,7 @@ DEFINITE: tuple[tuple[Node, bool, tuple[Hypothesis, ...], bool | None], ...] = (
 )  # fmt: skip
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(("of", "semi", "assuming", "holds"), DEFINITE, ids=str)
 def test_definite_matrices(of: Node, semi: bool, assuming: tuple[Hypothesis, ...], holds: bool) -> None:
     said = Theorem("1", "it is positive-definite", (PositiveDefinite(of, semi),), assuming=assuming)

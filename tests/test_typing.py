@@ -77,8 +77,8 @@ kernels.backend = "fortran"  # Incompatible types in assignment
 
 
 @pytest.fixture(scope="module")
-def types(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder to check programs in, where mypy finds the package put together as in a wheel."""
+def types(pytestconfig: pytest.Config, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder to check programs in, where mypy finds the package put together as in a wheel; what it keeps is kept."""
     folder = tmp_path_factory.mktemp("types")
     parts = folder / "parts" / "chasles"
     parts.mkdir(parents=True)
@@ -86,7 +86,8 @@ def types(tmp_path_factory: pytest.TempPathFactory) -> Path:
         if not (PACKAGE / name).exists():
             (parts / name).symlink_to(place)
     (folder / "mypy.ini").write_text(
-        f"[mypy]\nstrict = True\nmypy_path = {PACKAGE.parent}:{parts.parent}\n"
+        f"[mypy]\nstrict = True\ncache_dir = {pytestconfig.cache.mkdir('mypy')}\n"
+        f"mypy_path = {PACKAGE.parent}:{parts.parent}\n"
         "[mypy-sympy.*,latex2mathml.*,mpmath.*]\nignore_missing_imports = True\n"
         # Whether the package itself is right is what `make types` says; the kernels need none of these.
         "[mypy-chasles.*]\nignore_errors = True\n"

@@ -101,6 +101,7 @@ FALSE: list[tuple[Any, Any]] = [
 ]
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(("left", "right"), TRUE, ids=str)
 def test_what_is_written_out_is_proved(left: Any, right: Any) -> None:
     assert isinstance(same(left, right), Holds)

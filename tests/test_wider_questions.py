@@ -51,7 +51,7 @@ def name(case: Any) -> str:
     return str(case)[:40]
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(("lhs", "rhs", "given"), TRUE, ids=name)
 def test_it_holds_and_no_more_than_it(lhs: Any, rhs: Any, given: list[Any]) -> None:
     verdict = prove(lhs, rhs, given)
@@ -63,11 +63,13 @@ def test_it_holds_and_no_more_than_it(lhs: Any, rhs: Any, given: list[Any]) -> N
     assert not isinstance(prove(lhs, rhs + Rational(1, 10**6), given), Holds | HoldsUnder)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("lhs", "rhs"), NUMBERS, ids=name)
 def test_what_is_near_is_not_equal(lhs: Any, rhs: Any) -> None:
     assert isinstance(prove(lhs, rhs * (1 + Rational(1, 10**15))), Fails)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("lhs", "rhs", "given"), DEFINED, ids=name)
 def test_a_forged_definition_is_rejected(lhs: Any, rhs: Any, given: list[Any]) -> None:
     verdict = prove(lhs, rhs, given)
@@ -77,6 +79,7 @@ def test_a_forged_definition_is_rejected(lhs: Any, rhs: Any, given: list[Any]) -
             recheck(replace(verdict, certificate={**verdict.certificate, "defined": forged}), lhs, rhs, given)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     ("lhs", "rhs", "given"),
     [
@@ -120,6 +123,7 @@ SOLUTIONS: list[tuple[Any, Any, Any, bool]] = [
 ]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("lhs", "rhs", "value", "true"), SOLUTIONS, ids=name)
 def test_solutions_of_differential_equations(lhs: Any, rhs: Any, value: Any, true: bool) -> None:
     verdict = prove(lhs, rhs, Eq(f, value))

@@ -54,7 +54,7 @@ def places(value: Any, at: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
         yield at
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize(("number", "seed"), sample([(n, seed) for seed in range(30) for n in NUMBERS], 34, 5))
 def test_awkward_numbers(number: str, seed: int) -> None:
     draw = Random(f"awkward {number} {seed}")
@@ -86,6 +86,7 @@ def test_awkward_angles(angle: str) -> None:
     soon("3.10", {"angles": [angle, "1/3", angle], "rates": [1, 2, 3]})
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("size", [1, 2, 3, 9, 10**4, 10**9, 10**12, 10**25, 10**40])
 def test_rotations_through_tiny_angles(size: int) -> None:
     """By a quaternion (n, 0, 0, 1): an angle of about 2 / n."""

@@ -45,6 +45,7 @@ def test_a_claim_is_decided(name: str, judge: Session) -> None:
     assert not getattr(verdict, "unused", ())
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("name", [name for name, one in DECLARED.items() if isinstance(one, Claim)])
 def test_a_claim_with_the_other_sign_fails(name: str, judge: Session) -> None:
     claim = DECLARED[name]

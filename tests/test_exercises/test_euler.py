@@ -31,6 +31,7 @@ def columns(sequence: str, angles: list) -> tuple[sp.Matrix, sp.Matrix]:
     return sp.Matrix.hstack(*found), turned
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("sequence", SEQUENCES)
 def test_every_sequence(sequence: str) -> None:
     draw = Random(sequence)

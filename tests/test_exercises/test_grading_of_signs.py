@@ -190,6 +190,7 @@ def written(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> 
     return sys.modules[names[1]]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("written", SLIPS, indirect=True)
 def test_every_slip_in_the_grading_marks_something_wrong(written: ModuleType) -> None:
     assert any(_judges_otherwise(written, *case) for case in MARKS)

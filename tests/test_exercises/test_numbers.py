@@ -38,6 +38,7 @@ def in_digits(value: sp.Expr) -> mpmath.mpf:
     return sp.lambdify((), value, "mpmath")()
 
 
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize("seed", range(150))
 def test_the_normal_form_has_the_same_value(seed: int) -> None:
     value = nested(Random(seed), 4)
@@ -166,6 +167,7 @@ def test_decimals_are_those_of_both_ends(monkeypatch: pytest.MonkeyPatch) -> Non
         decimals(sp.cot(sp.Rational(1, 7)))
 
 
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize("bits", [64, 700])
 @pytest.mark.parametrize(
     "coefficients", [(1, 0, -3, 1), (7, 0, 0, -(2 * 10**40), 0, 1), (1, 0, 0, 0, 0, -2 * 10**24, 4 * 10**12, -2)]

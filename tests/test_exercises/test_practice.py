@@ -95,6 +95,7 @@ def test_what_is_missing_is_named() -> None:
     assert (marks.missing, marks.passed) == (("pitch",), False)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     ("change", "match"),
     [

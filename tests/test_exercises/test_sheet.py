@@ -194,6 +194,7 @@ def undecided(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.usefixtures("undecided")
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("number", exercise_numbers())
 def test_what_rests_on_an_undecided_statement_is_said_to(number: str) -> None:
     done = CliRunner().invoke(main, ["solve", number])

@@ -106,7 +106,7 @@ def pythagorean(draw: Random) -> sp.Rational:
     return sp.Rational(draw.randint(1 - below, below - 1), below)
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize("seed", sample(range(200), 10))
 def test_angles_written_in_other_ways(seed: int) -> None:
     draw = Random(seed)

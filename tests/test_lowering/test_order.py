@@ -93,6 +93,7 @@ def test_order_and_grouping_make_no_difference(seed):
         assert same_but_for_order(stated, program(node, turn)), turn
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("seed", range(60))
 def test_what_is_told_to_be_the_same_is_equal_in_numbers(seed):
     draw = random.Random(seed)

@@ -100,6 +100,7 @@ def changed(program: Program) -> list[Program]:
     return found
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("words", ["half", "with an angle", "two vectors", "exponential", "left Jacobian"])
 def test_another_program_is_not(words: str) -> None:
     request = asked(FORMULAS[words])

@@ -107,7 +107,7 @@ def library(request: Any, taken: Any, written_out: Any) -> Iterator[Any]:  # noq
         sys.modules.pop(f"{kernel}_{name}", None)
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(7)
 @pytest.mark.parametrize("function", [*PROGRAMS, *EXPRESSIONS])
 def test_the_functions_are_those_of_the_python_kernel(library: Any, taken: Any, function: str) -> None:  # noqa: F811
     _, asarray, functions = library

@@ -56,7 +56,7 @@ def library_alone(taken, written_out, compile_c, tmp_path_factory):  # noqa: F81
     return ctypes.CDLL(str(room / "a.so"))
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(7)
 @pytest.mark.parametrize("function", [*PROGRAMS, *EXPRESSIONS])
 def test_the_functions_are_those_of_the_python_kernel(library_alone, taken, function):  # noqa: F811
     require_right(taken[function], caller(library_alone, taken[function]))

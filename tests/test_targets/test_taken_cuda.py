@@ -139,14 +139,14 @@ def as_stand_in(taken, written_out, tmp_path_factory):  # noqa: F811
     return ctypes.CDLL(str(room / "a.so"))
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(7)
 @pytest.mark.parametrize("compiled", ["as_cuda", "as_cpp"])
 @pytest.mark.parametrize("function", [*PROGRAMS, *EXPRESSIONS])
 def test_the_functions_of_the_host_are_those_of_the_python_kernel(request, compiled, taken, function):  # noqa: F811
     require_right(taken[function], caller(request.getfixturevalue(compiled), taken[function]))
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(7)
 @pytest.mark.parametrize("compiled", ["as_cuda", "as_stand_in"])
 @pytest.mark.parametrize("function", [*PROGRAMS, *EXPRESSIONS])
 def test_batches_are_those_of_the_python_kernel(request, compiled, taken, function):  # noqa: F811

@@ -48,6 +48,7 @@ def quietly(ufunc, *inputs, **options):
         return results(ufunc(*inputs, **options))
 
 
+@pytest.mark.sampled(7)
 @pytest.mark.parametrize("kind", KINDS)
 def test_where_an_item_stands_does_not_matter(loops, name, sample, kind):
     for length in LENGTHS:
@@ -58,7 +59,7 @@ def test_where_an_item_stands_does_not_matter(loops, name, sample, kind):
             assert all(same(got[i], value) for got, value in zip(together, alone, strict=True)), (length, i)
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(11)
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("length", [1, 3, 64, 65, 200])
 def test_strides_of_every_kind_change_no_bit(loops, name, sample, kind, length):
@@ -223,6 +224,7 @@ def test_a_batch_gives_the_bits_of_the_scalar_kernel(loops, name, kernels, libra
         assert not [([x[i] for x in inputs], got[i], expected[i]) for i in far]
 
 
+@pytest.mark.sampled(7)
 @pytest.mark.parametrize("kind", KINDS)
 def test_invalid_is_raised_for_a_singular_item_and_for_nothing_else(loops, name, kernels, kind):
     program, ufunc = program_of(kernels, name), getattr(loops, name)

@@ -19,7 +19,7 @@ def results(found):
     return found if isinstance(found, tuple) else (found,)
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(7)
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("batch", [(), (1,), (5,), (300,), (2, 3), (0,)])
 def test_they_give_what_the_ufunc_gives(ufuncs, name, sample, kind, batch):
