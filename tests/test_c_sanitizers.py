@@ -147,6 +147,7 @@ def test_valgrind_has_nothing_to_report(driver: Any) -> None:
 
 
 def test_a_step_too_far_would_be_reported(driver: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(globals(), "SAMPLE", SAMPLE[:1])
     monkeypatch.setitem(
         globals(), "DRIVER", DRIVER.replace("count - 1) * apart + size)", "count - 1) * apart + size - 1)")
     )

@@ -20,7 +20,7 @@ class Copy:
 
     def __init__(self, folder: Path) -> None:
         self.site = folder
-        skipped = shutil.ignore_patterns("__pycache__", "*.so")
+        skipped = shutil.ignore_patterns("*.so")
         shutil.copytree(ROOT / "src" / "chasles", folder / "chasles", ignore=skipped)
         for part in ("derivations", "generated"):
             shutil.copytree(ROOT / part, folder / "chasles" / part, ignore=skipped)

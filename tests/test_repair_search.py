@@ -51,6 +51,8 @@ from chasles.vocabulary import (
     vector,
 )
 
+from .sampling import WHOLE, sample
+
 one, zero = Identity(3), Zero(3, 1)
 u, x, y, z, e = (vector(name, name, "a vector") for name in "uxyze")
 w = vector("w", "w", "a spin", FREQUENCY)
@@ -244,7 +246,7 @@ def searched() -> list[tuple[str, ...]]:
     claims = [statement for name in names if isinstance(statement := book[name], Claim)]
     return [
         (plain(each.right), *each.changes)
-        for claim in (*claims, *(c for c, _ in SLIPS.values()))
+        for claim in (*(claims if WHOLE else claims[:1]), *sample([c for c, _ in SLIPS.values()], 3))
         for each in repair(claim)
     ]
 
