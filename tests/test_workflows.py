@@ -124,8 +124,11 @@ def test_an_issue_form_asks_for_what_it_takes(form: Path) -> None:
 
 
 def test_only_a_tag_is_published_and_only_once_all_was_looked_at() -> None:
-    publish = read("wheels.yml")["jobs"]["publish"]
-    assert publish["needs"] == ["all"]
+    jobs = read("wheels.yml")["jobs"]
+    publish = jobs["publish"]
+    assert publish["needs"] == ["all", "tested"]
+    assert jobs["tested"]["env"]["CHASLES_TEST_WHOLE"] == "1"
+    assert jobs["tested"]["steps"][-1] == {"run": "make test"}
     assert publish["if"] == "startsWith(github.ref, 'refs/tags/v')"
     assert publish["environment"] == "pypi"
 
