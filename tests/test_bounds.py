@@ -698,7 +698,7 @@ def test_every_input_lies_in_a_piece_and_none_is_worse_than_proved(book: Book, n
         values = face_values(axis, signs[axis], (Interval(*inner[[0, 0], None]), Interval(*inner[[1, 1], None])))
         for k in range(3):
             assert values[k].low[0] - 1e-9 <= e[k] <= values[k].high[0] + 1e-9
-        for found, function in zip(turn.functions((inner[2], inner[2]), factor), (math.sin, math.cos), strict=True):
+        for found, function in zip(turn.functions(factor)(inner[2], inner[2]), (math.sin, math.cos), strict=True):
             power, low, high = found
             value = function(float(factor) * phi) * 2.0 ** (halvings * power)
             assert low - 1e-12 <= value <= high + 1e-12

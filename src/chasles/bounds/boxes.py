@@ -121,11 +121,8 @@ def _turned(boxes: Boxes, k: int, place: int, factor: Fraction) -> tuple[Scaled,
     first = np.array([pieces.index(piece) for piece in pieces], dtype=np.float64)[boxes.owner]
     keys = np.stack((first, boxes.low[:, place], boxes.high[:, place]), axis=1)
     distinct, where = np.unique(keys, axis=0, return_inverse=True)
-    found_of = []
-    for owner, low, high in distinct.tolist():
-        piece = pieces[int(owner)]
-        assert isinstance(piece, AnglePiece)
-        found_of.append(piece.functions((low, high), factor))
+    over = {n: piece.functions(factor) for n, piece in enumerate(pieces) if isinstance(piece, AnglePiece)}
+    found_of = [over[owner](low, high) for owner, low, high in distinct.tolist()]
     zero = np.zeros(len(where))
     found = []
     for which in (0, 1):

@@ -7,7 +7,7 @@ with t no more than half the way to the next. All functions of an angle are peri
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product
@@ -117,26 +117,29 @@ class AnglePiece:
         most = float(1 / (4 * self.least))
         return ((NEAR / 2, NEAR) if self.near else (NEAR if self.singular else 0.0, most),)
 
-    def functions(self, box: Range, factor: Fraction) -> tuple[tuple[int, float, float], ...]:
-        """Sine and cosine of the factor times the angle over a box: for each a power of t and the ends."""
+    def functions(self, factor: Fraction) -> Callable[[float, float], tuple[tuple[int, float, float], ...]]:
+        """Sine and cosine of the factor times the angle, over a box by its ends: for each a power of t and the ends."""
         from flint import arb
 
-        low, high = box
         multiple = float(factor)
         turned = self.quarter * factor / self.least
-        moved = self.side * multiple * _between(0.0 if self.near else low, high)
-        sine, cosine = (0, moved.sin_pi()), (0, moved.cos_pi())
-        if self.near and turned.denominator == 1:
-            # sin(x) / x shrinks between 0 and pi.
-            ratio = (arb(multiple * high).sin_pi() / high).union(arb.pi() * multiple)
-            sine = 1, self.side * ratio * _between(low, high)
-        if turned.denominator != 1:
-            whole = float(turned) / 2 + moved
-            sine, cosine = (0, whole.sin_pi()), (0, whole.cos_pi())
-        else:
-            for _ in range(int(turned) % 4):
+        shift, quarters = float(turned) / 2, int(turned) % 4 if turned.denominator == 1 else None
+        most = arb.pi() * multiple
+
+        def over(low: float, high: float) -> tuple[tuple[int, float, float], ...]:
+            moved = self.side * multiple * _between(0.0 if self.near else low, high)
+            if quarters is None:
+                moved += shift
+            sine, cosine = (0, moved.sin_pi()), (0, moved.cos_pi())
+            if self.near and quarters is not None:
+                # sin(x) / x shrinks between 0 and pi.
+                ratio = (arb(multiple * high).sin_pi() / high).union(most)
+                sine = 1, self.side * ratio * _between(low, high)
+            for _ in range(quarters or 0):
                 sine, cosine = cosine, (sine[0], -sine[1])
-        return tuple((power, *enclosed(ball)) for power, ball in (sine, cosine))
+            return (sine[0], *enclosed(sine[1])), (cosine[0], *enclosed(cosine[1]))
+
+        return over
 
 
 def _between(low: float, high: float) -> Any:
