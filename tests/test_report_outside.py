@@ -13,7 +13,7 @@ import pytest
 
 from .browser import CHROMIUM, DRIVER, browser
 from .parsed_page import Parsed
-from .sampling import WHOLE
+from .sampling import WHOLE, sample
 
 ROOT = Path(__file__).resolve().parents[1]
 
@@ -59,7 +59,7 @@ def test_a_browser_shows_it_all(html: str, tmp_path: Path) -> None:
     place.write_text(html, "utf-8")
     count, elements = html.count("<math"), len(Parsed(html).tags)
     with browser() as window:
-        for width, dark in ((390, True), (768, False), (1280, False)):
+        for width, dark in WIDTHS:
             window.open(place.as_uri(), width, dark)
             window.run("for (const each of document.querySelectorAll('details')) each.open = true")
             assert window.run("return [innerWidth, document.documentElement.scrollWidth]") == [width, width]
@@ -79,7 +79,7 @@ def test_a_browser_shows_it_all(html: str, tmp_path: Path) -> None:
         window.picture(tmp_path / "page.png")
         window.run("for (const all of ['verdict-all', 'only-all']) document.getElementById(all).click()")
         window.as_on_paper(PAPER)
-        for font in FONTS:
+        for font in sample(FONTS, 3):
             assert window.run(IN_FONT, font) == [PAPER, PAPER], font
         assert window.run(IN_FONT, "") == [PAPER, PAPER]
         assert window.run(SMALLEST) >= READABLE
@@ -89,6 +89,8 @@ def test_a_browser_shows_it_all(html: str, tmp_path: Path) -> None:
     assert (tmp_path / "page.pdf").stat().st_size > 1e5
 
 
+WIDTHS = sample(((390, True), (768, False), (1280, False)), 2)
+"""A telephone in the dark, a wide window in the light, and one between them."""
 PAPER = 688
 """How wide A4 is between its margins, in pixels; a browser prints all smaller if anything is wider."""
 FONTS = ("monospace", "DejaVu Sans Mono", "DejaVu Serif", "DejaVu Math TeX Gyre")
