@@ -202,6 +202,7 @@ def _slope(expression, symbol, at):
     return float((up - down) / (2 * step))
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     ("expression", "inputs", "signature"),
     [

@@ -125,6 +125,7 @@ def test_what_is_read_as_real_is_said(lhs: Any, rhs: Any, atoms: Any) -> None:
             recheck(replace(verdict, needs=needs), lhs, rhs)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("lhs", "rhs"), FALSE, ids=name)
 def test_nothing_imaginary_is_dropped(lhs: Any, rhs: Any) -> None:
     verdict = prove(lhs, rhs)
@@ -183,6 +184,7 @@ OF_COMPLEX_SYMBOLS: list[tuple[Any, Any, dict[str, Any], bool]] = [
 ]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("lhs", "rhs", "under", "true"), OF_COMPLEX_SYMBOLS, ids=name)
 def test_complex_symbols_have_all_complex_values(lhs: Any, rhs: Any, under: dict[str, Any], true: bool) -> None:
     verdict = prove(lhs, rhs, **under)

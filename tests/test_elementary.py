@@ -189,7 +189,7 @@ def name(case: Any) -> str:
     return (", ".join(sorted(case)) if isinstance(case, set) else str(case))[:50]
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(("lhs", "rhs"), TRUE, ids=name)
 def test_identities_hold(lhs: Any, rhs: Any) -> None:
     verdict = prove(lhs, rhs)
@@ -198,7 +198,7 @@ def test_identities_hold(lhs: Any, rhs: Any) -> None:
     recheck(verdict, lhs, rhs)
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(("lhs", "rhs", "needs"), CONDITIONAL, ids=name)
 def test_where_an_identity_is_meant_is_said(lhs: Any, rhs: Any, needs: set[str]) -> None:
     verdict = prove(lhs, rhs)
@@ -218,7 +218,7 @@ def test_what_is_given_is_used(lhs: Any, rhs: Any, given: list[Any]) -> None:
     assert isinstance(prove(lhs, rhs + 1, given=given), Fails | Undecided)
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(("lhs", "rhs"), FALSE, ids=name)
 def test_false_equations_fail_at_a_point(lhs: Any, rhs: Any) -> None:
     verdict = prove(lhs, rhs)

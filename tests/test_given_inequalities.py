@@ -120,6 +120,7 @@ def test_what_holds_where_they_do_is_proved(left: Any, right: Any, given: list[A
     recheck(verdict, left, right, given)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("left", "right", "given"), [BETWEEN[k] for k in (0, 1, 2, 4, 6, 7, 8, 9, 11)], ids=str)
 def test_the_verdict_says_between_what_a_symbol_is(left: Any, right: Any, given: list[Any]) -> None:
     verdict = prove(left, right, given)

@@ -225,7 +225,7 @@ MISTAKES_IN_EXERCISES = [
 ]
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("right", "wrong", "said"), MISTAKES_IN_EXERCISES)
 def test_a_mistake_in_an_exercise_is_told_by_file_and_line(mine: Path, right: str, wrong: str, said: str) -> None:
     module = mine / "exercises" / "x1.py"

@@ -71,6 +71,7 @@ def test_the_letter_with_its_difference_is_one() -> None:
     assert verdicts_as_proposed(*said) == ["defined", "defined", "defined", "holds-under", "fails"]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     "claim",
     [
@@ -184,6 +185,7 @@ def test_what_fits_to_neither_neighbour_in_a_chain_is_told_once() -> None:
     assert [each.verdict for each in page.equations] == ["ill-formed", "holds"]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     "claim",
     [

@@ -509,6 +509,7 @@ def test_kinds_are_proposed_with_which_the_equations_fit_together(page: list[str
     assert not any(part.fault for each in read for part in each.readings[0].parts)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("path", EXCERPTS, ids=lambda path: path.name)
 def test_excerpts_are_read_whole_and_three_quarters_of_them_with_what_is_proposed(path: Path) -> None:
     printed = displayed(path.read_text("utf-8"), kind_of(path.name))

@@ -178,6 +178,7 @@ MISTAKES = [
 ]
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(("before", "after", "line", "said"), MISTAKES)
 def test_wrong_numbers_are_told_by_file_and_line(tmp_path: Path, before: str, after: str, line: int, said: str) -> None:
     (tmp_path / "upper").mkdir()

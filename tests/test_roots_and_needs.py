@@ -110,6 +110,7 @@ def test_no_proof_is_accepted_for_another_equation_or_without_needs(left: Any, r
             recheck(replace(verdict, needs=()), left, right)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(("left", "right", "given"), DEFINITE, ids=str)
 def test_a_factor_without_a_real_zero_is_divided_by(left: Any, right: Any, given: Any) -> None:
     verdict = prove(left, right, given=given)

@@ -272,6 +272,7 @@ def test_what_is_no_quaternion_is_refused(word: Callable[..., Node]) -> None:
 HEIGHTS = (2, 3, 4, 5, 6, 9)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("height", HEIGHTS)
 def test_columns_of_any_height_are_units(height: int) -> None:
     x, y = (array(name, name, "a column", uniform((height, 1))) for name in "xy")

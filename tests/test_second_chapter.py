@@ -272,6 +272,7 @@ def test_what_is_installed_comes_before_the_current_folder(
     del sys.modules["wsgiref"]
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     ("modules", "said"),
     [

@@ -180,6 +180,7 @@ def symbolic(height_over_side: sp.Rational) -> tuple[Moments, Moments, Moments, 
     return solid.moments(), below, above, case, field
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("height", [sp.Integer(6), sp.Rational(3, 4), sp.Rational(1, 4)])
 def test_side_height_and_angle_may_stay_symbols(height: sp.Rational) -> None:
     # At 60 degrees the far edge is at the height s, and the corners in the middle are at s/2.

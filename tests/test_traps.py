@@ -181,11 +181,13 @@ def named(traps: dict[str, Claim | Theorem]) -> list[object]:
     return [pytest.param(trap, id=name) for name, trap in traps.items()]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("sentence", named(TRUE))
 def test_what_is_true_is_not_refuted(sentence: Claim | Theorem) -> None:
     assert isinstance(Session().decide(sentence).verdict, Holds | HoldsUnder | Undecided)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("sentence", named(FALSE))
 def test_what_is_false_is_not_proved(sentence: Claim | Theorem) -> None:
     assert isinstance(Session().decide(sentence).verdict, Fails | Undecided)

@@ -69,6 +69,7 @@ def test_declarations_that_do_not_stand_are_no_message_on_the_line(offered, monk
     assert offered("show", "3.1") == []
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("words", ["show 3.1", "verify s", "solve 3", "de"])
 def test_no_prover_is_imported_for_a_word(words: str) -> None:
     code = (
@@ -83,6 +84,7 @@ def test_no_prover_is_imported_for_a_word(words: str) -> None:
     assert done.returncode == 0, done.stderr
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("words", ["--help", "--version", "decide --help", "list", "completion fish"])
 def test_no_prover_is_imported_to_say_what_there_is(words: str) -> None:
     code = (

@@ -105,7 +105,7 @@ NUMBERS_OF_PAGES = {
 }
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("width", [30, 40, 80, 200])
 def test_pages_keep_to_the_width_and_nothing_is_cut_off(run, width: int) -> None:
     for command in COMMANDS if width != 30 else COMMANDS[:3]:

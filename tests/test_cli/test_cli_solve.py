@@ -141,7 +141,7 @@ def test_every_claim_that_is_cited_holds(number: str) -> None:
     assert all(c.verdict in ("holds", "holds-under", "defined", "posed", "assumed", "fails") for c in cited)
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize("number", exercise_numbers())
 def test_pictures_are_drawn(number: str) -> None:
     pytest.importorskip("matplotlib")

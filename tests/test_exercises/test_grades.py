@@ -31,7 +31,7 @@ def solved(number: str, seed: int) -> tuple[Any, dict[str, Any]]:
     return found, json.loads(json.dumps(found[0].as_data()["answers"]))
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(("number", "seed"), sample(CASES, 25, 3))
 def test_right_answers_in_other_forms(number: str, seed: int) -> None:
     found, answers = solved(number, seed)
@@ -42,6 +42,7 @@ def test_right_answers_in_other_forms(number: str, seed: int) -> None:
         assert marks.passed, (marks, given)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("number", "seed"), sample(CASES, 25, 3))
 def test_wrong_answers(number: str, seed: int) -> None:
     found, answers = solved(number, seed)
@@ -51,7 +52,7 @@ def test_wrong_answers(number: str, seed: int) -> None:
         assert name in marks.wrong, (name, changed[name], answers[name])
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize("number", NUMBERS)
 @pytest.mark.parametrize("seed", [0, 3])
 def test_what_is_declared_is_what_is_answered(number: str, seed: int) -> None:
@@ -66,7 +67,7 @@ MALFORMED = [
 ]
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("number", NUMBERS)
 def test_what_is_malformed_is_told_and_nothing_breaks(number: str) -> None:
     found, answers = solved(number, 0)
@@ -141,6 +142,7 @@ def test_the_other_equation_of_a_quadric() -> None:
     assert grade(chosen, {}, answers | {"kind": "hyperbolic paraboloid"}).wrong == ("kind",)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("seed", range(4))
 def test_a_factor_up_to_rotations(seed: int) -> None:
     chosen = exercise("3.20")

@@ -167,6 +167,7 @@ def test_the_smallest_moment(seed: int) -> None:
         assert decimals[0] > moments[0] - 1e-12
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("seed", range(6))
 def test_the_inertia_dyad(seed: int) -> None:
     draw = Random(seed)

@@ -19,6 +19,7 @@ from .known import number, same
 ROOT_3 = sp.sqrt(3)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     ("side", "height"),
     [(25, 150), (1, 2), ("2/3", "sqrt(2)"), ("sqrt(3)", 1), ("sqrt(2+sqrt(2))", "0.25"), (2, "sqrt(10)")],
@@ -50,6 +51,7 @@ def test_a_malformed_prism(data: dict) -> None:
         solve("3.11", **data)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("side", ["pi", "cot(pi/9)", "cos(1)", "tan(1)", "sqrt(pi)"])
 def test_a_prism_of_any_size(side: str) -> None:
     answers, a = solve("3.11", side=side, height=1).answers, number(side)
@@ -62,6 +64,7 @@ def slope(degrees: object) -> sp.Expr:
     return sp.cot(sp.sympify(str(degrees)) * sp.pi / 180)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("side", "height", "degrees"), [(25, 150, 45), (1, 3, 60), ("1/2", 2, 30), (4, 10, 45)])
 def test_a_wedge_below_the_top(side: object, height: object, degrees: int) -> None:
     a, c = sp.sympify(str(side)), slope(degrees)
@@ -78,7 +81,7 @@ def test_a_wedge_below_the_top(side: object, height: object, degrees: int) -> No
     assert same(answers["wedge.I_C_over_rho"], sp.Matrix(rows))
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize(
     ("side", "height", "degrees", "through"),
     [(25, 150, 45, "far side"), (25, 30, 45, "top"), (25, "25*sqrt(3)", 45, "far side"), (1, "1/4", 30, "top"),

@@ -15,6 +15,7 @@ from .known import motion, plain, rational, same, vector
 NAMES = ("P1", "P2", "P3", "P4")
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("seed", range(8))
 def test_the_moment_is_least_at_the_point_found(seed: int) -> None:
     draw = Random(seed)
