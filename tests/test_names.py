@@ -171,7 +171,7 @@ def test_names_are_words_of_the_field() -> None:
 
 def strings_in(text: str) -> str:
     """The strings of a module that are no docstrings, a line for each; of its commands also the help, a docstring."""
-    tree = ast.parse(text)
+    tree = parse(text)
     parents = [node for node in ast.walk(tree) if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef)]
     said = {
         id(child.value)

@@ -63,7 +63,7 @@ def made(tmp_path_factory: pytest.TempPathFactory, hasty_compiler: str) -> tuple
     (tools / "chasles").write_text(f'#!/bin/sh\nexec "{sys.executable}" -m chasles "$@"\n', "utf-8")
     (tools / "chasles").chmod(0o755)
     path = f"{tools}{os.pathsep}{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
-    environment = {**os.environ, "PATH": path, "CC": hasty_compiler}
+    environment = {**os.environ, "PATH": path, "CC": hasty_compiler, "CHASLES_CACHE": str(here / "cache")}
     done = subprocess.run(
         ["bash", "-e", "-c", block], cwd=here, env=environment, capture_output=True, text=True, check=False
     )
@@ -146,7 +146,7 @@ def test_kernels_that_were_written_elsewhere_are_found(book: Path, hasty_compile
     copy = tmp_path / "elsewhere"
     shutil.copytree(book / "mybook", copy / "mirrors", ignore=shutil.ignore_patterns("generated", "__pycache__"))
     assert "there is no mirrors.generated" in run("--chapter", "./mirrors", "verify", cwd=copy, status=1)
-    here = {"CC": hasty_compiler, "CHASLES_CACHE": str(tmp_path / "cache")}  # where what is compiled is kept
+    here = {"CC": hasty_compiler, "CHASLES_CACHE": str(book / "cache")}  # what no declaration changes is compiled there
     said = run("--chapter", "./mirrors", "build", "--out", "ours/of-mirrors", cwd=copy, **here)
     assert said.splitlines()[-1] == "from of-mirrors import kernels"
     assert not (copy / "mirrors" / "generated").exists()
