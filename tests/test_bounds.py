@@ -241,7 +241,7 @@ def compare(
     return [(g, float(x) / unit) for g, x in zip(bound.guarantees, worst, strict=True)]
 
 
-@pytest.mark.sampled(11)
+@pytest.mark.sampled(13)
 @pytest.mark.parametrize("dtype", [np.float64, np.float32])
 @pytest.mark.parametrize("name", [name for name in PROVED if name not in CHOOSING])
 def test_no_kernel_errs_by_more_than_is_proved(book: Book, name: str, dtype: type[np.floating[Any]]) -> None:
@@ -387,7 +387,7 @@ def test_what_is_proved_is_what_is_asked_for(name: str) -> None:
     assert float(guarantee.units) <= LARGEST[name]
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(7)
 @pytest.mark.parametrize("name", [name for name in LISTED if name not in COVERED])
 def test_the_manifest_has_what_is_proved_by_counting(book: Book, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "flint", None)
@@ -435,7 +435,7 @@ WORST = {
 }
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize("name", WORST)
 def test_no_machine_within_the_model_errs_by_more(book: Book, name: str) -> None:
     (guarantee,) = Bound.from_data(LISTED[name]["bound"]).guarantees
@@ -457,6 +457,7 @@ def test_a_kernel_that_errs_by_more_is_found_out(book: Book) -> None:
 EXACT_FUNCTIONS = Model(SINGLE.roundoff, Fraction(0))
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     ("name", "point", "against"),
     [
@@ -475,6 +476,7 @@ def test_a_bound_for_better_functions_does_not_hold(
     assert worst_found(book, name, SINGLE, point, against) > float(guarantee.units)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("name", ["power", "rotation_from_axis_angle"])
 def test_a_rounding_left_out_is_missed(book: Book, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("flint")
@@ -667,6 +669,7 @@ def place_of(
     return axis, signs, quarter % 4, 1 if t >= 0 else -1, [*coordinates, abs(t)]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("name", ["rotation_from_axis_angle", "natural_rate_matrix", "linear_rate_matrix"])
 def test_every_input_lies_in_a_piece_and_none_is_worse_than_proved(book: Book, name: str) -> None:
     pytest.importorskip("flint")

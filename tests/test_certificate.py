@@ -757,6 +757,7 @@ print(backend(), json.dumps({name: declared.proved(name) for name in declared.BY
 
 
 @pytest.mark.slow
+@pytest.mark.skipif(not WHOLE, reason="test_two_backends compares certificates: set CHASLES_TEST_WHOLE=1")
 def test_both_kinds_of_polynomials_give_the_same_certificates() -> None:
     pytest.importorskip("flint")
     printed = {}

@@ -193,7 +193,7 @@ def model(request):
         return request.param, method, chasles.compile(method, outputs=outputs, name="model")
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.sampled(7)
 @pytest.mark.parametrize("seed", range(3))
 def test_accelerations_solve_the_equations_exactly(model, seed):
     name, _, kernel = model
@@ -364,6 +364,7 @@ def test_a_matrix_that_is_not_symmetric_is_not_taken_for_one():
     np.testing.assert_allclose(matrix @ rates, right, atol=1e-14)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("name", ["two on a cart", "rod", "disc", "kinematics"])
 def test_accelerations_are_differentiated_by_all_that_goes_in(name):
     program = chasles.compile(MODELS[name](), outputs="accelerations", jacobian=True).program

@@ -87,7 +87,7 @@ def computed():
         return {"c": kernel(first, second), "numpy": kernel.array_api(first, second), "one at a time": single}
 
 
-@pytest.mark.sampled(7)
+@pytest.mark.sampled(11)
 @pytest.mark.parametrize("way", ["c", "numpy", "one at a time"])
 @pytest.mark.parametrize("number", range(len(EXPRESSIONS)), ids=lambda number: str(EXPRESSIONS[number]))
 def test_every_function_beside_400_digits(computed, number, way):

@@ -50,6 +50,7 @@ def premises(problem: Problem) -> tuple[Rules, Facts] | None:
     return rules, lambda symbol: tuple(h for h in about if h.subjects == (symbol,))
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("chapter", ["chasles.derivations", "chasles.rotations"])
 def test_a_verdict_of_a_chapter_is_foretold(chapter: str) -> None:
     told = {True: 0, False: 0}

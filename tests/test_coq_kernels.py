@@ -142,7 +142,7 @@ def test_coq_accepts_what_a_program_does_and_not_what_another_does(
             proof = claim.proof.replace(claim.name, name)
             mutants.append(replace(claim, name=name, said=said.replace(claim.name, name), proof=proof))
     mutants = mutants if WHOLE else mutants[:1]
-    parts = [*chunks([claim for claim, *_ in some]), *chunks(mutants, "mutants")]
+    parts = chunks([*mutants, *(claim for claim, *_ in some)])
     found = {each.claim.name: each.accepted for each in verdicts_of_coq(parts)}
     assert mutants
     assert found == {claim.name: claim not in mutants for claim in (*(claim for claim, *_ in some), *mutants)}

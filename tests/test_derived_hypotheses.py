@@ -154,7 +154,7 @@ UNFOUND = ("perpendicular and unit",)
 """No point at which it fails is found."""
 
 
-@pytest.mark.sampled(6)
+@pytest.mark.sampled(11)
 @pytest.mark.parametrize("name", [name for name in TRUE if name not in NOTHING + UNFOUND])
 def test_twice_as_much_fails_at_a_point_through_which_there_is_a_motion(name: str) -> None:
     asked = problem(name, 2)

@@ -247,7 +247,7 @@ def test_what_is_not_treated_is_refused(lhs: Any) -> None:
 FORGED = [(lhs, rhs) for lhs, rhs, _ in CONDITIONAL]
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.sampled(7)
 @pytest.mark.parametrize(("lhs", "rhs"), [*TRUE, *FORGED], ids=name)
 def test_what_is_forged_is_rejected(lhs: Any, rhs: Any) -> None:
     verdict = prove(lhs, rhs)

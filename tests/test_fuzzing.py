@@ -166,7 +166,7 @@ def test_a_rejected_certificate_is_noticed(monkeypatch: pytest.MonkeyPatch) -> N
     assert alarm.kind == "own certificate rejected"
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("kind", sorted(SYSTEMS | CONSTRAINTS))
 def test_motions_are_found_and_satisfy_what_is_given(kind: str) -> None:
     given, functions = (SYSTEMS | CONSTRAINTS)[kind]

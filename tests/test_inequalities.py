@@ -95,6 +95,7 @@ FALSE = [
 ]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("said", "needs"), TRUE, ids=lambda said: f"{getattr(said, 'left', '')}")
 def test_what_is_true_is_proved_and_names_what_it_needs(said: Claim, needs: tuple[str, ...]) -> None:
     assert set(proved(said).needs) == set(needs)

@@ -98,7 +98,7 @@ def agree(problem: Problem) -> int:
     return count
 
 
-@pytest.mark.sampled(5)
+@pytest.mark.sampled(7)
 @pytest.mark.parametrize(("name", "claim"), list(claims()), ids=NAMES)
 def test_identities_hold(name: str, claim: Claim) -> None:
     verdict = Session().decide(claim).verdict

@@ -304,6 +304,7 @@ def test_what_was_tampered_with_is_decided_anew(folder: Path) -> None:
     assert json.loads(kept.read_text()) != answers
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("text", ["", "{", "[]", '{"a": 1}'])
 def test_a_broken_cache_is_none(folder: Path, text: str) -> None:
     decide(section("3.3"), BOOK)

@@ -220,6 +220,7 @@ def test_the_inverse_of_a_quaternion_is_no_inverse_of_a_column() -> None:
     assert one.verdict == "unread"
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     "claims",
     [
@@ -248,6 +249,7 @@ def test_what_holds_of_numbers_alone_or_of_another_reading_is_not_said_to_hold(c
     assert not {*verdicts_as_proposed(*claims)} & {"holds", "holds-under", "fails", "ill-formed"}
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     "claims",
     [

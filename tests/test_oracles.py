@@ -83,7 +83,7 @@ def frames(kind: str, order: str) -> tuple[ReferenceFrame, ReferenceFrame]:
     return fixed, moving
 
 
-@pytest.mark.sampled(11)
+@pytest.mark.sampled(17)
 @pytest.mark.parametrize(("kind", "order"), CASES)
 def test_angular_velocities(kind: str, order: str) -> None:
     fixed, moving = frames(kind, order)
@@ -97,7 +97,7 @@ def test_angular_velocities(kind: str, order: str) -> None:
     assert not equal(omega, theirs.to_matrix(moving))
 
 
-@pytest.mark.sampled(11)
+@pytest.mark.sampled(17)
 @pytest.mark.parametrize(("kind", "order"), CASES)
 def test_kinematic_equations(kind: str, order: str) -> None:
     Q = turning(kind, order)

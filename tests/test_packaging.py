@@ -238,6 +238,7 @@ def test_the_source_distribution_is_the_same_every_time(sdist: Path, tmp_path: P
     assert (again / sdist.name).read_bytes() == sdist.read_bytes()
 
 
+@pytest.mark.skipif(not WHOLE, reason="the pure one is installed below: set CHASLES_TEST_WHOLE=1")
 @needs_c
 def test_the_compiled_wheel_in_one_go(compiled_wheel: Path, environment: Environment) -> None:
     environment.install("--no-deps", compiled_wheel)
@@ -268,6 +269,7 @@ def test_the_folder_itself_can_be_installed(tree: Path, builder: Environment) ->
     assert "The point of the screw axis nearest the origin." in builder.run("chasles list --section 3.2.1")
 
 
+@pytest.mark.skipif(not WHOLE, reason="what runs these tests is an editable installation: set CHASLES_TEST_WHOLE=1")
 def test_an_editable_installation_sees_what_is_edited(tree: Path, tmp_path: Path, builder: Environment) -> None:
     edited = shutil.copytree(tree, tmp_path / "edited")
     builder.install("--no-deps", "--no-build-isolation", "--editable", edited, **PURE)

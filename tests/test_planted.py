@@ -47,7 +47,7 @@ REPAIRED, FIRST = Fraction(95, 100), Fraction(85, 100)
 @pytest.mark.slow
 def test_slips_in_entries_are_repaired_and_the_original_comes_first() -> None:
     chapter, session = load(ARMS), Session()
-    cases = sample(planted(chapter, session, each=6 if WHOLE else 1), 2)
+    cases = sample(planted(chapter, session, each=6 if WHOLE else 1), 4)
     outcomes = [outcome_of(case, chapter, session) for case in cases]
     report = "\n".join([*map(str, outcomes), *table(outcomes)])
     assert sum(bool(each.repairs) for each in outcomes) >= REPAIRED * len(outcomes), report

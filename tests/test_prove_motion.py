@@ -119,7 +119,7 @@ def test_what_follows_from_equations_of_motion_holds(lhs: Any, rhs: Any, given: 
     recheck(verdict, lhs, rhs, given=given)
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize(("lhs", "rhs", "given"), FALSE, ids=name)
 def test_what_does_not_follow_from_them_fails(lhs: Any, rhs: Any, given: list[Any]) -> None:
     assert isinstance(prove(lhs, rhs, given=given), Fails)

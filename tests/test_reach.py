@@ -202,7 +202,7 @@ FORGED = [
 ]
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize(("left", "right", "other"), FORGED, ids=str)
 def test_a_proof_of_something_else_is_rejected(left: Any, right: Any, other: Any) -> None:
     verdict = prove(left, right)

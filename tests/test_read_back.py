@@ -360,6 +360,7 @@ def value_of(node: Node) -> Value:
     return np.array([[mpmath.mpf(x) for x in row] for row in rows])
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("kind", ["scalar", "vector", "matrix"])
 @settings(max_examples=150 if WHOLE else 25, deadline=None)
 @given(data=st.data())

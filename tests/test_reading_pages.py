@@ -388,6 +388,7 @@ def test_broken_pages_are_read_as_far_as_they_go(page: str, kind: Kind) -> None:
             assert each.atoms
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     ("text", "why"),
     [

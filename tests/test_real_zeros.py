@@ -35,7 +35,7 @@ ZEROS: list[tuple[Any, Any, list[Any]]] = [
 ]
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(("left", "right", "given"), ZEROS, ids=str)
 def test_each_square_of_a_sum_that_vanishes_does(left: Any, right: Any, given: list[Any]) -> None:
     verdict = prove(left, right, given=given)

@@ -211,6 +211,7 @@ def test_formulas_of_solutions_are_spaced(latex: str, mathml: str) -> None:
     assert mathml in displayed(latex)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(("number", "outcome"), [("3.9", "solved"), ("3.17", "proved"), ("3.5", "line")])
 def test_an_answer_says_what_was_found(number: str, outcome: str) -> None:
     solution = chasles.solve(number)

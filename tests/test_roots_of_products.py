@@ -39,7 +39,7 @@ PRODUCTS = [
 ]
 
 
-@pytest.mark.sampled(23)
+@pytest.mark.sampled(37)
 @pytest.mark.parametrize("product", PRODUCTS, ids=str)
 @pytest.mark.parametrize("pair", list(permutations(range(6), 2)), ids=str)
 def test_the_root_of_a_product_is_the_same_however_it_is_spelled(product: Any, pair: Any) -> None:

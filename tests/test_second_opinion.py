@@ -98,7 +98,7 @@ def contradictions(entry: Entry, verdict: Verdict, opinion: Opinion) -> Iterator
         yield f"({entry.number}) {entry.name}: {verdict.name}, but at a motion the sides agree: {opinion}"
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize("section", SECTIONS)
 def test_numbers_agree_with_every_verdict(section: str) -> None:
     found: list[str] = []

@@ -154,6 +154,7 @@ FORGED: dict[str, Callable[[Any], Any]] = {
 }
 
 
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize("forgery", FORGED)
 @pytest.mark.parametrize("claim", [right, wrong, long, slip], ids=lambda claim: claim.number)
 def test_a_forged_verdict_is_not_believed(claim: Claim, forgery: str, searched: list[str]) -> None:
@@ -193,6 +194,7 @@ def test_nothing_that_was_spoiled_is_believed(searched: list[str]) -> None:
         assert again.sides == true.sides
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("data", [None, 1, "text", [], ["tuple"], ["tuple", 1], ["Repair"], ["Holds"], {"a": 1},
                                   ["Holds", 1, 2, 3], ["Fails", 1], ["Symbol", 1, 2, 3, 4, 5, 6],
                                   ["Holds", {"branches": 1}, {}, ["tuple"]], ["Number", "1"], ["Rate", 1]])  # fmt: skip

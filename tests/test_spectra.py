@@ -59,6 +59,7 @@ SPECTRA = (
 )
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("values", SPECTRA)
 @pytest.mark.parametrize("seed", [1, 2])
 def test_known_eigenvalues_and_axes(values: tuple, seed: int) -> None:

@@ -105,6 +105,7 @@ def test_what_is_assumed_of_each_is_assumed_of_elements_of_a_body() -> None:
     assert verdict.needs == ("|u| = 1 for each",)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     "said",
     [

@@ -181,7 +181,7 @@ def named(traps: dict[str, Claim | Theorem]) -> list[object]:
     return [pytest.param(trap, id=name) for name, trap in traps.items()]
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("sentence", named(TRUE))
 def test_what_is_true_is_not_refuted(sentence: Claim | Theorem) -> None:
     assert isinstance(Session().decide(sentence).verdict, Holds | HoldsUnder | Undecided)

@@ -101,8 +101,8 @@ def mutants(problem: Problem) -> list[Problem]:
     return [replace(problem, goals=(*others, Goal(goal.label, left, goal.right))) for left in changed]
 
 
-FAILING = ["3.97a", "3.148"]
-"""What fails where a unit vector moves, and where nothing does."""
+FAILING = ["3.97a", "3.148"] if WHOLE else ["3.97a"]
+"""What fails where a unit vector moves, and where nothing does, as also in a slip below."""
 
 
 def proved() -> list[Claimed]:
@@ -168,7 +168,7 @@ def verdicts(coq_cache: Path) -> dict[str, CoqVerdict]:
 def test_coq_accepts(verdicts: dict[str, CoqVerdict]) -> None:
     names = {claim.name for claim in proved()}
     assert {"Thm_3_7_2_1", "text_3_8_k_1"} <= names
-    assert {"eq_3_13_1", "eq_3_13_1_assumes", "eq_3_97a_1_as_read_fails", "eq_3_148_1_fails"} <= names
+    assert {"eq_3_13_1", "eq_3_13_1_assumes", "eq_3_97a_1_as_read_fails"} <= names
     assert [name for name in names if not verdicts[name].accepted] == []
 
 

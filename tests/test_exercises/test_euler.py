@@ -48,6 +48,7 @@ def test_every_sequence(sequence: str) -> None:
     assert answers["rank"] == (2 if answers["singular"] else 3)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("sequence", ["zyz", "xyz", "yxz"])
 def test_rates_from_the_angular_velocity(sequence: str) -> None:
     angles, omega = ["1/10", "1/5", "3/10"], sp.Matrix([1, -2, 3])

@@ -20,7 +20,7 @@ WITHOUT = ("3.8", "3.13")
 WITH_PICTURE = [number for number in exercise_numbers() if number not in WITHOUT]
 
 
-@pytest.mark.sampled(6)
+@pytest.mark.sampled(11)
 @pytest.mark.parametrize("number", WITH_PICTURE)
 def test_labelled_axes_at_one_scale_and_names_apart(number: str) -> None:
     figure = solve_with(number, {}).figure()

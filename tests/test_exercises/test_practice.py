@@ -20,7 +20,7 @@ WITH_NUMBERS = [number for number in exercise_numbers() if exercise(number).inst
 REFUSED = ("incompatible", "not-a-rotation", "not-a-line")
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize("seed", range(INSTANCES))
 @pytest.mark.parametrize("number", WITH_NUMBERS)
 def test_new_data_are_solved_and_substituted_back(number: str, seed: int) -> None:

@@ -45,7 +45,7 @@ def test_a_template_that_is_left_blank_answers_nothing() -> None:
     assert task.grade(task.template).missing == ("status",)
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize("number", NUMBERS)
 def test_there_are_a_thousand_tasks(number: str) -> None:
     seeds, least = (2000, 1000) if WHOLE else (60, 55)

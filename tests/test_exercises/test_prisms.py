@@ -149,7 +149,7 @@ def by_quadrature(side: float, height: float, rise: float) -> tuple[float, list[
     return float(volume), list(np.linalg.eigvalsh(inertia))
 
 
-@pytest.mark.sampled(11)
+@pytest.mark.sampled(17)
 @pytest.mark.parametrize("degrees", ANGLES)
 def test_every_angle(degrees: str) -> None:
     answers = solve("3.12", angle_deg=degrees).answers

@@ -140,6 +140,7 @@ def test_results_are_those_of_50_digits(loops, name, sample, kernels, kind):
             np.testing.assert_allclose(np.ravel(got[i]), expected, rtol=0, atol=margin)
 
 
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize("kind", KINDS)
 def test_sines_and_cosines_are_within_a_unit_in_the_last_place(loops, kind):
     random = np.random.default_rng(1)
@@ -199,7 +200,7 @@ def turns(program):
     return any(step.op in (Op.SINE, Op.COSINE) for step in program.steps)
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_batch_gives_the_bits_of_the_scalar_kernel(loops, name, kernels, library, kind):
     """Whatever the numbers. Where a sine or a cosine comes in, whose last bit may differ, to the last digits, and NaN
@@ -287,6 +288,7 @@ def test_results_that_go_around_the_cache_are_the_same(loops, kind, shift):
     assert np.count_nonzero(np.isnan(out).any(axis=(1, 2))) == 1
 
 
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize("shift", [0, 1, 5])
 @pytest.mark.parametrize("alone", [True, False])
 def test_the_widest_of_several_results_goes_around_the_cache(loops, shift, alone):

@@ -93,6 +93,7 @@ def test_the_command_in_the_readme_works(generated, compile_c, tmp_path):
     assert (done.returncode, done.stdout.endswith(" 0 failed\n")) == (0, True), done.stderr
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     ("right", "wrong"),
     [("(Q[7] - Q[5]) * 0.5;", "(Q[5] - Q[7]) * 0.5;"), ("1.0f / 7.0f", "1.0f / 7.1f"), ("/ t4;", "/ (t4 + t4);")],
