@@ -27,6 +27,9 @@ settings.load_profile("untimed")
 sys.dont_write_bytecode = False
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 
+# No test sees what another run has decided.
+os.environ["CHASLES_CACHE"] = ""
+
 FEWER_ROADS = """
 from chasles.cli import main, reporting
 
@@ -34,9 +37,7 @@ roads_of = reporting._roads_of
 reporting._roads_of = lambda book: dict(list(roads_of(book).items())[::{every}])
 main()
 """
-
-# No test sees what another run has decided, nor leaves anything behind.
-os.environ["CHASLES_CACHE"] = ""
+"""A program that is the command, with one derivation in so many on the report."""
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -110,16 +111,20 @@ def report(made_once: Callable[[str, Callable[[Path], object]], Path]) -> dict[s
 
 
 @pytest.fixture(scope="session")
-def coq_cache(pytestconfig: pytest.Config, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A cache that has nothing but the theories for Coq, compiled; who adds to it makes a copy.
+def kept(pytestconfig: pytest.Config, tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
+    """A folder by its name, kept from one run to the next: for tools that know themselves what is out of date in it."""
+    cache = getattr(pytestconfig, "cache", None)
+    return cache.mkdir if cache else tmp_path_factory.mktemp
 
-    Pytest keeps it from one run to the next: a folder in it has the name of what it was compiled from.
-    """
-    kept = pytestconfig.cache.mkdir("coq")
-    with pytest.MonkeyPatch.context() as patch, only_one(kept / "lock"):
-        patch.setenv("CHASLES_CACHE", str(kept))
+
+@pytest.fixture(scope="session")
+def coq_cache(kept: Callable[[str], Path], tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A cache that has nothing but the theories for Coq, compiled; who adds to it makes a copy."""
+    folder = kept("coq")
+    with pytest.MonkeyPatch.context() as patch, only_one(folder / "lock"):
+        patch.setenv("CHASLES_CACHE", str(folder))
         compile_theories(tmp_path_factory.mktemp("theories"))
-        return shutil.copytree(kept, tmp_path_factory.mktemp("coq") / "cache")
+        return shutil.copytree(folder, tmp_path_factory.mktemp("coq") / "cache")
 
 
 @contextmanager

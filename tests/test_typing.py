@@ -7,6 +7,7 @@ import inspect
 import re
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -77,8 +78,8 @@ kernels.backend = "fortran"  # Incompatible types in assignment
 
 
 @pytest.fixture(scope="module")
-def types(pytestconfig: pytest.Config, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder to check programs in, where mypy finds the package put together as in a wheel; what it keeps is kept."""
+def types(kept: Callable[[str], Path], tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder to check programs in, where mypy finds the package put together as in a wheel."""
     folder = tmp_path_factory.mktemp("types")
     parts = folder / "parts" / "chasles"
     parts.mkdir(parents=True)
@@ -86,7 +87,7 @@ def types(pytestconfig: pytest.Config, tmp_path_factory: pytest.TempPathFactory)
         if not (PACKAGE / name).exists():
             (parts / name).symlink_to(place)
     (folder / "mypy.ini").write_text(
-        f"[mypy]\nstrict = True\ncache_dir = {pytestconfig.cache.mkdir('mypy')}\n"
+        f"[mypy]\nstrict = True\ncache_dir = {kept('mypy')}\n"
         f"mypy_path = {PACKAGE.parent}:{parts.parent}\n"
         "[mypy-sympy.*,latex2mathml.*,mpmath.*]\nignore_missing_imports = True\n"
         # Whether the package itself is right is what `make types` says; the kernels need none of these.
