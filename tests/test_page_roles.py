@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 
 import pytest
 
+import chasles
 from chasles.pages.deduction import Deduction
 from chasles.pages.facts import divisors, facts_of, kind_in_meaning
 from chasles.pages.notes import EquationNote
@@ -35,6 +36,8 @@ from chasles.vocabulary import (
     tr,
     vector,
 )
+
+from .counted import at_most
 
 a, b, c, d, p, r = (vector(name, name, "a vector") for name in "abcdpr")
 e = vector("e", "e", "unit vector along the axis")
@@ -197,3 +200,10 @@ def test_rules_for_rates_do_not_lead_in_circles() -> None:
     there, back = Definition("1", p, cross(a, r)), Definition("2", rate(r), rate(p))
     rules: dict[tuple[Symbol, int], Statement] = {(p, 0): there, (r, 1): back}
     assert len(chosen_rules((p, rate(r), rate(p)), rules)) == 1
+
+
+def test_a_power_of_many_factors_is_not_written_out() -> None:
+    page = r"\[ L = (1 - x)^{1750763} \log y \] \[ L + 1 = 1 + (1 - x)^{1750763} \log y \] \[ A^{1750763} = A L \]"
+    with at_most(calls=20_000_000):
+        found = chasles.read(page, {"symbols": {"L": "scalar", "x": "scalar", "y": "positive", "A": "matrix"}}, "tex")
+    assert found.counts["read"] == 3

@@ -434,3 +434,17 @@ def test_no_equation_is_lost_that_has_a_comma_or_a_word_in_its_scripts() -> None
     chains = r"\begin{aligned} \dot x &= v_{1,2} \\ \dot y &= w_{1,3} \end{aligned}"
     (read,) = read_equations([PrintedEquation(chains)], load_notation({"symbols": letters}))
     assert len(read.readings[0].parts) == 2
+
+
+@pytest.mark.parametrize(
+    "head",
+    [
+        r"\let\old\section \newcommand\new{\end{a}\begin{a}} \renewcommand\section{\new\old}",
+        r"\newcommand\section{\begin{a}\section}",
+        r"\def\section{\section}",
+    ],
+)
+def test_commands_of_prose_that_are_made_of_themselves_end(head: str) -> None:
+    with at_most(calls=3_000_000):
+        found = in_document(r"\section{One} \[ a = b \] \section{Two} \[ c = d \]", head)
+    assert texts(found)[-1:] == ["c=d"]

@@ -18,8 +18,6 @@ from chasles.pages.quantities import Quantity, quantities, quantity, symbols_in
 from chasles.statements import Claim, Condition, Statement
 from chasles.vocabulary import Node
 
-FEW = 2
-"""After so many sets of premises it is asked whether the claim can follow from all rules of the page at once."""
 MOST_POSED = 4
 """So many posed equations, the last ones, are tried together for a proof."""
 
@@ -45,9 +43,7 @@ def attempts(claim: Claim, premises: Premises, consequences: Consequences) -> It
     opened = {id(each): named(each) for each in premises.opened.values()}
     seen: set[tuple[frozenset[int], frozenset[int]]] = set()
     asked: set[tuple[frozenset[int], frozenset[int]]] = set()
-    for place, tried in enumerate(_premise_sets(claim, premises)):
-        if place == FEW:
-            consequences.refute(*claim.printed, {**premises.defined(), **premises.proved, **premises.opened})
+    for tried in _premise_sets(claim, premises):
         likely = consequences.may_follow(*claim.printed, *tried) if _is_new(*tried, asked) else False
         chosen = consequences.least(*claim.printed, *tried) if likely else tried
         if likely is not False and _is_new(*chosen, seen):
@@ -90,7 +86,6 @@ def _premise_sets(claim: Claim, premises: Premises) -> Iterator[tuple[Rules, tup
             yield last, ()
         found.append(last)
     yield next(iter(deque(balancing(*sides, tables[1], place), maxlen=1)), {}), ()
-    yield chosen_rules(sides, with_open, deep=False), ()
     for table in (*tables, with_open):
         yield chosen_rules(sides, table), ()
         yield chosen_rules(sides, last_said(table, place)), ()

@@ -23,7 +23,7 @@ from chasles.prover.sources import DeclaredPoints
 from chasles.statements import Claim, Hypothesis, Problem, problem_of
 from chasles.statements.spins import with_spins
 from chasles.verdict import Contradictory, Counterexample, Fails, Holds, HoldsUnder, Undecided, Verdict
-from chasles.vocabulary import Misfit, Node
+from chasles.vocabulary import Misfit, Node, Power
 
 MOST_TERMS = 500
 """Points are not drawn where hypotheses and sides have more terms than this: each point takes too long."""
@@ -95,7 +95,11 @@ class _NoCounterexamples(_Likely, _FewTerms):
             raise _Unproved
 
 
-FEW_TERMS, NO_COUNTEREXAMPLES, LIKELY = _FewTerms(), _NoCounterexamples(), _Likely()
+class _Brief(_FewTerms):
+    """The same, for what has no functions."""
+
+
+FEW_TERMS, BRIEF, NO_COUNTEREXAMPLES, LIKELY = _FewTerms(), _Brief(), _NoCounterexamples(), _Likely()
 
 
 def proof_of(claim: Claim, session: Session, likely: bool = False) -> Verdict | None:
@@ -107,9 +111,12 @@ def proof_of(claim: Claim, session: Session, likely: bool = False) -> Verdict | 
     return verdict if verdict.true else None
 
 
-def verdict_on(claim: Claim, session: Session) -> Verdict:
-    """The verdict on a claim under its premises; undecided where that takes too long."""
-    return _answer(claim, session, FEW_TERMS)
+def verdict_on(claim: Claim, session: Session, is_brief: bool = False) -> Verdict:
+    """The verdict on a claim under its premises; undecided where that takes too long.
+
+    If `is_brief`, that is so of all that has functions: points at which it does not hold are searched for long.
+    """
+    return _answer(claim, session, BRIEF if is_brief else FEW_TERMS)
 
 
 def posed_on(claim: Claim, session: Session) -> Verdict:
@@ -149,7 +156,7 @@ def _found(problem: Problem, own: tuple[Hypothesis, ...], budget: float, source:
 
 def _decided(problem: Problem, own: tuple[Hypothesis, ...], budget: float, source: DeclaredPoints) -> Verdict:
     """The verdict; one on rotations that move is proved for all spins."""
-    if problem.has_functions and _words_in(problem) > MOST_WORDS:
+    if problem.has_functions and (source is BRIEF or _words_in(problem) > MOST_WORDS):
         raise _Unproved("written out it is too long")
     if sizes_in(problem) or problem.has_functions:
         return decided(problem, own, budget)
@@ -169,7 +176,10 @@ def _decided(problem: Problem, own: tuple[Hypothesis, ...], budget: float, sourc
 
 
 def _words_in(problem: Problem) -> int:
-    """The words of all that is claimed and assumed, what they stand for written out, for each entry."""
+    """The words of all that is claimed and assumed, what they stand for written out, for each entry.
+
+    A high power counts for several.
+    """
     rules = dict(problem.rules)
     known: dict[Node, int] = {}
 
@@ -177,6 +187,7 @@ def _words_in(problem: Problem) -> int:
         if node not in known:
             known[node] = 1
             known[node] = count(rules[node]) if node in rules else 1 + sum(map(count, node.below))
+            known[node] += node.exponent // 10 if isinstance(node, Power) and isinstance(node.exponent, int) else 0
         return known[node]
 
     goals = [side for goal in (*problem.goals, *problem.conditions) for side in (goal.left, goal.right)]

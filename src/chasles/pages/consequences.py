@@ -26,8 +26,6 @@ STEPS = 24
 """So many steps Newton's method takes."""
 SHORTER = (1, 1 / 2, 1 / 4, 1 / 8, 1 / 32)
 """The parts of a step of which the first is taken that leaves less."""
-RESTRICTED = 0.05
-"""How much rather the numbers of a symbol are changed of which no facts are known: on these less depends."""
 ENOUGH = 0.9
 """A step has to leave less than this of the equations."""
 PRECISION = 1e-9
@@ -50,7 +48,6 @@ class Consequences:
     ) -> None:
         self.motion = RandomMotion(facts)
         self._known = {} if known is None else known
-        self._refuted: dict[Pair, list[tuple[Rules, frozenset[int]]]] = {}
         self._keys: dict[int, tuple[Node, str]] = {}
         self._fingerprints = Fingerprints()
         self._found: dict[tuple[frozenset[int], frozenset[int], int], RandomMotion | None] = {}
@@ -69,22 +66,6 @@ class Consequences:
             self._known[key] = self._may_follow(left, right, rules, posed)
         return self._known[key]
 
-    def refute(self, left: Node, right: Node, rules: Rules) -> None:
-        """Look whether the sides differ under all the rules that reach them, where these need not be made to agree."""
-        chosen = chosen_rules((left, right), rules)
-        if next(_agreements(chosen), None) is None:
-            self.may_follow(left, right, chosen)
-
-    def _is_refuted(self, pair: Pair, rules: Rules, posed: Sequence[PosedEquation]) -> bool:
-        """Whether the two differ at a motion that satisfies all this, and more; no rule does without a fact."""
-        own = frozenset(map(id, posed))
-        return any(
-            own <= more
-            and all(told.get(key) is rule for key, rule in rules.items())
-            and not any(self.motion.restricts(key[0]) for key in told.keys() - rules.keys())
-            for told, more in self._refuted.get(pair, ())
-        )
-
     def _key(self, node: Node) -> str:
         """What an expression is, and of which kinds its symbols are."""
         if id(node) not in self._keys:
@@ -93,8 +74,6 @@ class Consequences:
         return self._keys[id(node)][1]
 
     def _may_follow(self, left: Node, right: Node, rules: Rules, posed: Sequence[PosedEquation]) -> bool | None:
-        if self._is_refuted((left, right), rules, posed):
-            return False
         pairs = (*((each.left, each.right) for each in posed), *_agreements(rules))
         spoken = (left, right, *(side for pair in pairs for side in pair), *(rule.right for rule in rules.values()))
         running = _running(spoken)
@@ -106,11 +85,7 @@ class Consequences:
                     if motion is None:
                         return False
                     values = self._values(motion, rules, running, terms)
-                    found = _equal(values(left), values(right))
-                    if found is False:
-                        self._kept += posed
-                        self._refuted.setdefault((left, right), []).append((rules, frozenset(map(id, posed))))
-                    return found
+                    return _equal(values(left), values(right))
             except TooFewTerms:
                 continue
             except (NotInMotion, KeyError, TypeError, ValueError, RecursionError, np.linalg.LinAlgError):
@@ -177,7 +152,6 @@ def satisfying(
     places = [(key, place) for key in keys for place in np.ndindex(*key[0].shape, 1 if key[0].constant else terms)]
     if len(places) > MOST_NUMBERS:
         raise NotInMotion
-    ease = np.array([RESTRICTED if motion.restricts(key[0]) else 1.0 for key, _ in places])
     shifts = SMALL_CHANGE * np.eye(len(places), 1 + len(places), 1)
 
     def residual_at(step: Array) -> tuple[Array, float, float]:
@@ -190,8 +164,8 @@ def satisfying(
     for _ in range(STEPS):
         if not np.all(np.isfinite(residual)):
             raise NotInMotion
-        slopes = (residual[:, 1:] - residual[:, :1]) / SMALL_CHANGE * ease
-        whole, before = ease * _least_solution(slopes, -residual[:, 0]), left
+        slopes = (residual[:, 1:] - residual[:, :1]) / SMALL_CHANGE
+        whole, before = _least_solution(slopes, -residual[:, 0]), left
         for part in SHORTER:
             residual, size, left = residual_at(part * whole)
             if left < max(ENOUGH * before, PRECISION * size):

@@ -74,15 +74,7 @@ class Deduction:
 
     def fork(self) -> Deduction:
         """A deduction that goes on from here by itself."""
-        other = Deduction(
-            self.premises.copy(),
-            self.session,
-            self.is_proposed,
-            self.is_complex,
-            self.may_follow,
-            0,
-            dict(self._foretold),
-        )
+        other = with_fields(self, premises=self.premises.copy(), most_unlikely=0, _foretold=dict(self._foretold))
         other._derivatives, other._said_here = self._derivatives.copy(), (self._said_here[0], dict(self._said_here[1]))
         other.consequences = self.consequences
         return other
@@ -113,7 +105,7 @@ class Deduction:
     def _assumption(self, name: str, said: Part | Claim) -> PosedEquation:
         """An equation that is assumed, by the name under which it is told."""
         left, right = self._as_said(Claim(name, said.left, said.right, sic=True)).printed
-        return PosedEquation(as_hypothesis(name, left, right, self.session), left, right, False)
+        return PosedEquation(as_hypothesis(name, left, right, self.session, self.consequences), left, right, False)
 
     def strange(self, reading: Reading) -> int:
         """How many symbols of a reading the page has not used before."""
@@ -217,7 +209,7 @@ class Deduction:
 
     def _posed(self, claim: Claim, is_open: bool, verdict: Verdict) -> PageFinding:
         if not any(map(indices_of, claim.printed)):
-            said = as_hypothesis(named(claim), *claim.printed, self.session)
+            said = as_hypothesis(named(claim), *claim.printed, self.session, self.consequences)
             key = said_to_be(claim) if is_open else None
             if key is not None:
                 self.premises.opened[key[0]] = definition_of(claim, key[1])
@@ -230,7 +222,7 @@ class Deduction:
 
         Where that takes too long, with what the notation says of them.
         """
-        said = as_hypothesis(named(claim), *claim.printed, self.session)
+        said = as_hypothesis(named(claim), *claim.printed, self.session, self.consequences)
         verdict: Verdict = Undecided("no point was looked for")
         for known in (with_everything(claim, self.premises, 0), with_premises(claim, self.premises, {}, ())):
             verdict = posed_on(with_fields(known, assuming=(*known.assuming, said)), self.session)

@@ -9,6 +9,7 @@ from itertools import permutations
 
 from chasles.decisions.session import Session
 from chasles.pages.bounded_proofs import proof_of
+from chasles.pages.consequences import Consequences
 from chasles.statements import Claim, Hypothesis, perpendicular, symmetric, unit, unit_column
 from chasles.statements.matrices import commuting, idempotent, orthogonal, skew_symmetric
 from chasles.vocabulary import Dot, Misfit, Negative, Node, Norm, Number, Sum, Symbol, symbols_of
@@ -19,14 +20,14 @@ NAMED: tuple[tuple[int, Callable[..., Hypothesis]], ...] = (
 """The named hypotheses on so many symbols each."""
 
 
-def as_hypothesis(said: str, left: Node, right: Node, session: Session) -> Hypothesis:
+def as_hypothesis(said: str, left: Node, right: Node, session: Session, consequences: Consequences) -> Hypothesis:
     """An equation as a hypothesis that is told as `said`: the named one that says the same, or a free one."""
     for one, other in ((left, right), (right, left)):
         if isinstance(one, Norm) and isinstance(other, Number) and other.value >= 0:
             left, right = Dot(one.of, one.of), Number(other.value**2)
     symbols = [s for s in symbols_of(Sum((left, Negative(right)))) if s.stands_for is None and not s.constant]
     for named in _candidates(symbols):
-        if any(_is_same((left, right), equation, session) for equation in named.equations):
+        if any(_is_same((left, right), equation, session, consequences) for equation in named.equations):
             return with_fields(named, latex=said, text=said)
     return Hypothesis("posed", (Sum((left, Negative(right))),), ((left, right),), (), said, said, free=True)
 
@@ -43,7 +44,7 @@ def _candidates(symbols: Sequence[Symbol]) -> Iterator[Hypothesis]:
             yield unit_column(*symbols)
 
 
-def _is_same(one: tuple[Node, Node], other: tuple[Node, Node], session: Session) -> bool:
+def _is_same(one: tuple[Node, Node], other: tuple[Node, Node], session: Session, consequences: Consequences) -> bool:
     """Whether the sides of two equations differ by the same, or by the opposite."""
     if one[0].shape != other[0].shape:
         return False
@@ -51,6 +52,6 @@ def _is_same(one: tuple[Node, Node], other: tuple[Node, Node], session: Session)
     with suppress(Misfit, TypeError):
         for left, right in (other, other[::-1]):
             claim = Claim("", difference, Sum((left, Negative(right))), sic=True)
-            if proof_of(claim, session) is not None:
+            if consequences.may_follow(*claim.printed, {}) is not False and proof_of(claim, session) is not None:
                 return True
     return False

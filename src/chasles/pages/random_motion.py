@@ -16,12 +16,14 @@ from chasles.evaluation.matrices import Matrix, each
 from chasles.pages.premises import Rules
 from chasles.pages.time_series import Array, TimeSeries, function_of
 from chasles.statements import Hypothesis
-from chasles.vocabulary import PI, At, Call, Integral, Inverse, Node, Norm, Rate, Symbol
+from chasles.vocabulary import PI, At, Call, Integral, Inverse, Node, Norm, Power, Rate, Symbol
 from chasles.vocabulary.functions import FunctionOf
 from chasles.vocabulary.partial import PartialDerivative, with_derivatives
 
 MOTIONS, ELEMENTS = 2, 7
 """So many motions are looked at, of bodies of so many elements."""
+MOST_FACTORS = 100
+"""So many factors of a power are multiplied; a higher one has no value here, and is one factor."""
 TERMS = 7
 """Terms of each series: so many rates less one may be taken."""
 
@@ -52,10 +54,6 @@ class RandomMotion:
         self._facts = facts
         self.numbers = dict(numbers)
         self._made: dict[tuple[Key, int], Matrix] = {}
-
-    def restricts(self, symbol: Symbol) -> bool:
-        """Whether facts are known of the symbol."""
-        return bool(self._facts(symbol))
 
     @property
     def undrawn(self) -> RandomMotion:
@@ -139,7 +137,8 @@ class ValuesInMotion(Interpreter):
         self.terms, self.begun = terms, begun
 
     def entries(self, node: Node) -> Matrix:
-        if isinstance(node, At) and node.argument != "t" and node not in self.rules:
+        is_elsewhere = isinstance(node, At) and node.argument != "t" and node not in self.rules
+        if is_elsewhere or (isinstance(node, Power) and node.exponent > MOST_FACTORS):
             raise NotInMotion
         return super().entries(node)
 

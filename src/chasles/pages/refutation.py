@@ -49,12 +49,13 @@ def refuted(
         return PageFinding("claim", Undecided(reason), claim, open=True)
     of_its_own = any(symbol.meaning == OF_ITS_OWN for symbol, _ in free_quantities(claim.printed, rules))
     is_asked = not (is_defining(claim) or of_its_own or _is_new_value(claim))
-    is_false = may_define and consequences.may_follow(*claim.printed, rules) is False
+    is_false = consequences.may_follow(*claim.printed, rules) is False
     instead = _instead(claim, premises, session, consequences) if is_asked and is_false else None
-    if may_define and instead is None and (is_false or not is_asked):
+    attempt, is_open = with_premises(claim, premises, rules, ()), instead is None and (is_false or not is_asked)
+    if is_open and may_define:
         return PageFinding("claim", Undecided("nothing near it is true"), claim, open=True)
-    verdict = verdict_on(with_premises(claim, premises, rules, ()), session)
-    if is_asked and instead is None and isinstance(verdict, Fails):
+    verdict = verdict_on(attempt, session, is_brief=is_open and is_false and not told)
+    if is_asked and not is_false and isinstance(verdict, Fails):
         instead = _instead(claim, premises, session, consequences)
     if not isinstance(verdict, Fails) or (instead is None and not told) or of_its_own:
         return PageFinding("claim", verdict, claim, open=True)

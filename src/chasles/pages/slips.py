@@ -19,6 +19,7 @@ from chasles.pages.consequences import Consequences
 from chasles.pages.edited_marks import one_mark_away
 from chasles.pages.premises import PosedEquation, Premises, Rules, free_quantities
 from chasles.pages.quantities import quantities, quantity
+from chasles.pages.random_motion import MOST_FACTORS
 from chasles.repairs.repair import Repair
 from chasles.statements import Claim
 from chasles.verdict import Holds, HoldsUnder
@@ -117,7 +118,7 @@ def _factors(side: Node) -> Iterator[Node]:
     match side:
         case Negative(of):
             yield from (Number(Fraction(-1)), *_factors(of))
-        case Power(base, exponent):
+        case Power(base, exponent) if isinstance(exponent, int) and exponent <= MOST_FACTORS:
             yield from (*_factors(base),) * exponent
         case Group() | Scale() | Contract():
             yield from (factor for part in side.below for factor in _factors(part))

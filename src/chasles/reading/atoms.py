@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from chasles.reading import commands
@@ -59,6 +59,14 @@ class Atom:
     primes: int = 0
     sups: tuple[Atoms, ...] = ()
     before: tuple[Atoms, Atoms] = ((), ())
+    _hash: int = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        said = (self.kind, self.text, self.place, self.arguments, self.inside, self.sub, self.primes, self.sups)
+        object.__setattr__(self, "_hash", hash((*said, self.before)))
+
+    def __hash__(self) -> int:
+        return self._hash
 
     @property
     def is_marked(self) -> bool:

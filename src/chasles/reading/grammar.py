@@ -5,7 +5,7 @@ It is LALR(1), hence unambiguous, and says nothing of what letters mean.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -157,12 +157,12 @@ def _with_events(atoms: Atoms) -> Atoms:
     found: list[Atom] = []
     place = 0
     while place < len(atoms):
-        atom, end = atoms[place], _closing(atoms, place)
+        atom, end = atoms[place], closing(atoms, place)
         is_behind = bool(found) and found[-1].kind in ("LETTER", "COMMAND", "EVENT") and not found[-1].sups
         if atom.kind == "OPEN" and is_behind and end and _says_event(atoms[place + 1 : end]):
-            name, closing = found.pop(), atoms[end]
-            inside = (name, *atoms[place:end], closing.bare)
-            found.append(replace(closing, kind="EVENT", text=in_braces(inside), place=name.place))
+            name, last = found.pop(), atoms[end]
+            inside = (name, *atoms[place:end], last.bare)
+            found.append(replace(last, kind="EVENT", text=in_braces(inside), place=name.place))
             place = end
         else:
             found.append(atom)
@@ -170,7 +170,7 @@ def _with_events(atoms: Atoms) -> Atoms:
     return tuple(found)
 
 
-def _closing(atoms: Atoms, start: int) -> int:
+def closing(atoms: Sequence[Atom], start: int = 0) -> int:
     """Where the bracket that opens there is closed; 0 where it is not."""
     depth = 0
     for place in range(start, len(atoms)):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import reduce
+from functools import lru_cache, reduce
 
 from chasles.reading.atoms import Atom, Atoms, Unread
 from chasles.reading.derivatives import Derivative, derivative
@@ -49,6 +49,11 @@ def _times(one: Shape | None, other: Shape | None) -> Shape | None:
     return one[0], other[1]
 
 
+@lru_cache(maxsize=4096)
+def _is_of_any_shape(piece: Atom) -> bool:
+    return piece.kind != "INFIX" and letter_of(piece).loose.base in (r"\nabla", "!")
+
+
 class _PieceShapes:
     """The shapes of pieces of a formula; None for what may have any."""
 
@@ -68,7 +73,7 @@ class _PieceShapes:
     def row(self, pieces: Atoms) -> Shape | None:
         if len(pieces) == 1 and pieces[0].text in ("0", "1"):
             return None
-        if any(piece.kind != "INFIX" and letter_of(piece).loose.base in (r"\nabla", "!") for piece in pieces):
+        if any(map(_is_of_any_shape, pieces)):
             return None
         parts: list[list[Atom]] = [[]]
         for piece in pieces:
@@ -101,7 +106,9 @@ class _PieceShapes:
         inner = self.atom(argument)
         if name not in OF_ANY and inner not in (SCALAR, None):
             raise Misshapen
-        return SCALAR if inner == SCALAR or name in (r"\det", "tr", r"\tr", "Tr", "trace") else None
+        if inner == SCALAR or name in (r"\det", "tr", r"\tr", "Tr", "trace"):
+            return SCALAR
+        return inner if name in (r"\log", r"\ln", r"\exp") and inner == MATRIX else None
 
     def atom(self, atom: Atom) -> Shape | None:
         letter, text = letter_of(atom), atom.text

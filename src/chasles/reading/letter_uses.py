@@ -47,6 +47,11 @@ class LetterUse:
     has_order: bool = False
 
     @property
+    def meant(self) -> tuple[str, tuple[Extent, ...]]:
+        """Its kind, and its shape where that is not the kind's own."""
+        return self.kind, self.shape
+
+    @property
     def is_number(self) -> bool:
         """Whether something is divided by it, or a root or an angle is made of it."""
         return bool(self.signs & NUMBERS)

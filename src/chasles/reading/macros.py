@@ -41,13 +41,19 @@ class Source:
         self.text, self.macros, self.file, self._first = text, macros, file, first
         self.at, self.end = 0, len(text)
         self.waiting: list[Token] = []
+        self._begun = -1
         self.start_anew()
         self._structural: dict[str, bool] = {}
         self._lines = [0, *(match.end() for match in re.finditer("\n", text))]
 
     def start_anew(self) -> None:
-        """From here macros may expand to as much as in any display; to little where much was in vain."""
-        self.left = MOST_LEXEMES if self.macros.wasted < MOST_WASTED else MOST_LEXEMES // 100
+        """From here macros may expand to as much as in any display; to little where much was in vain.
+
+        Nothing begins anew where no text has been read since.
+        """
+        if self.at != self._begun:
+            self.left = MOST_LEXEMES if self.macros.wasted < MOST_WASTED else MOST_LEXEMES // 100
+            self._begun = self.at
 
     def place(self, at: int) -> tuple[int, int]:
         """Line and column of a place in the text, from 1."""

@@ -18,7 +18,6 @@ from chasles.reading.letter_uses import SKEW, LetterUse, looks
 from chasles.reading.lexemes import BadPage
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.shape_search import shaped_letters
-from chasles.vocabulary.measure import Extent
 
 KNOWN = LETTERS | MARKS | TYPEFACES
 ENTRY = re.compile(r"[1-9] ?,? ?[1-9]")
@@ -61,14 +60,10 @@ def proposed(equations: Sequence[PrintedEquation]) -> str:
         if section and len(places) < len(equations):
             here = [equations[place] for place in places], [texts[place] for place in places]
             other, fewer = shaped_letters(*here, marks)
-            anew = {stem: use for stem, use in other.items() if (use.kind, use.shape) != _meant(stem, uses)}
+            anew = {stem: use for stem, use in other.items() if stem not in uses or use.meant != uses[stem].meant}
             if anew and sum(fewer.values()) < sum(faults.get(place, 0) for place in places):
                 lines += ["", f"[section.{_quoted(section)}.symbols]", *_lines_of(anew, letters, of_operators)]
     return "\n".join([*lines, "", "[page]", PROPOSED]) + "\n"
-
-
-def _meant(stem: Glyph, uses: Mapping[Glyph, LetterUse]) -> tuple[str, tuple[Extent, ...]] | None:
-    return (uses[stem].kind, uses[stem].shape) if stem in uses else None
 
 
 def _lines_of(uses: Mapping[Glyph, LetterUse], letters: AbstractSet[str], of_operators: bool) -> Iterator[str]:

@@ -10,7 +10,7 @@ from itertools import pairwise
 from chasles.reading.abbreviations import written_out
 from chasles.reading.atoms import RELATIONS, Atom, Atoms, Unread, lines_of, single
 from chasles.reading.commands import IMPLICATIONS
-from chasles.reading.grammar import Chain, formula
+from chasles.reading.grammar import Chain, closing, formula
 from chasles.reading.lexemes import BadPage, cut
 from chasles.reading.printed import PrintedEquation
 
@@ -39,7 +39,7 @@ def segments(marks: Atoms) -> list[tuple[Atoms, bool]]:
             is_prose = condition and CONDITIONS.match(word) and not _relations(part)
             if (part and part[-1].text == ":") or is_prose:  # a heading, or as in "for small angles"
                 continue
-            in_brackets = bool(found and _relations(part[1:-1]) and closing_bracket(part) == len(part) - 1)
+            in_brackets = bool(found and _relations(part[1:-1]) and closing(part) == len(part) - 1)
             *before, last = cut(part[1:-1] if in_brackets else part, tuple(IMPLICATIONS))
             found += [(tuple(each), True) for each in before if each]
             found += [(tuple(last), condition or in_brackets)] if last else []
@@ -60,16 +60,6 @@ def chains_of(equation: PrintedEquation) -> list[Chain]:
 
 def _relations(part: Sequence[Atom]) -> list[str]:
     return [token.text for token in part if token.text in RELATIONS]
-
-
-def closing_bracket(part: Sequence[Atom]) -> int:
-    """Where the round bracket that the part begins with closes; -1 where it does not begin with one."""
-    depth = 0
-    for place, token in enumerate(part):
-        depth += (token.text == "(") - (token.text == ")")
-        if depth == 0:
-            return place if place else -1
-    return -1
 
 
 def _is_membership(part: Atoms) -> bool:
@@ -107,7 +97,7 @@ def _joined_lists(parts: list[tuple[Atoms, bool]]) -> list[tuple[Atoms, bool]]:
     for marks, condition in parts:
         comma = single(marks[0].place._replace(text=","))
         if _relations(marks) or any(mark.text == ":" for mark in marks):
-            is_closed = closing_bracket((replace(comma, text="("), *marks)) < 0
+            is_closed = not closing((replace(comma, text="("), *marks))
             found.append(((*(waiting if is_closed else waiting[:-1]), *marks), condition))
             waiting = ()
         elif found and marks[0].text in "+-":

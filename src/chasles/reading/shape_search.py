@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import lru_cache
+from functools import lru_cache, partial
 from itertools import combinations, islice, product
 
 from chasles.reading.glyphs import ARROWS, Glyph, letter_of, spelled
@@ -54,7 +54,7 @@ class _KindSearch:
         uses: dict[Glyph, LetterUse],
         marks: NameMarks,
     ) -> None:
-        self.chains, self.uses, self.bare = chains, uses, marks.bare
+        self.chains, self.uses = chains, uses
         self.names = usual_names()
         self.stems: dict[int, list[Glyph]] = {}
         for stem, use in uses.items():
@@ -64,7 +64,7 @@ class _KindSearch:
         self.known: dict[object, int] = {}
         self.sizes: set[int] = set()
         self.work = 0
-        self.parted = lru_cache(maxsize=None)(lambda letter: parted(letter, marks))
+        self.known_by = lru_cache(maxsize=None)(partial(_known_by, marks=marks))
 
     def all_faults(self) -> dict[int, int]:
         """How many relations of each equation do not fit together, those with a matrix counted more."""
@@ -77,8 +77,8 @@ class _KindSearch:
                 self.mend(place)
 
     def shape_of(self, letter: Glyph) -> tuple[Shape | None, tuple[str, ...]]:
-        own, marks = self.parted(letter)
-        use = self.uses.get(stem_of(own)) if is_declared(letter, self.bare) else None
+        stem, marks = self.known_by(letter)
+        use = self.uses.get(stem) if stem else None
         if use is None:
             return (1, 1) if letter.base == r"\pi" else None, marks
         return (use.shape[0], use.shape[1]) if use.shape else SHAPES[use.kind], marks
@@ -86,7 +86,7 @@ class _KindSearch:
     def faults(self, place: int) -> int:
         """How many relations of the equation do not fit together; those with a matrix count more."""
         self.work += 1
-        key = place, *((self.uses[stem].kind, self.uses[stem].shape) for stem in self.stems[place])
+        key = place, *(self.uses[stem].meant for stem in self.stems[place])
         if key not in self.known:
             self.known[key] = sum(
                 self._is_misshapen(chain) * (3 if _has_grid(chain) else 1) for chain in self.chains[place]
@@ -125,6 +125,8 @@ class _KindSearch:
                 before = sum(map(self.faults, affected)) + UNLIKELY * sum(map(self._cost, old))
                 best, found = (before - after, change) if before - after > best else (best, found)
             self._let(old)
+            if found and len(change) == 1 and best >= here:
+                break
         self._let(found)
 
     def _cost(self, chosen: tuple[Glyph, Kind]) -> int:
@@ -132,7 +134,7 @@ class _KindSearch:
 
     def _let(self, change: Sequence[tuple[Glyph, Kind]]) -> tuple[tuple[Glyph, Kind], ...]:
         """Let the letters be so; what they were before."""
-        old = tuple((stem, (self.uses[stem].kind, self.uses[stem].shape)) for stem, _ in change)
+        old = tuple((stem, self.uses[stem].meant) for stem, _ in change)
         for stem, (kind, shape) in change:
             self.uses[stem].kind, self.uses[stem].shape = kind, shape
         return old
@@ -141,10 +143,7 @@ class _KindSearch:
         stems = [stem for stem in self.stems[place] if len(self.kinds[stem]) > 1]
         for count in range(1, MOST_TOGETHER + 1):
             for chosen in combinations(stems, count):
-                now = [(self.uses[stem].kind, self.uses[stem].shape) for stem in chosen]
-                others = (
-                    [kind for kind in self.kinds[stem] if kind != was] for stem, was in zip(chosen, now, strict=True)
-                )
+                others = ([kind for kind in self.kinds[stem] if kind != self.uses[stem].meant] for stem in chosen)
                 for kinds in product(*others):
                     yield tuple(zip(chosen, kinds, strict=True))
 
@@ -156,7 +155,7 @@ class _KindSearch:
             for side in sides:
                 piece = side.rows[0][0]
                 if len(side.rows) == len(side.rows[0]) == 1 and piece.kind != "INFIX":
-                    stem = stem_of(self.parted(letter_of(piece))[0])
+                    stem, _ = self.known_by(letter_of(piece))
                     yield from ((stem, shape) for shape in shapes if stem in self.uses)
 
     def _shape(self, side: Terms) -> Shape | None:
@@ -164,6 +163,12 @@ class _KindSearch:
             return shape_of_chain(Chain((side,), ()), self.shape_of, self.names)[0]
         except Misshapen:
             return None
+
+
+def _known_by(letter: Glyph, marks: NameMarks) -> tuple[Glyph | None, tuple[str, ...]]:
+    """What a letter of the page has in common with those of its kind, and its marks that are no part of its name."""
+    own, others = parted(letter, marks)
+    return stem_of(own) if is_declared(letter, marks.bare) else None, others
 
 
 def _has_grid(chain: Chain) -> bool:
@@ -180,6 +185,4 @@ def _kinds(stem: Glyph, use: LetterUse) -> list[Kind]:
     quaternion = ["quaternion"] if {r"\otimes", r"\circ"} & use.signs else []
     matrix = ["matrix"] if use.is_matrix else []
     usual = [use.kind] if use.signs & SKEW else usual
-    return list(
-        dict.fromkeys([(use.kind, use.shape), *((kind, ()) for kind in (use.kind, *usual, *quaternion, *matrix))])
-    )
+    return list(dict.fromkeys([use.meant, *((kind, ()) for kind in (use.kind, *usual, *quaternion, *matrix))]))

@@ -80,6 +80,8 @@ class TexPage:
 
     def handle(self, token: Token, source: Source) -> None:
         """A command of LaTeX in prose, or a dollar; one that is broken is passed over."""
+        is_itself = token.text == r"\noexpand"
+        token = (source.lexeme() if is_itself else None) or token
         text = token.text
         try:
             if DEFINING.match(text):
@@ -87,7 +89,7 @@ class TexPage:
                 self.take_numbering_format()
             elif text in CLOSING:
                 self.open_formula(token, source)
-            elif text in self.macros and source.is_structural(text):
+            elif not is_itself and text in self.macros and source.is_structural(text):
                 source.expand(token, self.macros[text])
             elif text[1:] in LEVELS:
                 is_numbered = source.peek() != "*"

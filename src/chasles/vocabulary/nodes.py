@@ -295,7 +295,9 @@ class Power(Node):
             raise Misfit(f"the exponent of {self.base} is {self.exponent}; write a quotient or `inverse` instead")
         total = measure = square_measure(self.base, "a power")
         for _ in range(self.exponent - 1):
-            total = contracted(total, measure, (self.base, self.base))
+            before, total = total, contracted(total, measure, (self.base, self.base))
+            if total == before:
+                break
         return total
 
 
