@@ -312,3 +312,15 @@ def test_what_holds_of_all_numbers_holds_of_complex_ones_and_an_i_that_numbers_t
 def test_a_letter_with_a_mark_above_is_another_than_with_the_mark_below() -> None:
     claims = "v^k = a + b, v_k = a - b", "v^k - v_k = 2 b", "v^k + v_k = 2 b"
     assert verdicts_as_proposed(*claims) == ["defined", "defined", "holds", "fails"]
+
+
+def test_a_letter_has_another_shape_in_a_section_of_its_own_and_its_marked_ones_are_those_of_the_page() -> None:
+    page = r"""
+\section{Numbers} \[ K = \frac{P C}{C P C + R} \] \[ K (C^2 P + R) = P C \]
+\section{Matrices} \[ S = C P C^T + R \] \[ K = P C^T S^{-1} \] \[ K S = P C^T \] \[ P_1 = (K S)^T \] \[ A B = B A \]
+\section{Numbers again} \[ P = \frac{P_1}{C} \] \[ A B = B A \]"""
+    notation = proposed(displayed(page, "tex"))
+    found = [each.verdict for each in chasles.read(page, notation, "tex").equations]
+    assert found[:6] == ["defined", "holds-under", "defined", "defined", "holds-under", "defined"]
+    assert "unread" not in found
+    assert found[6:] == ["open", "defined", "ambiguous"]

@@ -38,6 +38,11 @@ class Glyph:
     place: Token | None = field(default=None, compare=False)
 
     @property
+    def marks(self) -> int:
+        """How many accents, scripts and primes it has."""
+        return len(self.accents) + bool(self.sub) + self.primes + len(self.sups)
+
+    @property
     def loose(self) -> Glyph:
         """The same without its typefaces."""
         return replace(self, base=_unstyled(self.base), sub=_unstyled(self.sub), sups=tuple(map(_unstyled, self.sups)))

@@ -79,7 +79,9 @@ class LetterTable:
         if not found and letter.arguments and is_function:
             of_bare = self.meanings(replace(letter, arguments=""))
             found = [(_value(node, letter), rest) for node, rest in of_bare if isinstance(node, Symbol) and node != PI]
-        yield from found or (self.behind.meanings(letter, is_function) if self.behind else ())
+        if self.behind and (not found or found[0][1].marks):
+            found = min(found, [*self.behind.meanings(letter, is_function)], key=_least_marks)
+        yield from found
 
     def _found(self, letter: Glyph, table: dict[Glyph, list[Meaning]]) -> Iterator[tuple[Node, Glyph]]:
         for taken, rest in _divided(letter):
@@ -101,6 +103,11 @@ class LetterTable:
             both = " and ".join(f"'{said}'" for _, said, _ in found[:2])
             raise BadNotation(f"[symbols] {both} both match {spelled(letter)}: say what that letter is by itself")
         return [meaning for _, _, meaning in found[:1]]
+
+
+def _least_marks(found: list[tuple[Node, Glyph]]) -> float:
+    """How many marks are left over of what a letter may be."""
+    return found[0][1].marks if found else float("inf")
 
 
 def _bare(letter: Glyph) -> Glyph:

@@ -62,7 +62,7 @@ def proposed(equations: Sequence[PrintedEquation]) -> str:
             other, fewer = shaped_letters(*here, marks)
             anew = {stem: use for stem, use in other.items() if stem not in uses or use.meant != uses[stem].meant}
             if anew and sum(fewer.values()) < sum(faults.get(place, 0) for place in places):
-                lines += ["", f"[section.{_quoted(section)}.symbols]", *_lines_of(anew, letters, of_operators)]
+                lines += ["", f"[section.{_quoted(section)}.symbols]", *_lines_of(anew, letters, True)]
     return "\n".join([*lines, "", "[page]", PROPOSED]) + "\n"
 
 
