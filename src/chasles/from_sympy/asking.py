@@ -28,7 +28,7 @@ from chasles.from_sympy.readings import READINGS
 from chasles.from_sympy.roots import resolve, words_of
 from chasles.from_sympy.sampling import Sampling
 from chasles.from_sympy.searching import is_about_motion, search_for
-from chasles.from_sympy.side_conditions import listed, nonvanishing
+from chasles.from_sympy.side_conditions import nonvanishing
 from chasles.statements import Goal, Hypothesis, Problem
 from chasles.verdict import Contradictory, IllFormed
 from chasles.vocabulary import Node
@@ -160,10 +160,8 @@ class _Asking:
             formal=bool(self.elementary.origins),
         )
         if is_about_motion(reader, self.given):
-            squared = [part for found in self.given.squares for part in found.vanishing]
-            given = [*(item for _, item in listed(asked[2], "given")), *squared]
             with suppress(Rejected):  # what the checker does not read it does not follow
-                search.moves = partial(question.moves, Asked(*asked[:2], given, asked[3]))
+                search.moves = partial(question.moves, Asked(*asked))
         return question
 
     def _ranking(self) -> Iterator[Hypothesis]:

@@ -7,7 +7,6 @@ from math import isqrt
 from typing import Any
 
 import sympy
-from sympy.core.function import AppliedUndef
 
 from chasles.checker.determinants import determinant
 from chasles.checker.expressions.algebra import constant, primitive
@@ -107,14 +106,14 @@ def _spoken_of(read: Expressions, fact: Polynomial) -> set[int]:
 
 
 def _follows(point: AtPoint, fact: Polynomial, others: list[Polynomial], time: Any) -> bool:
-    """Whether something vanishes at all times when what others determine, the highest rates first, is put in.
+    """Whether something vanishes at all times when the highest rates that others determine are put in.
 
     What is left of it, a multiple, may also speak of nothing that changes: it vanishes at the point.
     """
     read = point.symbolic
     for other in others:
-        rates = [k for k in other.places if isinstance(read.atoms.get(k), AppliedUndef | sympy.Derivative)]
-        for place in sorted(rates, key=lambda k: -getattr(read.atoms[k], "derivative_count", 0)):
+        rates = [k for k in other.places if isinstance(read.atoms.get(k), sympy.Derivative)]
+        for place in sorted(rates, key=lambda k: -read.atoms[k].derivative_count):
             slope, own = other.partials()[place], fact.partials().get(place)
             number_of = constant(slope)
             if own is not None and number_of is not None:
