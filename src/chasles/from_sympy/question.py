@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
@@ -14,7 +15,7 @@ from chasles.checker.expressions.asked import Asked
 from chasles.checker.expressions.at_point import AtPoint
 from chasles.checker.expressions.given import require_given
 from chasles.checker.expressions.symbolic import Symbolic
-from chasles.checker.sparse import MALFORMED, Rejected
+from chasles.checker.sparse import Rejected, well_formed
 from chasles.from_sympy.naming import angle_of, number_of, spelled
 from chasles.from_sympy.opening import atoms_of
 from chasles.from_sympy.reader import multiplied
@@ -95,14 +96,13 @@ class Question:
 
     def moves(self, asked: Asked, point: Mapping[str, Any]) -> bool:
         """Whether the checker sees a motion through a point that satisfies what is given at all times."""
-        at = AtPoint(Symbolic({}, {}), self._point(point))
-        try:
+        with suppress(Rejected), well_formed("point"):
+            at = AtPoint(Symbolic({}, {}), self._point(point))
             for e in (atom for expression in asked.expressions for atom in atoms_of(expression)):
                 at.symbolic.place(e)
             require_given(asked, at)
-        except (Rejected, *MALFORMED):
-            return False
-        return True
+            return True
+        return False
 
     def said_of(self, hypothesis: Hypothesis) -> tuple[str, ...]:
         """What the user said of which a hypothesis follows."""
