@@ -22,25 +22,18 @@ NUMBER = re.compile(r"[A-Z]?[.-]?\d[\w.-]*'*")
 PRINTED_NUMBER = re.compile(r"(?:\\q?quad|\\l?eqno|\\hspace\*?\{[^}]*\})\s*[{]?\(?[\w.'-]+\)?[}]?[\s.,;]*$")
 
 
-class DisplayRow(NamedTuple):
-    """A row of a display as it stands, with what it says of its number."""
-
-    raw: list[Token]
-    tag: str | None = None
-    label: str | None = None
-    is_silent: bool = False
-
-
 class DisplayedEquation(NamedTuple):
-    """One equation of a display, rows that go on with it joined; `fault` says why it is not clear whether one does.
+    """One row of a display as it stands, or an equation of it, rows that go on with it joined.
 
-    It begins at `place`; before that stands what it shares with the row before.
+    `fault` says why it is not clear whether one does. A row that `is_silent` says that it has no number. An equation
+    begins at `place`; before that stands what it shares with the row before.
     """
 
-    atoms: list[Atom]
     raw: list[Token]
+    atoms: Sequence[Atom] = ()
     number: str | None = None
     label: str | None = None
+    is_silent: bool = False
     is_ended: bool = False
     fault: str = ""
     place: Token = Token("")
@@ -53,13 +46,13 @@ class DisplayedEquation(NamedTuple):
         return rf"\begin{{aligned}} {text} \end{{aligned}}" if aligned else text
 
 
-def rows_of(raw: Sequence[Token], is_split: bool) -> list[DisplayRow]:
+def rows_of(raw: Sequence[Token], is_split: bool) -> list[DisplayedEquation]:
     """The rows of a display, or the whole as one row; tags and labels are taken out of them."""
     rows = [_row(row) for row in (cut(raw, ROW_END) if is_split else [list(raw)])]
     return [row for row in rows if any(token.text not in (" ", "&", r"\par", "{", "}") for token in row.raw)]
 
 
-def _row(raw: list[Token]) -> DisplayRow:
+def _row(raw: list[Token]) -> DisplayedEquation:
     kept: list[Token] = []
     said: dict[str, str] = {}
     at = 0
@@ -70,7 +63,8 @@ def _row(raw: list[Token]) -> DisplayRow:
             said[text], at = re.sub(r"^\*?\s*\{|\}$", "", spelled(raw[at:end])).strip("()$ "), end
         else:
             kept.append(raw[at - 1])
-    return DisplayRow(kept, said.get(r"\tag"), said.get(r"\label"), r"\nonumber" in said or r"\notag" in said)
+    is_silent = r"\nonumber" in said or r"\notag" in said
+    return DisplayedEquation(kept, (), said.get(r"\tag"), said.get(r"\label"), is_silent)
 
 
 def _end_of_argument(raw: list[Token], at: int) -> int:
@@ -82,23 +76,20 @@ def _end_of_argument(raw: list[Token], at: int) -> int:
     return len(raw)
 
 
-def equations_of(
-    environment: str, rows: Sequence[DisplayRow], numbers: Sequence[str | None]
-) -> list[DisplayedEquation]:
-    """The equations of a display, each row's number given; raises `BadPage` where braces do not match.
+def equations_of(environment: str, rows: Sequence[DisplayedEquation]) -> list[DisplayedEquation]:
+    """The equations of the rows of a display; raises `BadPage` where braces do not match.
 
     One equation where the display has one row or number: its parts are then set off by a row's end.
     """
     found: list[DisplayedEquation] = []
-    for row, counted in zip(rows, numbers, strict=True):
+    for row in rows:
         whole, printed = _trailing_number(respelled(row.raw))
         for line, is_paired in _lines(whole, environment):
             atoms, own = _trailing_number(_without_alignment(line, is_paired))
-            number = own or printed or row.tag or counted
             kept = without_layout(atoms)
             if {atom.text for atom in kept} - DOTS:
-                is_ended = atoms[-1].text in (",", ".", ";")
-                new = DisplayedEquation(kept, row.raw, number, row.label, is_ended, place=atoms[0].place)
+                is_ended, number = atoms[-1].text in (",", ".", ";"), own or printed or row.number
+                new = row._replace(atoms=kept, number=number, is_ended=is_ended, place=atoms[0].place)
                 found = _added(found, new, line)
     if len(rows) > 1 or len({equation.number for equation in found}) > 1:
         return found
@@ -108,7 +99,7 @@ def equations_of(
 def atoms_of_equation(latex: str, line: int = 1, column: int = 1) -> Atoms:
     """The atoms of one equation, its parts set off by a row's end; raises `BadPage` for one that is not clear."""
     rows = rows_of(lexemes(latex, line, column), False)[:1]
-    (found,) = equations_of("", rows, [None] * len(rows)) or [DisplayedEquation([], [])]
+    (found,) = equations_of("", rows) or [DisplayedEquation([])]
     if found.fault:
         raise BadPage(found.fault, line, column)
     return tuple(found.atoms)
@@ -139,7 +130,7 @@ def _added(found: list[DisplayedEquation], new: DisplayedEquation, line: list[At
     return [*before, named._replace(place=last.place)]
 
 
-def _continued(before: list[Atom], after: list[Atom]) -> list[Atom]:
+def _continued(before: Sequence[Atom], after: Sequence[Atom]) -> list[Atom]:
     """The atoms of two lines; a sign that ends the one and begins the other is one, and + says no more than -."""
     end, start = before[-1].text, after[0].text
     if end == start and end != "-" and end in commands.RELATIONS | commands.OPERATORS:

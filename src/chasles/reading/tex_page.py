@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from chasles.reading.alignment import DisplayedEquation, DisplayRow, equations_of, rows_of, states_relation
+from chasles.reading.alignment import DisplayedEquation, equations_of, rows_of, states_relation
 from chasles.reading.lexemes import MOST_LEXEMES, BadPage, Token, spelled
 from chasles.reading.macros import DEFINING, MacroTable, Source
 from chasles.reading.numbering import LEVELS, Numbering
@@ -202,15 +202,17 @@ class TexPage:
         self.displays += 1
         is_numbered = self.counts and not UNNUMBERED.match(environment)
         rows = rows_of(raw, bool(ROW_NUMBERED.match(environment)))
-        numbers = [self.numbering.next() if is_numbered and not (row.is_silent or row.tag) else None for row in rows]
+        for at, row in enumerate(rows):
+            if is_numbered and not (row.is_silent or row.number):
+                rows[at] = row._replace(number=self.numbering.next())
         equations: list[DisplayedEquation] = []
         try:
-            equations = [] if fault else equations_of(environment, rows, numbers)
+            equations = [] if fault else equations_of(environment, rows)
         except BadPage as bad:
             fault = bad
         if fault:
-            first, number = (rows[0], numbers[0]) if rows else (DisplayRow(raw), None)
-            equations = [DisplayedEquation([], raw, first.tag or number, first.label, fault=str(fault), place=opening)]
+            first = rows[0] if rows else DisplayedEquation(raw)
+            equations = [first._replace(raw=raw, fault=str(fault), place=opening)]
         for each in equations:
             if each.fault or states_relation(each.atoms):
                 line, column = (fault.line, fault.column) if fault else each.place[1:]
