@@ -52,9 +52,9 @@ WORK = 1e6
 class Deduction:
     """Decides the equations of a page in the order in which it states them.
 
-    Where what the letters are `is_proposed` only, what does not fit together is open; numbers may be complex where it
-    `is_complex`. So many sets of premises from
-    which it is not likely to follow are tried for each claim: of another reading none.
+    Where what the letters are `is_proposed` only, what does not fit together is open; where it `is_complex`, what is
+    found of real numbers alone is in doubt. So many sets of premises from which it is not likely to follow are tried
+    for each claim: of another reading none.
     """
 
     premises: Premises

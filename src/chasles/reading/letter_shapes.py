@@ -106,9 +106,7 @@ class _PieceShapes:
         inner = self.atom(argument)
         if name not in OF_ANY and inner not in (SCALAR, None):
             raise Misshapen
-        if inner == SCALAR or name in (r"\det", "tr", r"\tr", "Tr", "trace"):
-            return SCALAR
-        return inner if name in (r"\log", r"\ln", r"\exp") and inner == MATRIX else None
+        return SCALAR if inner == SCALAR or name in (r"\det", "tr", r"\tr", "Tr", "trace") else None
 
     def atom(self, atom: Atom) -> Shape | None:
         letter, text = letter_of(atom), atom.text
