@@ -47,6 +47,7 @@ motion = Definition("0", rate(x), v)
 solenoidal = Condition("0", div(v), number(0), on=(v,))
 potential = Condition("0", v, grad(f), on=(v,))
 mass = Condition("0", rate(rho) + rho * div(v), number(0), on=(rho,))
+S = field(square("S", "S", ""), x, t)
 L = field(scalar("L", "L", ""), q, rate(q), t)
 V = field(scalar("V", "V", ""), q)
 h, E = scalar("h", "h", ""), scalar("E", "E", "")
@@ -54,6 +55,10 @@ jacobi = Definition("0", h, rate(q) * partial(L, rate(q)) - L)
 lagrange = Condition("0", rate(partial(L, rate(q))) - partial(L, q), number(0), on=(q,))
 energy = Definition("0", E, m * rate(q) ** 2 / 2 + V)
 newton = Condition("0", m * rate(rate(q)), -partial(V, q), on=(q,))
+momentum = Condition("0.1", rho * rate(v), div(S) + rho * u, on=(v,))
+p, om = field(scalar("p", "p", ""), x, t), field(vector("om", r"\omega", ""), x, t)
+spin, flow = Definition("0.1", om, curl(v)), Condition("0.2", rate(v), -grad(p) + m * laplacian(v), on=(v,))
+curled = Condition("0.1", v, curl(u), on=(u,))
 w, F, C = vector("w", "w", ""), square("F", "F", ""), square("C", "C", "")
 stretch = Definition("0", C, F.T @ F)
 W = field(scalar("W", "W", ""), C)
@@ -75,6 +80,9 @@ TRUE = [
     (rate(v), partial(v, t) + convection(v, v), motion),
     (rate(rate(f)), dot(grad(f), rate(rate(x))) + rate(x).T @ grad(grad(f)) @ rate(x)),
     (partial(rho, t) + div(rho * v), number(0), motion, mass),
+    (partial(rho * v, t) + div(rho * v @ v.T), div(S) + rho * u, motion, mass, momentum),
+    (rate(om), convection(om, v) + m * laplacian(om), motion, spin, flow, solenoidal),
+    (laplacian(f), number(0), potential, curled),
     (curl(curl(v)), -laplacian(v), solenoidal),
     (curl(v), NOTHING, potential),
     (div(v), laplacian(f), potential),

@@ -303,7 +303,7 @@ def test_what_is_installed_comes_before_the_current_folder(
                     "other (1.2) has another form",
                 ),
                 ("void = Claim(' ', x, x)\n", "void ( ) has no number"),
-                ("letter = scalar('l', ' ', '')\n", "a symbol has a name and a letter, and 'l' has one"),
+                ("c = Claim('1.2', x, scalar('l', ' ', ''))\n", "c (1.2) is about 'l': declare it with a name and a"),
             )
         ),
         ({"__init__": "SECTIONS = ('one',)", "one": "import none_such\n"}, "one.py, line 1: ModuleNotFoundError"),

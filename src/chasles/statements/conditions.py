@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Container, Iterable, Iterator, Mapping, Sequence
 from math import prod
 
 from chasles import vocabulary as w
@@ -26,7 +26,7 @@ def solvable(conditions: Sequence[Goal], unknowns: Iterable[w.Symbol], rules: Ma
     if sizes_of([*sides, *wanted]):
         return True
     enough = sum(prod(goal.left.shape) for goal in conditions) >= sum(prod(symbol.shape) for symbol in wanted)
-    return enough and all(_degree(side, {*wanted}, rules) < 2 for side in sides)
+    return enough and all(degree(side, {*wanted}, rules) < 2 for side in sides)
 
 
 def assumed(conditions: Iterable[Goal], kind: str = ASSUMED[0]) -> Iterator[Hypothesis]:
@@ -88,28 +88,28 @@ def _terms(node: Node, sign: int) -> Iterator[tuple[int, Node]]:
             yield sign, node
 
 
-def _degree(node: Node, unknowns: set[w.Symbol], rules: Mapping[Node, Node]) -> int:
+def degree(node: Node, unknowns: Collection[Node], rules: Mapping[Node, Node]) -> int:
     """The degree in the unknowns, by the words; 2 for what is no polynomial in them."""
 
-    def degree(part: Node) -> int:
-        return _degree(part, unknowns, rules)
+    def inside(part: Node) -> int:
+        return degree(part, unknowns, rules)
 
     match node:
         case w.Symbol() if node in unknowns:
             return 1
         case w.Symbol() if (inner := rules.get(node, node.stands_for)) is not None:
-            return degree(inner)
+            return inside(inner)
         case Shorthand():
-            return degree(node.definition)
+            return inside(node.definition)
         case w.Scale(w.Number(value)) if not value:
             return 0
         case w.Scale() | w.Contract() | w.Dot() | w.Cross():
-            return sum(map(degree, w.children(node)))
+            return sum(map(inside, w.children(node)))
         case w.Power(base, int(exponent)):
-            return exponent * degree(base)
+            return exponent * inside(base)
         case w.Quotient(above, below):
-            return degree(above) + 2 * degree(below)
+            return inside(above) + 2 * inside(below)
         case w.Norm() | w.Call() | w.Inverse() | w.Determinant() | w.Cofactor() | w.Rate():
-            return 2 * max(map(degree, w.children(node)))
+            return 2 * max(map(inside, w.children(node)))
         case _:
-            return max(map(degree, w.children(node)), default=0)
+            return max(map(inside, w.children(node)), default=0)

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace as with_fields
 
 from chasles import vocabulary as w
-from chasles.statements.conditions import ASSUMED, assumed
+from chasles.statements.conditions import ASSUMED, assumed, degree
 from chasles.statements.goals import Goal
 from chasles.statements.hypotheses import Hypothesis
 from chasles.statements.problem import Problem
@@ -14,24 +14,43 @@ from chasles.statements.simpler_words import said_otherwise, sides_of
 from chasles.statements.statement import Equation
 from chasles.statements.varied import opened_parts
 from chasles.vocabulary import Node, Rate
-from chasles.vocabulary.fields import fields_of, rates_of_fields
+from chasles.vocabulary.fields import Field, fields_of, rates_of_fields
 from chasles.vocabulary.partial import PartialDerivative, differentiates, with_derivatives
+from chasles.vocabulary.shorthand import Shorthand
 
 MOST_RATES = 3
 """Rates of fields are said up to this order."""
+LINKS = 3
+"""Linear equations are differentiated also where others link them to what is spoken of, over so many of these."""
 
 
-def moving(sides: Sequence[Node], rules: Iterable[Equation]) -> Iterator[Equation]:
+def moving(sides: Sequence[Node], rules: Sequence[Equation]) -> Iterator[Equation]:
     """The rates of fields, where rates are taken, of which nothing else is given."""
-    depth = sum(map(_order, sides))
-    known = {left for left, _ in rules}
+    if not any(isinstance(part, Rate) for side in sides for part in opened_parts(side)):
+        return
+    known = dict(rules)
+    depth = max(_orders(sides, known).values(), default=0)
     found = rates_of_fields((each for each in fields_of(sides) if each not in known), min(depth, MOST_RATES))
     yield from ((left, right) for left, right in found.items() if left not in known)
 
 
-def _order(node: Node) -> int:
-    """How many rates are taken of each other."""
-    return isinstance(node, Rate) + max(map(_order, node.below), default=0)
+def _orders(nodes: Iterable[Node], rules: Mapping[Node, Node]) -> dict[Node, int]:
+    """How often each field that occurs is differentiated, by what it depends on or in time."""
+    found: dict[Node, int] = {}
+    waiting = [(node, 0) for node in nodes]
+    seen = {*waiting}
+    while waiting:
+        node, order = waiting.pop()
+        if isinstance(node, Field) and node not in rules:
+            root = node if node.root is None else node.root
+            found[root] = max(found.get(root, 0), order + len(node.taken))
+        inner = rules.get(node, getattr(node, "stands_for", None))
+        below = (node.definition,) if isinstance(node, Shorthand) else node.below if inner is None else (inner,)
+        order += isinstance(node, Rate | PartialDerivative) and inner is None
+        new = {(part, order) for part in below} - seen
+        seen |= new
+        waiting += new
+    return found
 
 
 def carried_out(problem: Problem) -> Problem:
@@ -46,27 +65,44 @@ def carried_out(problem: Problem) -> Problem:
 
 
 def _everywhere(problem: Problem) -> Iterator[Hypothesis]:
-    """What is assumed of fields alone, differentiated by what they depend on: it holds wherever they are taken."""
-    rules = dict(problem.rules)
-    sides = [*sides_of(problem), *(side for rule in problem.rules for side in rule)]
-    wanted = [each.taken for each in fields_of(sides)]
-    highest, places = max(map(len, wanted), default=0), dict.fromkeys(sum(wanted, ()))
-    for hypothesis in problem.hypotheses:
+    """What is assumed of fields alone, differentiated by what they depend on as often as they are elsewhere."""
+    rules, said = dict(problem.rules), sides_of(problem)
+    defined = {left: right for left, right in rules.items() if not isinstance(left, Rate)}
+    wanted = _orders(said, defined)
+    reach = [*said, *(defined[part] for side in said for part in opened_parts(side) if part in defined)]
+    places = dict.fromkeys(place for each in fields_of(reach) for place in each.taken)
+    told = [hypothesis for hypothesis in problem.hypotheses if _is_of_fields(hypothesis, rules)]
+    known = {each: _orders((side for pair in each.equations for side in pair), defined) for each in told}
+    times = dict.fromkeys(told, 0)
+    for link in range(LINKS):
+        for each in told if not link else filter(_is_linear, told):
+            times[each] = max(0, *(wanted.get(root, 0) - order for root, order in known[each].items()))
+        reached = [(root, order + times[each]) for each in told if times[each] for root, order in known[each].items()]
+        wanted |= {root: max(wanted.get(root, 0), order) for root, order in reached}
+    for each in told:
         # That a matrix is its own cofactor matrix says no more of its derivatives than that it is orthogonal.
-        pairs = [pair for pair in hypothesis.equations if not any(isinstance(side, w.Cofactor) for side in pair)]
-        parts = {part for pair in pairs for side in pair for part in opened_parts(side)}
-        fields = fields_of(parts)
-        local = hypothesis.kind == ASSUMED[0] or any(isinstance(part, Rate) and part not in rules for part in parts)
-        found: list[tuple[Node, Node]] = []
-        for _ in range(0 if local else highest - min((len(each.taken) for each in fields), default=highest)):
+        pairs = [pair for pair in each.equations if not any(isinstance(side, w.Cofactor) for side in pair)]
+        found: list[Equation] = []
+        for _ in range(min(times[each], MOST_RATES)):
             slopes = [[PartialDerivative(side, place) for side in pair] for pair in pairs for place in places]
-            told = ((with_derivatives(one, rules), with_derivatives(other, rules)) for one, other in slopes)
-            pairs = [*dict.fromkeys(told)]
+            pairs = [*dict.fromkeys((with_derivatives(a, rules), with_derivatives(b, rules)) for a, b in slopes)]
             found += pairs
         if found:
-            text = f"{hypothesis.text} everywhere"
-            kind = hypothesis.kind if hypothesis.kind in ASSUMED else "everywhere"
-            yield Hypothesis(kind, sum(found, ()), tuple(found), (), hypothesis.latex, text, free=True)
+            kind = each.kind if each.kind in ASSUMED else "everywhere"
+            sides = sum(found, ())
+            yield Hypothesis(kind, sides, tuple(found), (), each.latex, f"{each.text} everywhere", free=True)
+
+
+def _is_linear(hypothesis: Hypothesis) -> bool:
+    parts = [side for pair in hypothesis.equations for side in pair]
+    return all(degree(side, {*fields_of(parts)}, {}) < 2 for side in parts)
+
+
+def _is_of_fields(hypothesis: Hypothesis, rules: Mapping[Node, Node]) -> bool:
+    """Whether it is said of fields, wherever they are taken, and not of something that moves."""
+    parts = {part for pair in hypothesis.equations for side in pair for part in opened_parts(side)}
+    still = not any(isinstance(part, Rate) and part not in rules for part in parts)
+    return hypothesis.kind != ASSUMED[0] and still and bool(fields_of(parts))
 
 
 def freely_assumed(

@@ -61,6 +61,9 @@ class Fingerprints:
                 return [self._plain(part) for part in value]
             case Statement() | Theorem() | Inverse():
                 return ["rests on", self.of(value)]
+            case Node() if value.is_field:
+                # It says what it depends on, each of its derivatives again.
+                return ["field", self.of(value)]
             case _ if is_dataclass(value):
                 return self._once(value, self._declared, self._known)
             case _:

@@ -23,6 +23,7 @@ from chasles.vocabulary.arguments import fits
 from chasles.vocabulary.families import indices_of
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.measure import Misfit, added
+from chasles.vocabulary.tree import symbols_of
 
 KNOWN: dict[str, tuple[Any, str]] = {
     "TITLE": (str, "a text"),
@@ -76,6 +77,7 @@ def _refuse_misnamed(book: ModuleType) -> None:
 def _refuse_senseless(entry: Entry) -> None:
     """Raise `DeclarationError` for a declaration that says nothing, or that no other could use."""
     said, wrong = entry.statement, ""
+    sides = said.printed if isinstance(said, Statement) else ()
     if not said.number.strip():
         wrong = "has no number"
     elif isinstance(said, Theorem) and not said.forms:
@@ -90,6 +92,11 @@ def _refuse_senseless(entry: Entry) -> None:
             added(measured(left), measured(right), (left, right), "equate")
     except Misfit as misfit:
         wrong = f"has another form that does not fit: {misfit}"
+    for symbol in (part for side in sides for part in symbols_of(side)):
+        if not (symbol.name.strip() and symbol.letter.strip()):
+            wrong = (
+                f"is about {symbol.name or symbol.letter!r}: declare it with a name and a letter, neither of them empty"
+            )
     if wrong:
         raise DeclarationError(f"{entry.place}{entry.name} ({said.number}) {wrong}")
 

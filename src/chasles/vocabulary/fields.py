@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import fields
 from dataclasses import replace as with_fields
+from functools import lru_cache
 from itertools import product
 from typing import ClassVar
 
@@ -39,6 +40,7 @@ class Field(Symbol):
     arguments: Nodes = ()
     is_field: ClassVar[bool] = True
 
+    @lru_cache(maxsize=4096)  # noqa: B019 - words are kept anyway, and equal derivatives are to be one
     def derivative(self, by: Node) -> Field:
         """The field's derivative by a scalar variable, or by an entry of one."""
         taken = tuple(sorted((*self.taken, by), key=plain))

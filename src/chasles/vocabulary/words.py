@@ -70,8 +70,6 @@ def declared(
     for extent in shape:
         if isinstance(extent, int) and extent < 1:
             raise WrongArgument(f"{extent} is no size: it is 1 or more")
-    if not (name.strip() and letter.strip()):
-        raise WrongArgument(f"a symbol has a name and a letter, and {name or letter!r} has one of them only")
     home = declaring_module()
     in_units = has_units(home)
     measure = uniform(shape, dimension if in_units else NO_DIMENSION)
