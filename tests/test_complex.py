@@ -53,6 +53,7 @@ TRUE: list[tuple[Any, Any, set[str]]] = [
     (re(z * exp(I * x**2)), x * cos(x**2) - y * sin(x**2), set()),
     (im(x**2 / y * cos(sqrt(3) * x)), 0, {"y != 0"}),
     (I**I + x, exp(-sp.pi / 2) + x, set()),
+    (sp.Pow(-1, sp.Add(0, 0, evaluate=False), evaluate=False) * z, z, set()),
     (1 / (1 + sp.cbrt(-1) ** 2 + sp.cbrt(-1)) + 1 / (1 - sp.cbrt(-1) - sp.cbrt(-1) ** 2), sp.Rational(1, 2), set()),
 ]
 FALSE: list[tuple[Any, Any]] = [

@@ -9,10 +9,12 @@ from math import inf
 from typing import Any
 
 from chasles.algebra.work_limit import OutOfTime, remaining, within
+from chasles.checker.any_size.of_sympy import check_at_any_size, has_letters_for_sizes
 from chasles.checker.expressions.counterexample import check_refutation
 from chasles.checker.expressions.proof import check_proof
 from chasles.checker.sparse import Rejected
 from chasles.from_sympy import Question, ask
+from chasles.from_sympy.any_size import verdict_at_any_size
 from chasles.from_sympy.complex_symbols import by_parts, expressions_in
 from chasles.from_sympy.contradiction import contradiction
 from chasles.from_sympy.decimals import as_decimals
@@ -37,7 +39,7 @@ def prove(lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), budget: float 
     nonnegative ones and are meant where they are real, fractions where no divisor vanishes.
 
     Args:
-        lhs: a SymPy scalar or matrix.
+        lhs: a SymPy scalar or matrix; the sizes of matrices may be letters, as in MatrixSymbol("A", n, n).
         rhs: one of the same shape.
         given: equations that hold, as `Eq(a, b)` or as expressions or matrices that are zero, one or a list of them,
             or the values of symbols as `{x: 1}`; between functions of time they hold at all times. Inequalities may be
@@ -61,9 +63,10 @@ def prove(lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), budget: float 
     try:
         said = _said(exact, lhs, rhs, given, nonzero)
         require_moderate_exponents(expressions_in(said))
-        asked = without_inequalities(said)
+        of_any_size = has_letters_for_sizes(expressions_in(said))
+        asked = said if of_any_size else without_inequalities(said)
         with within(EFFORT, budget):
-            verdict = _verdict(*asked)
+            verdict = verdict_at_any_size(*asked) if of_any_size else _verdict(*asked)
     except OutOfTime as error:
         return Undecided(str(error))
     except Rejected as error:
@@ -131,6 +134,9 @@ def recheck(verdict: Verdict, lhs: Any, rhs: Any, given: Any = (), nonzero: Any 
     satisfies what is given, and the two sides differ there. Raises `Rejected` with the reason if not.
     """
     said = _said(exact, lhs, rhs, given, nonzero)
+    if has_letters_for_sizes(expressions_in(said)):
+        check_at_any_size(verdict, *said)
+        return
     asked = without_inequalities(said)
     match verdict:
         case Holds() | HoldsUnder():

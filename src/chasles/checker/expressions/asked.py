@@ -47,8 +47,8 @@ class Asked:
         self.left, self.right = self._entries(lhs), self._entries(rhs)
         if self.left.keys() != self.right.keys():
             raise Rejected("the two sides have different shapes")
-        self.given = [self._given(item, what) for what, item in _listed(given, "given")]
-        self.nonzero = [self._nonzero(item) for _, item in _listed(nonzero, "nonzero") if item is not sympy.true]
+        self.given = [self._given(item, what) for what, item in listed(given, "given")]
+        self.nonzero = [self._nonzero(item) for _, item in listed(nonzero, "nonzero") if item is not sympy.true]
         for atom in {atom for expression in self.expressions for atom in atoms_of(expression)}:
             require_real(atom)
         calls = {call for e in self.expressions for call in e.atoms(*OF_COMPLEX)}
@@ -95,7 +95,7 @@ class Asked:
         return entry
 
 
-def _listed(conditions: Any, name: str) -> Iterator[tuple[str, Any]]:
+def listed(conditions: Any, name: str) -> Iterator[tuple[str, Any]]:
     """Conditions that are handed in as one, as a list or as values by symbol, each with its place."""
     if isinstance(conditions, Mapping | sympy.Dict):
         items = [(f"{name}[{key}]", sympy.Eq(key, value, evaluate=False)) for key, value in conditions.items()]

@@ -34,9 +34,11 @@ def remainder(e: Any) -> Any:
 
 def _principal(e: Any) -> Any:
     """The principal value where a number is raised to another that is not real otherwise, by its size and angle."""
-    base, exponent = e.as_base_exp()
-    if exponent.is_Integer or not e.is_number or not (base.is_negative or base.is_real is False):
+    base, exponent = e.base, e.exp.doit()
+    if not e.is_number or not (base.is_negative or base.is_real is False):
         return e
+    if exponent.is_Integer:
+        return base**exponent
     size, angle = sympy.Abs(base), sympy.arg(base)
     if exponent.is_real:
         return size**exponent * (sympy.cos(exponent * angle) + sympy.I * sympy.sin(exponent * angle))
@@ -59,11 +61,11 @@ BY_OTHERS = {
 
 
 def by_definition(e: Any) -> Any:
-    """The expression with what others define said by these."""
-    if not e.has(*BY_OTHERS):
+    """The expression with what others define said by these, and functions of numbers with the values SymPy knows."""
+    if not e.has(*BY_OTHERS, sympy.Function):
         return e
     parts = tuple(map(by_definition, e.args))
-    whole = e if parts == e.args else e.func(*parts)
+    whole = e if parts == e.args and not (e.is_Function and e.is_number) else e.func(*parts)
     rule = BY_OTHERS.get(type(whole))
     return rule(whole) if rule else whole
 
