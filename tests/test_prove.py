@@ -27,7 +27,7 @@ from chasles.verdict import Fails, Holds, HoldsUnder, IllFormed, Undecided
 from .sampling import WHOLE, sample
 
 a, b, c, x, y, z, t, phi = sp.symbols("a b c x y z t phi")
-m = sp.Symbol("m", positive=True)
+m, N = sp.Symbol("m", positive=True), sp.Symbol("N", integer=True)
 f, g, theta = (sp.Function(name)(t) for name in ("f", "g", "theta"))
 e = Matrix(sp.symbols("e1:4"))
 e_t = Matrix([sp.Function(name)(t) for name in ("e1", "e2", "e3")])
@@ -267,7 +267,11 @@ def test_both_sides_have_one_shape() -> None:
         (Rational(25, 4) ** Rational(33333333333333333, 5 * 10**16), {}, "denominator of its exponent is larger"),
         (sp.Abs(x ** sp.Integer(10**7)), {}, "its exponent is larger than 10000"),
         (sp.log(sp.Symbol("p", positive=True) ** Rational(1, 10**7) + 1), {}, "is larger than 10000"),
-        (sp.MatrixSymbol("A", sp.Symbol("n"), 2), {}, "entries that SymPy cannot write out"),
+        (
+            sp.HadamardProduct(*(sp.MatrixSymbol(name, N, N) for name in "AB")),
+            {"rhs": sp.Identity(N)},
+            "no word for matrices of any size",
+        ),
         ("x + 1", {}, r"^the left side is the text 'x \+ 1': hand in a SymPy expression"),
         (None, {}, "^the left side is None"),
         (Eq(x, 1), {}, "of type Equality: a scalar or a matrix is expected"),

@@ -184,7 +184,11 @@ def test_given_equations_are_used_by_cases_and_in_angles() -> None:
 
 @pytest.mark.parametrize(
     ("left", "right"),
-    [(sqrt(cos(2)), sqrt(2 * cos(1) ** 2 - 1)), (cos(pi / 181), x), (Max(x, y) + sp.I, sp.I + Max(x, y) + x - x + y)],
+    [
+        (sqrt(-1 - x**2), sqrt(-(x**2) - cos(x) ** 2 - sin(x) ** 2)),
+        (cos(pi / 181), x),
+        (Max(x, y) + sp.I, sp.I + Max(x, y) + x - x + y),
+    ],
     ids=str,
 )
 def test_what_is_nowhere_defined_or_too_large_is_not_decided(left: Any, right: Any) -> None:
