@@ -9,9 +9,10 @@ import pytest
 from chasles.checker.certificate import check
 from chasles.checker.refutation import check_counterexample
 from chasles.decisions.session import Session
+from chasles.repairs.repair import repair
 from chasles.statements import Claim, Condition, Definition, Statement, nonzero, perpendicular, rotation, unit
 from chasles.statements.problem import problem_of
-from chasles.verdict import Fails, Holds, HoldsUnder
+from chasles.verdict import Fails, Holds, HoldsUnder, Undecided
 from chasles.vocabulary import (
     Misfit,
     Node,
@@ -124,6 +125,28 @@ def test_what_fails_of_some_fields_is_refuted(said: Any) -> None:
     verdict = Session().decide(claim).verdict
     assert isinstance(verdict, Fails), verdict
     check_counterexample(problem_of(claim), verdict.counterexample)
+
+
+REPAIRED = [
+    (div(f * v), f * div(v) - dot(grad(f), v), f * div(v) + dot(grad(f), v)),
+    (div(cross(u, v)), dot(v, curl(u)) + dot(u, curl(v)), dot(v, curl(u)) - dot(u, curl(v))),
+    (curl(cross(w, x), x), w, 2 * w),
+    (rate(v), partial(v, t) - convection(v, v), partial(v, t) + convection(v, v), motion),
+]
+
+
+@pytest.mark.parametrize("said", REPAIRED, ids=lambda said: plain(said[0]))
+def test_a_slip_beside_an_operator_is_repaired(said: Any) -> None:
+    left, right, meant, *grounds = said
+    assert plain(repair(_claim(left, right, *grounds))[0].right) == plain(meant)
+
+
+def test_what_a_condition_ties_is_not_differentiated_as_if_it_were_free() -> None:
+    """On the sphere s depends on x: neither by a derivative nor by a gradient is it taken for a constant."""
+    s = scalar("s", "s", "")
+    sphere = Condition("0", s**2, 1 - dot(x, x), on=(s,))
+    for said in (_claim(grad(s, x), NOTHING, sphere), _claim(partial(s, x).T, NOTHING, sphere)):
+        assert isinstance(Session().decide(said).verdict, Undecided)
 
 
 @pytest.mark.parametrize(

@@ -15,6 +15,7 @@ from chasles.statements.statement import Equation
 from chasles.statements.varied import opened_parts
 from chasles.vocabulary import Node, Rate
 from chasles.vocabulary.fields import Field, fields_of, rates_of_fields
+from chasles.vocabulary.nabla import Convection, Nabla
 from chasles.vocabulary.partial import PartialDerivative, differentiates, with_derivatives
 from chasles.vocabulary.shorthand import Shorthand
 
@@ -116,7 +117,7 @@ def freely_assumed(
     if all(symbol.is_field for symbol in unknowns):
         return tuple(assumed(conditions, ASSUMED[1]))
     parts = [part for side in sides for part in opened_parts(side)]
-    taken = [part.of for part in parts if isinstance(part, PartialDerivative)]
+    taken = [part.of for part in parts if isinstance(part, PartialDerivative | Nabla | Convection)]
     said = [side for goal in conditions for side in (goal.left, goal.right)]
 
     def highest(nodes: Iterable[Node], symbol: w.Symbol) -> int:
