@@ -6,13 +6,14 @@ Each class stands by its name with what its fields hold, in order; nothing but t
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import Field, fields, is_dataclass
+from dataclasses import MISSING, Field, fields, is_dataclass
 from fractions import Fraction
 from typing import Any
 
 from chasles import vocabulary
 from chasles.algebra.values import InPi
 from chasles.repairs.repair import Repair
+from chasles.statements.fingerprint import is_said
 from chasles.verdict import Contradictory, Counterexample, Fails, Holds, HoldsUnder, IllFormed, Posed
 from chasles.vocabulary.dimension import Dimension
 from chasles.vocabulary.families import Family, Index
@@ -33,7 +34,10 @@ VERBATIM = ("certificate",)
 
 
 def to_data(value: Any) -> Any:
-    """The value as lists, strings and numbers; raises TypeError for what is not among the classes listed here."""
+    """The value as lists, strings and numbers, without the last fields that hold their defaults.
+
+    Raises TypeError for what is not among the classes listed here.
+    """
     match value:
         case None | bool() | int() | str():
             return value
@@ -44,7 +48,10 @@ def to_data(value: Any) -> Any:
         case Mapping():
             return {key: f"{Fraction(held)}{IN_PI * isinstance(held, InPi)}" for key, held in value.items()}
         case _ if is_dataclass(value) and CLASSES.get(type(value).__name__) is type(value):
-            held = ((each.name, getattr(value, each.name)) for each in _told(value))
+            told = _told(value)
+            while told and not is_said(value, told[-1]):
+                told.pop()
+            held = ((each.name, getattr(value, each.name)) for each in told)
             return [type(value).__name__, *(one if name in VERBATIM else to_data(one) for name, one in held)]
         case _:
             raise TypeError(f"{type(value).__name__} is not kept as plain data")
@@ -64,7 +71,11 @@ def from_data(data: Any) -> Any:
         case [str() as name, *held] if name in CLASSES:
             made = CLASSES[name]
             assert is_dataclass(made)
-            named = zip(_told(made), held, strict=True)
+            told = _told(made)
+            least = sum(each.default is MISSING and each.default_factory is MISSING for each in told)
+            if not least <= len(held) <= len(told):
+                raise ValueError(f"{name} has {least} to {len(told)} fields: {data!r:.60}")
+            named = zip(told, held, strict=False)
             # By name: what tells no value from others may stand before what does.
             return made(**{each.name: one if each.name in VERBATIM else from_data(one) for each, one in named})
         case _:

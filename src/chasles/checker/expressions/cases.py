@@ -19,6 +19,7 @@ from chasles.checker.expressions.switches import (
     SWITCHES,
     deciding,
     excludes,
+    factored,
     sign_of_multiple,
     visible_sign,
     with_values,
@@ -114,7 +115,7 @@ class CheckedCase:
             above, below = sympy.fraction(sympy.together(e))
             one, other = (self.sign(above), self.sign(below)) if below.free_symbols else (None, None)
             return one * other if one is not None and other else None
-        constant, factors = sympy.factor_list(e)
+        constant, factors = factored(e)
         if sympy.expand(constant * sympy.Mul(*(f**n for f, n in factors)) - e) != 0 or sum(n for _, n in factors) < 2:
             return None
         signs = [sign_of_number(constant), *(self.sign(factor) for factor, power in factors for _ in range(int(power)))]

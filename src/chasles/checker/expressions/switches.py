@@ -63,8 +63,16 @@ def deciding(parts: Iterable[Any]) -> Iterator[Any]:
             plain = difference.is_polynomial(*difference.free_symbols)
             for e in (difference,) if plain else sympy.fraction(sympy.together(difference)):
                 if e.free_symbols and not e.has(*SWITCHES) and e.is_polynomial(*e.free_symbols):
-                    yield from (factor for factor, _ in sympy.factor_list(e)[1])
+                    yield from (factor for factor, _ in factored(e)[1])
             yield difference
+
+
+def factored(e: Any) -> tuple[Any, list[tuple[Any, int]]]:
+    """A number and the factors of a polynomial with their powers; itself where SymPy does not know its numbers."""
+    try:
+        return sympy.factor_list(e, *sorted(e.free_symbols, key=str))  # type: ignore[no-any-return]
+    except sympy.PolynomialError:
+        return sympy.S.One, [(e, 1)]
 
 
 def visible_sign(e: Any) -> int | None:
