@@ -60,7 +60,7 @@ LOST = [
 ]
 WHEN_EMITTED = [
     ('Claim("1.2", x, x, kernel=Kernel(of=(a,)))', "x is free: it is not among the arguments (a)"),
-    ('Definition("1.2", tr(A), a, kernel=Kernel(of=(a,), form=2 * a))', "the offered form is not equal to (1.2)"),
+    ('Definition("1.2", a, tr(A), kernel=Kernel(of=(A,), form=2 * tr(A)))', "the offered form is not equal to (1.2)"),
 ]
 DERIVED = 'before = Claim("1.0", A @ x, A @ x)\n'
 

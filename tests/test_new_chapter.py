@@ -276,4 +276,4 @@ def test_a_kernel_is_not_called_like_what_stands_beside_it(mine: Path, name: str
 def test_conventions_are_lines_of_plain_text(mine: Path, said: str) -> None:
     package = mine / "__init__.py"
     package.write_text(package.read_text("utf-8") + f"CONVENTIONS = {said}\n", "utf-8")
-    assert "CONVENTIONS of mine" in run("--chapter", "./mine", "emit", cwd=mine.parent, status=2)
+    assert "CONVENTIONS" in run("--chapter", "./mine", "emit", cwd=mine.parent, status=2)

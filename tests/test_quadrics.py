@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from chasles.decisions.session import Session
+from chasles.pages.consequences import Consequences
 from chasles.pages.named_hypotheses import as_hypothesis
 from chasles.points.sampling import sample, satisfies
 from chasles.problems.context import build
@@ -34,7 +35,9 @@ EQUATIONS: list[list[tuple[Node, Node]]] = [
 @pytest.mark.sampled(3)
 @pytest.mark.parametrize("equations", EQUATIONS, ids=str)
 def test_points_satisfy_the_equations(equations: list[tuple[Node, Node]]) -> None:
-    said = tuple(as_hypothesis(f"({k})", *each, Session()) for k, each in enumerate(equations))
+    said = tuple(
+        as_hypothesis(f"({k})", *each, Session(), Consequences(lambda _: ())) for k, each in enumerate(equations)
+    )
     claim = Claim("1", *equations[0], assuming=said, sic=True)
     context = build(problem_of(claim, "printed", default_sides))
     found = list(sample(context, {}, simple=False))
@@ -62,4 +65,4 @@ def test_points_satisfy_the_equations(equations: list[tuple[Node, Node]]) -> Non
     ids=str,
 )
 def test_an_equation_is_the_named_hypothesis_that_says_the_same(left: Node, right: Node, kind: str) -> None:
-    assert as_hypothesis("(1)", left, right, Session()).kind == kind
+    assert as_hypothesis("(1)", left, right, Session(), Consequences(lambda _: ())).kind == kind

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from fractions import Fraction
 from math import lcm
 from typing import Any
@@ -12,13 +13,13 @@ import sympy
 from chasles.checker.expressions.defined_functions import defined_by
 from chasles.checker.expressions.generalised import Generalised
 from chasles.checker.expressions.readings import CIRCULAR
+from chasles.checker.sparse import Rejected
+from chasles.from_sympy.enclosures import Enclosures
 from chasles.from_sympy.opening import atoms_of
 from chasles.problems.variables import Untreatable
 
 LARGEST = 90
 """Half a turn is divided into at most so many parts, and multiples have at most such denominators."""
-DIGITS = 30
-NEAR = 1e-20
 
 
 class General(Generalised):
@@ -40,16 +41,16 @@ class General(Generalised):
         if not any(meaning.free_symbols for meaning in meanings.values()) or len(meanings) < 2:
             return
         atoms = sorted({atom for meaning in meanings.values() for atom in atoms_of(meaning)}, key=str)
-        point = {atom: sympy.sqrt(sympy.prime(k + 1)) / (2 * k + 3) for k, atom in enumerate(atoms)}
+        values = Enclosures({atom: sympy.Rational(*map(sympy.prime, (50 + k, 90 + k))) for k, atom in enumerate(atoms)})
         first: dict[Any, Any] = {}
         for symbol, meaning in meanings.items():
-            value = meaning.xreplace(point).evalf(DIGITS)
-            ratios = ((known, _rational(value, other)) for known, other in first.items() if meaning.free_symbols)
-            found = next(((known, ratio) for known, ratio in ratios if ratio is not None), None)
-            if found is not None:
-                yield symbol, found[1], found[0]
-            elif value.is_number and value != 0:
-                first[symbol] = value
+            with suppress(Rejected):
+                known = (other for other in first if meaning.free_symbols)
+                found = ((other, ratio) for other in known if (ratio := _ratio(values, meaning, first[other])))
+                if (same := next(found, None)) is not None:
+                    yield symbol, same[1], same[0]
+                elif values(meaning).sign:
+                    first[symbol] = meaning
 
     def _parts(self) -> int:
         """Into how many parts half a turn is to be divided; 0 if SymPy writes all cosines in roots."""
@@ -63,13 +64,11 @@ class General(Generalised):
         return parts
 
 
-def _rational(value: Any, other: Any) -> Any:
-    """The fraction that the quotient of two numbers seems to be; None for any other."""
-    ratio = (value / other).evalf(DIGITS)
-    if not ratio.is_Float:
-        return None
-    near = sympy.Rational(Fraction(str(ratio)).limit_denominator(LARGEST))
-    return near if abs(ratio - near) < abs(ratio) * NEAR else None
+def _ratio(values: Enclosures, one: Any, other: Any) -> Any:
+    """The fraction that the quotient of two expressions seems to be; None for any other."""
+    above, below = (enclosed.low + enclosed.high for enclosed in map(values, (one, other)))
+    near = sympy.Rational(Fraction(above, below).limit_denominator(LARGEST))
+    return near if near != 0 and not values(one - near * other).sign else None
 
 
 def _turn(argument: Any) -> Fraction:
