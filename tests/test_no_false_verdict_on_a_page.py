@@ -324,3 +324,9 @@ def test_a_letter_has_another_shape_in_a_section_of_its_own_and_its_marked_ones_
     assert found[:6] == ["defined", "holds-under", "defined", "defined", "holds-under", "defined"]
     assert "unread" not in found
     assert found[6:] == ["open", "defined", "ambiguous"]
+
+
+def test_logarithms_to_a_base_are_quotients_of_natural_ones() -> None:
+    claims = (r"\log_2 (x y) = \log_2 x + \log_2 y", r"\log_{10} x = \frac{\ln x}{\ln 10}", r"\log_2 8 = 3")
+    assert [each.split()[0].rstrip(":") for each in verdicts(*claims)] == ["holds-under", "holds-under", "holds"]
+    assert not DECIDED & {*verdicts(r"\log_2 (x y) = \log_2 x \log_2 y")} - {"fails"}

@@ -29,6 +29,8 @@ from chasles.reading.quotients import of_atoms, partial_by
 from chasles.reading.spellings import Make, called
 from chasles.vocabulary import At, Group, Node, Symbol, latex, symbols_of
 from chasles.vocabulary.fitting import measured
+from chasles.vocabulary.functions import FunctionOf
+from chasles.vocabulary.nodes import lifted
 from chasles.vocabulary.partial import PartialDerivative
 from chasles.vocabulary.pieces import Precedence
 
@@ -46,6 +48,8 @@ def factors(items: Atoms, start: int, ctx: FittingContext) -> Iterator[tuple[int
         yield integral
         return
     makes = spellings.names.get(f"{name} _ {said_of(atom.sub)}" if atom.sub else name)
+    if atom.sub and name == r"\log" and said_of(atom.sub).isdigit():
+        makes = [partial(_logarithm, int(said_of(atom.sub)))]
     if makes and atom.kind in ("LETTER", "COMMAND") and start + 1 < len(items):
         values = list(_applications(items, start, makes, ctx))
         yield from values
@@ -135,6 +139,11 @@ def _value_fits(atom: Atom, bracket: Atom, ctx: FittingContext) -> list[Fit]:
         return ctx.of_its_own(spelled(letter), [fit.node for fit in bare if fit.node is not None])
     fits = letter_fits(letter, ctx, is_function=is_function is not None)
     return [replace(fit, cost=fit.cost + (2 * UNUSUAL if is_function is False else 0)) for fit in fits]
+
+
+def _logarithm(base: int, of: Node) -> Node:
+    """The logarithm to a base that is a number, by natural ones; under a letter it may be that at a point."""
+    return FunctionOf("log", (of,)) / FunctionOf("log", (lifted(base),))
 
 
 def is_argument(atom: Atom) -> bool:
