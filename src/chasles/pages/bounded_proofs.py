@@ -29,7 +29,7 @@ MOST_TERMS = 500
 """Points are not drawn where hypotheses and sides have more terms than this: each point takes too long."""
 
 
-MOST_WORDS = 60
+MOST_WORDS, MOST_IN_BRIEF = 60, 12
 """Problems of functions that have no polynomial form are left where they have more words than this, entry by entry."""
 
 
@@ -96,7 +96,7 @@ class _NoCounterexamples(_Likely, _FewTerms):
 
 
 class _Brief(_FewTerms):
-    """The same, for what has no functions."""
+    """The same, for what has few functions."""
 
 
 FEW_TERMS, BRIEF, NO_COUNTEREXAMPLES, LIKELY = _FewTerms(), _Brief(), _NoCounterexamples(), _Likely()
@@ -114,7 +114,7 @@ def proof_of(claim: Claim, session: Session, likely: bool = False) -> Verdict | 
 def verdict_on(claim: Claim, session: Session, is_brief: bool = False) -> Verdict:
     """The verdict on a claim under its premises; undecided where that takes too long.
 
-    If `is_brief`, that is so of all that has functions: points at which it does not hold are searched for long.
+    If `is_brief`, that is so of less that has functions: points at which it does not hold are searched for long.
     """
     return _answer(claim, session, BRIEF if is_brief else FEW_TERMS)
 
@@ -156,7 +156,7 @@ def _found(problem: Problem, own: tuple[Hypothesis, ...], budget: float, source:
 
 def _decided(problem: Problem, own: tuple[Hypothesis, ...], budget: float, source: DeclaredPoints) -> Verdict:
     """The verdict; one on rotations that move is proved for all spins."""
-    if problem.has_functions and (source is BRIEF or _words_in(problem) > MOST_WORDS):
+    if problem.has_functions and _words_in(problem) > (MOST_IN_BRIEF if source is BRIEF else MOST_WORDS):
         raise _Unproved("written out it is too long")
     if sizes_in(problem) or problem.has_functions:
         return decided(problem, own, budget)
