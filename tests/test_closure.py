@@ -9,7 +9,7 @@ import pytest
 
 from chasles.report.closure import CHECKERS, closure, lines
 
-MOST = {"declared": 6_207, "prove": 5_370}
+MOST = {"declared": 6_207, "prove": 5_371}
 """It may become less."""
 
 

@@ -80,3 +80,16 @@ def test_what_has_no_word_is_named() -> None:
     assert isinstance(prove(X, Y), IllFormed)
     with pytest.raises(ValueError, match="no theorem for Coq"):
         prove((A * B).T, B.T * A.T).coq()
+
+
+def test_nothing_is_said_of_what_has_no_word_for_its_kind() -> None:
+    """No power of nothing, no exponent that may be negative, no symbol of which more is assumed than a word says."""
+    negative, whole = sp.Symbol("b", negative=True), sp.Symbol("j", integer=True)
+    for left, right in ((MatPow(A, 0), Inverse(A)), (MatPow(A, whole), A), (negative * A, A), (whole * A, A)):
+        with pytest.raises(Untreatable):
+            prove(left, right)
+    assert not isinstance(
+        prove(sp.Symbol("p", positive=True) * A, A, [Eq(sp.Symbol("p", positive=True) ** 2, 1)]), Fails
+    )
+    with pytest.raises(Untreatable, match="given is None"):
+        prove(A, B, None)

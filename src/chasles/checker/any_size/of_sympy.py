@@ -14,10 +14,11 @@ from sympy.matrices import MatrixExpr
 from chasles import vocabulary as w
 from chasles.checker.certificate import check
 from chasles.checker.expressions.asked import listed
+from chasles.checker.expressions.assumptions import NUMBERS, SIGNS
 from chasles.checker.expressions.quantities import require_real
 from chasles.checker.refutation import check_counterexample
 from chasles.checker.sparse import Rejected
-from chasles.statements import Claim, Condition, Definition, Hypothesis, Problem, problem_of
+from chasles.statements import Claim, Condition, Definition, Hypothesis, Problem, positive, problem_of
 from chasles.statements import nonzero as vanishes_nowhere
 from chasles.verdict import Fails
 from chasles.vocabulary.measure import Extent, uniform
@@ -39,18 +40,17 @@ def problem_in_words(lhs: Any, rhs: Any, given: Any, nonzero: Any) -> tuple[Prob
     """
     read = _Words()
     equations = [_sides(item) for _, item in listed(given, "given")]
+    nowhere_zero = [e.lhs - e.rhs if isinstance(e, sympy.Unequality) else e for _, e in listed(nonzero, "nonzero")]
     texts = [f"{one} = {other}" for one, other in equations]
-    pairs = [(read(sympy.sympify(one)), read(sympy.sympify(other))) for one, other in equations]
-    said = [each for text, pair in zip(texts, pairs, strict=True) for each in _equal(text, *pair)]
-    nowhere_zero = (e.lhs - e.rhs if isinstance(e, sympy.Unequality) else e for _, e in listed(nonzero, "nonzero"))
-    assuming = [each for each in said if isinstance(each, Hypothesis)] + [
-        vanishes_nowhere(read(e)) for e in nowhere_zero
-    ]
-    statements = tuple(each for each in said if not isinstance(each, Hypothesis))
     try:
+        pairs = [tuple(map(read, map(sympy.sympify, sides))) for sides in equations]
+        said = [each for text, pair in zip(texts, pairs, strict=True) for each in _equal(text, *pair)]
+        assuming = [each for each in said if isinstance(each, Hypothesis)]
+        assuming += [vanishes_nowhere(read(e)) for e in nowhere_zero]
         left, right = (read(sympy.sympify(side)) for side in (lhs, rhs))
-        claim = Claim("asked", left, right, given=statements, assuming=tuple(assuming))
-        problem = problem_of(claim, "printed")
+        assuming += map(positive, read.positive)
+        statements = tuple(each for each in said if not isinstance(each, Hypothesis))
+        problem = problem_of(Claim("asked", left, right, given=statements, assuming=tuple(assuming)), "printed")
     except (w.Misfit, TypeError) as error:
         raise Rejected(str(error)) from None
     return problem, tuple(dict.fromkeys((*texts, *(h.text for h in problem.hypotheses if h.kind != "evident"))))
@@ -101,10 +101,11 @@ def _equal(text: str, left: w.Node, right: w.Node) -> Iterator[Definition | Cond
 
 
 class _Words:
-    """Reads expressions; symbols of a name are one."""
+    """Reads expressions; symbols of a name are one, and some are `positive`."""
 
     def __init__(self) -> None:
         self.letters: dict[str, Any] = {}
+        self.positive: dict[w.Node, None] = {}
 
     def __call__(self, e: Any) -> w.Node:
         match e:
@@ -128,10 +129,10 @@ class _Words:
                 return reduce(mul, map(self, e.args))
             case sympy.Inverse():
                 return w.inverse(self(e.arg))
-            case sympy.Pow() | sympy.MatPow() if isinstance(e.exp, sympy.Symbol) and e.exp.is_integer:
+            case sympy.Pow() | sympy.MatPow() if e.exp.is_Symbol and e.exp.is_integer and e.exp.is_positive:
                 return self(e.base) ** Size(str(e.exp))
-            case sympy.Pow() | sympy.MatPow() if e.exp.is_Integer:
-                power = self(e.base) ** abs(int(e.exp)) if e.exp else self(e.base)
+            case sympy.Pow() | sympy.MatPow() if e.exp.is_Integer and e.exp != 0:
+                power = self(e.base) ** abs(int(e.exp))
                 return power if e.exp > 0 else w.over(1, power) if power.is_scalar else w.inverse(power)
             case sympy.Trace():
                 return w.tr(self(e.arg))
@@ -144,14 +145,20 @@ class _Words:
         raise Rejected(f"{e} ({type(e).__name__}) is no word for matrices of any size")
 
     def _letter(self, e: Any) -> w.Node:
-        if isinstance(e, sympy.Symbol):
+        is_scalar = isinstance(e, sympy.Symbol)
+        if is_scalar:
             require_real(e)
+        kinds = NUMBERS if e.is_positive else (*SIGNS, *NUMBERS)
+        if known := [kind for kind in kinds if is_scalar and getattr(e, f"is_{kind}") is not None]:
+            raise Rejected(f"{e} is assumed to be {known[0]} or not, which beside matrices of any size has no word")
         if self.letters.setdefault(str(e), e) != e:
             raise Rejected(f"two different quantities are both called {e}")
-        height, width = map(_extent, (1, 1) if isinstance(e, sympy.Symbol) else e.shape)
-        known = isinstance(height, int) and isinstance(width, int)
-        measure = uniform((height, width)) if known else uniform_blocks(height, width, w.NO_DIMENSION)
-        return w.Symbol(str(e), str(e), measure, constant=True)
+        height, width = map(_extent, (1, 1) if is_scalar else e.shape)
+        given = isinstance(height, int) and isinstance(width, int)
+        measure = uniform((height, width)) if given else uniform_blocks(height, width, w.NO_DIMENSION)
+        symbol = w.Symbol(str(e), str(e), measure, constant=True)
+        self.positive |= {symbol: None} if is_scalar and e.is_positive else {}
+        return symbol
 
 
 def _extent(e: Any) -> Extent:

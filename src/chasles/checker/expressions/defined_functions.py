@@ -34,9 +34,10 @@ def remainder(e: Any) -> Any:
 
 def _principal(e: Any) -> Any:
     """The principal value where a number is raised to another that is not real otherwise, by its size and angle."""
-    base, exponent = e.base, e.exp.doit()
+    base = e.base
     if not e.is_number or not (base.is_negative or base.is_real is False):
         return e
+    exponent = e.exp.doit()
     if exponent.is_Integer:
         return base**exponent
     size, angle = sympy.Abs(base), sympy.arg(base)
