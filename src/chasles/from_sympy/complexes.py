@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from chasles.checker.expressions.complexes import Pair, Parts
@@ -16,7 +17,7 @@ class RealParts(Parts):
     def equal(self, left: Entries, right: Entries) -> tuple[Entries, Entries]:
         """Two sides that are equal where the given ones are: imaginary parts, if there are any, are further rows."""
         found = self.sides(*([e for row in side.rows for e in row] for side in (left, right)))
-        one, other = (_in_rows(entries, side) for entries, side in zip(found, (left, right), strict=True))
+        one, other = (in_rows(entries, side) for entries, side in zip(found, (left, right), strict=True))
         return one, other
 
     def of(self, expression: Any) -> Pair:
@@ -27,6 +28,7 @@ class RealParts(Parts):
             raise Untreatable(str(reason)) from None
 
 
-def _in_rows(entries: list[Any], like: Entries) -> Entries:
+def in_rows(entries: Sequence[Any], like: Entries) -> Entries:
+    """The entries row by row, in as many columns as others."""
     width = like.shape[1]
     return Entries(tuple(tuple(entries[k : k + width]) for k in range(0, len(entries), width)), like.is_matrix)

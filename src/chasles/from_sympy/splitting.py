@@ -20,7 +20,7 @@ from chasles.checker.expressions.switches import deciding
 from chasles.checker.expressions.widened import put
 from chasles.from_sympy.atoms import QuantityNames
 from chasles.from_sympy.complex_symbols import taken_as_real
-from chasles.from_sympy.complexes import RealParts
+from chasles.from_sympy.complexes import RealParts, in_rows
 from chasles.from_sympy.defined import Pairs, WithoutDefined, values_put_in
 from chasles.from_sympy.generalising import Decide, generalised
 from chasles.from_sympy.opening import Entries, atoms_of, opened, sides
@@ -200,11 +200,10 @@ class Splitting:
         times = {t for pair in whole.pairs for e in pair for call in e.atoms(AppliedUndef) for t in call.args}
         if not less.values or any(e.has(AppliedUndef) or e.free_symbols & times for pair in less.given for e in pair):
             return None
-        (height, width), size = self._left.shape, len(whole.sides[0])
+        size, count = len(whole.sides[0]), len(whole.sides[0]) - len(self._met)
         said = [less.spoken[:size], less.spoken[size : 2 * size]]
-        rows = [tuple(tuple(side[k * width : (k + 1) * width]) for k in range(height)) for side in said]
-        left, right = (Entries(part, self._left.is_matrix) for part in rows)
-        met = said[0][height * width :]
+        left, right = (in_rows(side[:count], self._left) for side in said)
+        met = said[0][count:]
         return Sampling(left, right, self._rows, less.given, less.spoken[2 * size :], met).counterexample()
 
     def _generalised(self, case: CheckedCase, spoken: list[Any], given: Pairs) -> dict[str, Any] | None:

@@ -24,7 +24,7 @@ from chasles.checker.expressions.switches import (
     visible_sign,
     with_values,
     written,
-)  # fmt: skip
+)
 from chasles.checker.sparse import Rejected
 
 Pairs = tuple[tuple[Any, Any], ...]
