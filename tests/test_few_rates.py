@@ -12,7 +12,22 @@ from chasles.problems.context import build
 from chasles.prover.decide import decide_problem
 from chasles.statements import Claim, Hypothesis, Problem, nonzero, problem_of
 from chasles.verdict import Fails
-from chasles.vocabulary import CPM, FREQUENCY, Node, Sum, Zero, dot, norm, paren, rate, scalar, vector
+from chasles.vocabulary import (
+    CPM,
+    FREQUENCY,
+    LENGTH,
+    TIME,
+    Node,
+    Sum,
+    Zero,
+    cross,
+    dot,
+    norm,
+    paren,
+    rate,
+    scalar,
+    vector,
+)
 
 a, b, p = (vector(name, name, "") for name in "abp")
 w = vector("w", "w", "", FREQUENCY)
@@ -77,6 +92,16 @@ def test_what_is_proved_may_be_multiplied_by_what_does_not_vanish() -> None:
     (entry,) = verdict.certificate["entries"].values()
     with pytest.raises(Rejected):
         check(asked, "", {**verdict.certificate, "entries": {"0:0,0": {**entry, "denominator": {}}}})
+
+
+def test_it_is_multiplied_so_often_as_a_law_divides() -> None:
+    k = scalar("k", "k", "", LENGTH**3 / TIME**2, constant=True)
+    x = vector("x", "x", "", LENGTH)
+    law = posed(rate(rate(x)), -(k / norm(x) ** 3 * x))
+    asked = problem(rate(cross(x, rate(x))), Zero(3, 1), nonzero(norm(x)), law)
+    verdict = decide_problem(asked)
+    assert verdict.true
+    check(asked, "", verdict.certificate)
 
 
 def test_posed_equations_on_the_letter_that_a_claim_is_about_determine_it() -> None:

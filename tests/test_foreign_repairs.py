@@ -93,3 +93,12 @@ def test_a_block_that_is_missing_is_a_product_with_a_transpose_or_a_quotient() -
     )
     wrong = Claim("7", inverse(matrix((x, y), (0, 1))), matrix((1 / x, 0), (0, 1)), assuming=(nonzero(x),))
     assert "[1 / x, -y / x; 0, 1]" in [plain(found.right) for found in repair(wrong)]
+
+
+def test_a_lost_term_with_factors_of_its_own_is_found_where_the_others_stand() -> None:
+    u, v, p, q = (vector(name, name, "a vector") for name in "uvpq")
+    k, m, n, h = (scalar(name, name, "a number") for name in "kmnh")
+    u_of, v_of = Definition("1", u, k * p + m * q), Definition("2", v, n * p + x * q)
+    h_of = Definition("3", h, k * x - m * n, assuming=(nonzero(h),))
+    found = repair(Claim("4", p, -(m / h * v), given=(u_of, v_of, h_of)))[0]
+    assert (plain(found.left), plain(found.right)) == ("p", "-(m / h) v + (x / h) u")

@@ -62,6 +62,14 @@ SLIPS: list[tuple[Claim, Claim]] = [
     ),
     (claim(abs(x), cases((x, x > 0), otherwise=x)), claim(abs(x), cases((x, x > 0), otherwise=-x))),
     (claim(dot(e, e) * sqrt(x**2), norm(e) * abs(x)), claim(dot(e, e) * sqrt(x**2), norm(e) ** 2 * abs(x))),
+    (
+        claim(rate(sqrt(1 + x**2)), x**2 * rate(x) / sqrt(1 + x**2)),
+        claim(rate(sqrt(1 + x**2)), x * rate(x) / sqrt(1 + x**2)),
+    ),
+    (
+        claim(partial(sqrt(1 + x), x), x / sqrt(1 + x**2)),
+        claim(partial(sqrt(1 + x**2), x), x / sqrt(1 + x**2)),
+    ),
 ]
 
 

@@ -28,6 +28,8 @@ from chasles.vocabulary import Symbol, symbols_of
 
 BUDGET = 2e7
 """The work that a single decision may take before it gives up as undecided, in products of terms."""
+POWERS = 1, 3
+"""With these powers of what does not vanish an entry is multiplied: a law may divide by the cube of a distance."""
 CASES = 4
 """So many points are drawn to find one at which a case occurs."""
 DECLARED = DeclaredPoints()
@@ -189,12 +191,13 @@ def _prove(context: Context, basis: Basis, todo: list[ProvedEntry]) -> bool:
 
 def _prove_multiplied(context: Context, basis: Basis, todo: list[ProvedEntry]) -> bool:
     """Try to reduce the entries multiplied by what does not vanish: with it, all that vanishes may be a multiple."""
-    field = context.field
-    once = (1,) * len(field.nonzero)
-    for entry in _suspects(todo) if once else ():
-        multiplied = entry.ratio.multiplied(once)
-        cofactors, remainder = basis.reduce(multiplied.numerator)
-        if remainder != 0:
+    for entry in _suspects(todo) if context.field.nonzero else ():
+        for power in POWERS:
+            multiplied = entry.ratio.multiplied((power,) * len(context.field.nonzero))
+            cofactors, remainder = basis.reduce(multiplied.numerator)
+            if remainder == 0:
+                entry.ratio, entry.cofactors, entry.multiplied = multiplied, cofactors, True
+                break
+        else:
             return False
-        entry.ratio, entry.cofactors, entry.multiplied = multiplied, cofactors, True
     return not _suspects(todo)

@@ -19,11 +19,12 @@ from chasles.repairs.inside_definitions import block_edits
 from chasles.repairs.local_edits import SingleEdit
 from chasles.repairs.modular_testing import REFUSED, ModularTest, modular_test
 from chasles.repairs.one_term import Change, new_coefficients, other_terms
+from chasles.repairs.real_test import RealTest, real_test
 from chasles.repairs.residues import Unsampled
 from chasles.repairs.several_terms import combined_changes
 from chasles.repairs.single_edits import exchanged_letters, in_letters
 from chasles.repairs.true_edits import true_edits
-from chasles.repairs.without_form import RealTest, changes_without_form, real_test
+from chasles.repairs.without_form import changes_without_form
 from chasles.rewriting.term_basis import TermBasis, fit, term_basis
 from chasles.statements import Claim, Statement
 from chasles.statements.goals import AcceptedSides
@@ -143,7 +144,7 @@ class Nearest:
     def _without_form(self, left: Node, right: Node) -> Iterator[Change]:
         test = self.in_floats(left, right)
         if test is not None:
-            yield from changes_without_form(test, left, right, self.letters)
+            yield from changes_without_form(test, left, right, self.letters, self.given_sides)
 
     def in_floats(self, left: Node, right: Node) -> RealTest | None:
         """The equation at points in floating point, if others are no test: lengths of sums are rational at few."""

@@ -40,6 +40,7 @@ class Factors:
         parts = own | dict.fromkeys(part for node in given for part in w.walk(node))
         found = [part for part in parts if not any(inner in without for inner in w.walk(part))]
         self.letters = tuple(part for part in found if isinstance(part, w.Symbol))
+        self.tensors = [part for part in found if isinstance(part, w.Symbol | w.Rate) and not part.is_scalar]
         squares = [part for part in found if (_is_named(part) or part in own) and _is_factor(part)]
         inverses = dict.fromkeys(part for part in found if isinstance(part, w.Inverse) and not part.is_scalar)
         inverses |= dict.fromkeys(declared_inverses(test.problem.hypotheses))

@@ -6,7 +6,9 @@ from collections.abc import Container
 from itertools import combinations, pairwise
 
 from chasles import vocabulary as w
+from chasles.rewriting.coefficients import negated
 from chasles.vocabulary import Node
+from chasles.vocabulary.functions import FunctionOf
 
 ORTHOGONAL = ("rotation", "half_turn", "orthogonal")
 """The hypotheses that say of a matrix that its transpose is its inverse."""
@@ -21,9 +23,13 @@ def _is_idle(part: Node, orthogonal: Container[Node]) -> bool:
     match part:
         case w.Cross(one, other):
             return one == other
-        case w.Sum(terms):
-            return any(w.Negative(one) == other or w.Negative(other) == one for one, other in combinations(terms, 2))
-        case w.Scale(w.Number(), w.Scale(w.Number()) | w.Number()):
+        case w.Sum():
+            return any(
+                w.Negative(one) == other or w.Negative(other) == one for one, other in combinations(_terms(part), 2)
+            )
+        case w.Quotient(w.Scale(w.Number(), _), w.Number()):
+            return True
+        case w.Scale(w.Number(), w.Scale(w.Number()) | w.Number()) | FunctionOf("sqrt", (w.Number(),)):
             return True
         case w.Scale(factor, w.Quotient(_, divisor)):
             return _base(factor) == _base(divisor)
@@ -31,6 +37,19 @@ def _is_idle(part: Node, orthogonal: Container[Node]) -> bool:
             return any(_vanish(one, other, orthogonal) for one, other in pairwise(factors))
         case _:
             return False
+
+
+def _terms(node: Node) -> list[Node]:
+    """The terms of a sum, those in brackets one by one."""
+    match node:
+        case w.Sum(terms):
+            return [inner for term in terms for inner in _terms(term)]
+        case w.Group(of):
+            return _terms(of)
+        case w.Negative(of):
+            return [negated(inner) for inner in _terms(of)]
+        case _:
+            return [node]
 
 
 def _base(node: Node) -> Node:

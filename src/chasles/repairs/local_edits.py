@@ -167,6 +167,8 @@ def _of_rates(node: Node, parent: Node | None) -> Iterator[Node]:
     match node:
         case w.Rate(of):
             yield of
+            if not isinstance(parent, w.Rate):
+                yield w.Rate(node)
         case w.Symbol() if not node.constant and node.stands_for is None and not isinstance(parent, w.Rate):
             yield w.Rate(node)
         case w.Inverse():

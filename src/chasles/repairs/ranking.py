@@ -7,7 +7,8 @@ from re import findall
 
 from chasles.repairs.idle import idle_parts
 from chasles.repairs.one_term import Change
-from chasles.vocabulary import Node, plain, symbols_of, walk
+from chasles.statements.statement import bare
+from chasles.vocabulary import Node, Symbol, plain, symbols_of, undotted, walk
 
 IDLE = 2
 """What each part that has no effect adds to the effort of a change."""
@@ -16,7 +17,8 @@ IDLE = 2
 class Ranking:
     """The rank of a change to `sides`: the fewest changes first, then the smallest.
 
-    A change that leaves parts without effect is larger: it is none that undoes a slip. Where either of two parts may be
+    A change that leaves parts without effect is larger: it is none that undoes a slip; so is one that puts something
+    else for a letter that stands alone on the left. Where either of two parts may be
     wrong, the one is that is written so nowhere in the `others`. What is put for a letter by mistake makes the equation
     say less; so one with more letters is the likelier original, then a shorter one, and a change on the right.
     """
@@ -30,6 +32,7 @@ class Ranking:
         new = change.left, change.right
         parts = [part for side in new for part in walk(side)]
         effort = change.effort + IDLE * sum(idle_parts(side, self.orthogonal) for side in new)
+        effort += _is_letter(self.sides[0]) and not _is_letter(change.left)
         unseen = len({part for part in parts if part not in self.elsewhere}) if self.elsewhere else 0
         marks = sum(_changed_marks(plain(one), plain(other)) for one, other in zip(self.sides, new, strict=True))
         letters = len({*symbols_of(change.left), *symbols_of(change.right)})
@@ -37,6 +40,11 @@ class Ranking:
         left, right = map(plain, new)
         written = change.left != self.sides[0], strange, len(right), right, left
         return len(change.words), effort, unseen, marks, -letters, len(parts), *written
+
+
+def _is_letter(side: Node) -> bool:
+    """Whether a side is a letter, or the rate of one: what is said of it stands on the other side."""
+    return isinstance(undotted(bare(side))[0], Symbol)
 
 
 def _changed_marks(one: str, other: str) -> int:

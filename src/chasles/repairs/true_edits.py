@@ -18,15 +18,15 @@ from chasles.repairs.one_term import FACTOR, Change, instead, missing, new_term,
 from chasles.repairs.required_values import Required, quotient, required_values, value
 from chasles.repairs.single_edits import placed
 from chasles.rewriting.coefficients import AngleFunction, scaled, times
-from chasles.rewriting.places import linear_places, with_term
+from chasles.rewriting.places import Place, linear_places, with_term
 from chasles.rewriting.term_basis import fit
 from chasles.vocabulary import Node
 from chasles.vocabulary.parts import Submatrix
 
 
 def true_edits(test: ModularTest, factors: Factors) -> Iterator[Change]:
-    """The right sides that are true with one edit, or with one more scalar factor."""
-    yield from _lost_factors(test, factors)
+    """The right sides that are true with one edit, with one more scalar factor or with one more term."""
+    yield from _by_factors(test, factors)
     linear = {place.path for place in linear_places(test.right)}
     for place in required_values(test, factors.at):
         node = place.node
@@ -43,21 +43,36 @@ def true_edits(test: ModularTest, factors: Factors) -> Iterator[Change]:
                 yield Change(test.left, right, (words or instead(new, node),), effort)
 
 
-def _lost_factors(test: ModularTest, factors: Factors) -> Iterator[Change]:
-    """The right sides that are true with one more scalar factor of a vector, a matrix or a block."""
+def _by_factors(test: ModularTest, factors: Factors) -> Iterator[Change]:
+    """The right sides true with one more factor of a vector, matrix or block, or one more letter with factors."""
     residual = test.residual(factors.at)
     size = len(residual) // len(factors.at.points)
+
+    def ratios(place: Place, term: Node | None = None) -> Column | None:
+        contribution = test.contribution(factors.at, place, term)
+        parts = [slice(k, k + size) for k in range(0, len(residual), size)]
+        found = [multiple(residual[part], contribution[part]) for part in parts]
+        return None if None in found else [ratio for ratio in found if ratio is not None]
+
     for place in linear_places(test.right):
-        if not place.term or place.inside or place.node.is_scalar or (test.exchanged and not place.path):
+        node = place.node
+        if place.inside or node.is_scalar:
             continue
-        term = test.contribution(factors.at, place)
-        ratios = [multiple(residual[k : k + size], term[k : k + size]) for k in range(0, len(residual), size)]
-        wanted = [(ratio + 1) % MODULUS for ratio in ratios if ratio is not None]
-        for factor in factors.of_values(wanted, most=1) if len(wanted) == len(ratios) else ():
-            new = times(factor, place.node)
+        found: list[tuple[Node, str, int]] = []
+        if place.term and (place.path or not test.exchanged) and (ratio := ratios(place)):
+            wanted = [(each + 1) % MODULUS for each in ratio]
+            more = (times(f, node) for f in factors.of_values(wanted, most=1) if factors.columns[f] == wanted)
+            found += [(new, instead(new, node), FACTOR + 1) for new in more]
+        for letter in factors.tensors if place.open else ():
+            if letter.shape == node.shape and (ratio := ratios(place, letter)):
+                for factor, number in _multiples(factors, ratio, most=2):
+                    term = times(factor, letter)
+                    effort = new_term([(number, AngleFunction(factor))]) + 2 * (not place.apart)
+                    found.append((with_term(node, term), missing(term), effort))
+        for new, words, effort in found:
             right = placed(test.right, place.path, new)
-            if factors.columns[factor] == wanted and right.fault is None and fit(test.left, right):
-                yield Change(test.left, right, (instead(new, place.node),), FACTOR + 1)
+            if right.fault is None and fit(test.left, right):
+                yield Change(test.left, right, (words,), effort)
 
 
 def _multiplied(node: Node, parent: Node | None, factors: Factors) -> Iterator[SingleEdit]:
@@ -121,6 +136,8 @@ def _by_value(place: Required, factors: Factors) -> Iterator[SingleEdit]:
             yield SingleEdit(other, instead(other, node), FORM + (abs(number) != 1) + isinstance(other, w.Quotient))
     if not zero:
         for term, number in _multiples(factors, minus(wanted, present), most):
+            if node in w.walk(term):
+                continue  # what takes away all that stands there says nothing
             effort = new_term([(number, AngleFunction(term))]) + (abs(number) != 1) + 2 * (not place.term)
             yield SingleEdit(with_term(node, term), missing(term), effort)
 
