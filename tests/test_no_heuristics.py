@@ -15,7 +15,7 @@ ROOMS = (
     *("repairs", "decisions", "deriving", "from_sympy"),
 )
 PACKAGE = Path(chasles.__file__).parent
-CHOOSING = {PACKAGE / "repairs" / name for name in ("real_values.py", "without_form.py")}
+CHOOSING = {PACKAGE / "repairs" / name for name in ("real_test.py", "real_values.py")}
 """They choose, by points in floating point, which repairs are tried; each is proved before it is told."""
 MODULES = sorted(
     {*(path for room in ROOMS for path in (PACKAGE / room).rglob("*.py")), PACKAGE / "prove.py"} - CHOOSING
