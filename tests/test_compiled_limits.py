@@ -24,6 +24,9 @@ LIMITS = [
     *((sp.sin(x) / x).diff(x), (sp.sin(x) / x).diff(x, 2), (sp.cos(x) - 1 + x**2 / 2) / x**4),
     *(y * sp.sin(r) / r, x * y * (1 - sp.cos(r)) / r**2, x * y * (r - sp.sin(r)) / r**3, sp.sin(r / 2) / r),
     *(((1 - sp.cos(r)) / r**2).diff(x), 1 / r**2 - (1 + sp.cos(r)) / (2 * r * sp.sin(r)), sp.cos(r)),
+    *((1 - sp.cos(x * y)) / x**2, (x * y - sp.sin(x * y)) / (x * y) ** 3, (1 - sp.cos(x**2)) / x**4),
+    *(sp.sin(y * sp.sin(x)) / sp.sin(x), (1 - sp.cos(sp.sqrt(2) * x)) / x**2, (1 - sp.cos(sp.sqrt(x))) / x),
+    *((x - z - sp.sin(x - z)) / (x - z) ** 3, (2 * x - 2 * z - sp.sin(2 * x - 2 * z)) / (z - x) ** 3),
     sp.Piecewise((sp.sin(x) / x, sp.Ne(x, 0)), (1, True)),
     sp.Piecewise((1, sp.Eq(r, 0)), (sp.sin(r) / r, True)),
 ]

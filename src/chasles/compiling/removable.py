@@ -29,6 +29,7 @@ from chasles.compiling.sums_of_angles import (
     square_of,
     sum_of,
 )
+from chasles.compiling.whole_angles import ANGLE, WholeAngle
 
 MOST_ORDER = 8
 
@@ -46,9 +47,11 @@ def without_removable(expression: sympy.Basic) -> sympy.Basic:
         if isinstance(part, KNOWN):
             by_angle.setdefault(angle_of(part), []).append(part)
     for angle, functions in by_angle.items():
+        whole = WholeAngle(angle) if divided and isinstance(angle, sympy.Add | sympy.Mul | sympy.Pow) else None
         if (
             angle in divided
             or square_of(angle) in divided
+            or (whole and whole.occurs_in(divided))
             or (angle in below and angle in parts_of(expression, functions))
         ):
             spelled = {f: f.rewrite(sympy.cos) for f in functions if isinstance(f, sympy.sec)}
@@ -57,7 +60,8 @@ def without_removable(expression: sympy.Basic) -> sympy.Basic:
                 if isinstance(f, sympy.tan | sympy.cot):
                     quotient = sympy.sin(f.args[0]) / sympy.cos(f.args[0])
                     spelled[f] = quotient if isinstance(f, sympy.tan) else 1 / quotient
-            found = _regular(expression.xreplace(spelled) if spelled else expression, angle)
+            stated = expression.xreplace(spelled) if spelled else expression
+            found = whole.back(_regular(whole.of(stated), ANGLE)) if whole else _regular(stated, angle)
             expression = found if any(isinstance(part, Stumpff) for part in parts_of(found, ())) else expression
     return expression
 
