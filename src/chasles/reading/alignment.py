@@ -133,11 +133,10 @@ def _added(found: list[DisplayedEquation], new: DisplayedEquation, line: list[At
 def _continued(before: Sequence[Atom], after: Sequence[Atom]) -> list[Atom]:
     """The atoms of two lines; a sign that ends the one and begins the other is one, and + says no more than -."""
     end, start = before[-1].text, after[0].text
-    if end == start and end != "-" and end in commands.RELATIONS | commands.OPERATORS:
+    if (end == start and end != "-" and end in commands.RELATIONS | commands.OPERATORS) or (end, start) == ("+", "-"):
         return [*before[:-1], *after]
-    if end == "+" and start == "-":
-        return [*before[:-1], *after]
-    return [*before, *(after[1:] if (end, start) == ("-", "+") else after)]
+    is_said = (end, start) == ("-", "+") or (start in commands.EQUAL and end in commands.EQUAL)
+    return [*before, *(after[1:] if is_said else after)]
 
 
 def _joined(equations: list[DisplayedEquation]) -> DisplayedEquation:

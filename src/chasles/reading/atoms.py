@@ -15,7 +15,9 @@ if TYPE_CHECKING:
 
 TYPEFACES = frozenset(commands.STYLES)
 BOLD = {r"\boldsymbol": r"\mathbf"}
-RELATIONS = {sign: sign for sign in commands.RELATIONS} | dict.fromkeys((":=", r"\triangleq", r"\doteq"), r"\equiv")
+RELATIONS = {sign: sign for sign in commands.RELATIONS} | dict.fromkeys(
+    (":=", "=:", r"\triangleq", r"\doteq"), r"\equiv"
+)
 """Relations, and the sign that each is in words; of those that have none, the sign itself."""
 SIGNS = ("+", "-", r"\pm", r"\mp")
 INFIXES = (commands.OPERATORS | {"*", ":", r"\ominus", r"\boxminus", r"\vee"}) - {*SIGNS}

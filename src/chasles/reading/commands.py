@@ -47,6 +47,13 @@ LETTERS = _commands(
 )
 """Control words that are one letter each, which a typeface is set for."""
 
+NAMES_OF_ANGLES = ("sin", "cos", "tan", "sinh", "cosh", "tanh")
+PLAIN_NAMES = {
+    **{name: rf"\{name}" for name in (*NAMES_OF_ANGLES, "arcsin", "arccos", "arctan", "exp", "log")},
+    **{name: rf"\operatorname{{{name}}}" for name in ("asin", "acos", "atan", "sqrt", "abs", "max", "min")},
+}
+"""Functions that are typed as letters side by side, before brackets, or where that can be nothing else."""
+
 MARKS = _commands(
     "dot ddot dddot ddddot hat widehat tilde widetilde bar overline underline vec overrightarrow overleftarrow acute "
     "grave breve check mathring underrightarrow overleftrightarrow wideparen cancel utilde underbar"
@@ -63,7 +70,7 @@ DROPPED = _commands(
     "displaystyle textstyle scriptstyle scriptscriptstyle limits nolimits displaylimits allowbreak nobreak break "
     "nonumber notag noindent strut mathstrut protect hline toprule midrule bottomrule relax thinspace medspace "
     "thickspace negthinspace negmedspace negthickspace enspace enskip linebreak pagebreak unboldmath normalsize small "
-    "footnotesize scriptsize large xspace displaybreak centering par f therefore qedhere"
+    "footnotesize scriptsize large xspace displaybreak centering par f therefore qedhere empty"
 ) | {r"\,", r"\;", r"\:", r"\!", r"\ ", r"\/", r"\-", r"\>", r"\@", "\\\n", "~"}
 LENGTHS = _commands("hskip mskip kern mkern")
 """Commands that a length follows."""
@@ -89,12 +96,13 @@ SYNONYMS = {
     **_pairs(r"\ast * \eqdef \triangleq \land \wedge \# \sharp"),
 }
 
-RELATIONS = frozenset({"=", "<", ">", ":="}) | _commands(
+EQUAL = frozenset({"=", ":=", "=:"})
+RELATIONS = frozenset({*EQUAL, "<", ">"}) | _commands(
     "equiv triangleq leq geq neq approx sim simeq cong propto ll gg in subset subseteq ni doteq Rightarrow "
     "Leftrightarrow Longleftrightarrow implies iff rightarrow leftarrow longrightarrow Longrightarrow mapsto models "
     "prec succ lesssim gtrsim perp parallel asymp"
 )
-IN_ASCII = _pairs(r":= := => \Rightarrow -> \rightarrow <= \leq >= \geq")
+IN_ASCII = _pairs(r":= := =: =: => \Rightarrow -> \rightarrow <= \leq >= \geq")
 """Signs of relation that are typed as two characters."""
 IMPLICATIONS = _commands("implies Rightarrow Longrightarrow")
 """Between two equations: what stands before is a condition of what follows."""

@@ -25,6 +25,7 @@ KINDS: dict[str, tuple[int, int]] = {
 }  # fmt: skip
 """What a letter may be, and the shape that it then has unless the file says another."""
 TYPEFACE_NAMES = ("mathbf", "boldsymbol", "mathrm", "operatorname")
+RUN = re.compile(r"(?<!\S)[A-Za-z](?: [A-Za-z](?!\S))+")
 SIGNS = {"*": "star", "+": "plus", "-": "minus"}
 """How signs in a letter's scripts are called in its name."""
 OTHERS = ("component", "entry", "index")
@@ -188,10 +189,16 @@ def _meant(notation: PageNotation, latex: str, where: str) -> Node:
 
 
 def named(letter: Glyph) -> str:
-    """A name for a symbol, in letters and digits; what stands above it is told from what stands below."""
+    """A name for a symbol, in letters and digits; what stands above it is told from what stands below.
+
+    Letters side by side in a script are one word.
+    """
     below, above = (
         "_".join(
-            SIGNS.get(word, word) for word in re.findall(r"\w+|[*+-]", " ".join(said)) if word not in TYPEFACE_NAMES
+            SIGNS.get(word, word)
+            for each in said
+            for word in re.findall(r"[^\W_]+|[*+-]", RUN.sub(lambda run: run[0].replace(" ", ""), each))
+            if word not in TYPEFACE_NAMES
         )
         for said in ((*letter.before, letter.base, *letter.accents, letter.sub), letter.sups)
     )

@@ -66,8 +66,9 @@ def parted(letter: Glyph, marks: NameMarks) -> tuple[Glyph, tuple[str, ...]]:
     scripts = tuple(sup for sup in plain if sup in WORDS or sup in numbers or sup.startswith(EVALUATED))
     accents = tuple(accent for accent in letter.accents if accent not in marks.operators)
     own = tuple(sup for said, sup in plain.items() if said not in scripts)
+    sub, scripts = ("", (*scripts, letter.sub)) if letter.sub == r"\times" else (letter.sub, scripts)
     made = tuple(accent for accent in letter.accents if accent in marks.operators and accent not in RATES)
-    return Glyph(letter.base, accents, letter.sub, letter.primes, own, letter.before), (*made, *scripts)
+    return Glyph(letter.base, accents, sub, letter.primes, own, letter.before), (*made, *scripts)
 
 
 def stem_of(own: Glyph) -> Glyph:

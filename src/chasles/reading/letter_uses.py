@@ -226,7 +226,7 @@ def _note(terms: Terms | None, within: str, noting: _Noting) -> None:
             if (
                 after is not None
                 and makes_difference(piece, after, noting.alone)
-                and (after.kind == "LETTER" or after.text in TYPEFACES)
+                and (after.kind == "LETTER" or after.text in TYPEFACES or after.text in MARKS)
                 and not _is_derivative(terms, within)
             ):
                 _note_letter(letter_of(joined((piece, after)) or piece), around, noting)

@@ -133,7 +133,7 @@ def _nucleus(atom: Atom, letter: Glyph, ctx: FittingContext) -> list[Fit]:
             fits = ctx.of_its_own(latex_of(atom))
         case "BRACKET" if atom.inside and atom.text in ("()", "[]"):
             return _column(atom, rest, ctx)
-        case "GRID" if any(said_of(each) in DOTS for row in atom.rows for each in row):
+        case "GRID" if any(said_of(each) in (*DOTS, r"\cdot") for row in atom.rows for each in row):
             fits = ctx.of_its_own(latex_of(atom))
         case "EVENT":
             fits = ctx.of_its_own(in_latex(atom.text))
@@ -220,6 +220,8 @@ def _column(atom: Atom, rest: Glyph, ctx: FittingContext) -> list[Fit]:
         return []
     shapes = [{fit.shape for fit in part} for part in parts]
     if atom.text == "[]" and not rest.sups and len(shapes) == 2 and shapes[0] & shapes[1]:
+        if shapes[0] & shapes[1] == {(1, 1)}:  # an interval, a row or a column
+            return with_marks(ctx.of_its_own(latex_of(atom)), rest, ctx)
         ctx.note("two in square brackets may be a commutator: write a column as a matrix", atom.place)
         return []
     return with_marks([replace(fit, cost=fit.cost + 1) for fit in fits], replace(rest, sups=()), ctx)

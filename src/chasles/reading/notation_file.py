@@ -37,7 +37,15 @@ ROLES = ("claim", "condition", "law", "definition")
 SHORT = {"exp": "rotation_by_vector", "vee": "vect", "abs": "norm", "adjoint": "adjoint_of_motion"}
 NOT_PRINTED = (Rate, Identity, Zero)
 USUAL = {
-    "skew": [r"[#]_\times", r"[# \times]", r"\lfloor # \times \rfloor", r"[#]^\times", r"#^\times", r"#^\wedge"],
+    "skew": [
+        r"[#]_\times",
+        r"[# \times]",
+        r"\lfloor # \times \rfloor",
+        r"[#]^\times",
+        r"#^\times",
+        r"#_\times",
+        r"#^\wedge",
+    ],
     "vee": [r"#^\vee"],
     "quaternion_product": [r"# \otimes #", r"# \circ #"],
     "outer_product": [r"# \otimes #"],

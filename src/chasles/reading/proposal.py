@@ -42,7 +42,8 @@ def proposed(equations: Sequence[PrintedEquation]) -> str:
     if any(r"tilde " in text for text in texts):
         without = NameMarks.on_page(texts, RATES, bare)
         other, fewer = shaped_letters(equations, texts, without)
-        if sum(fewer.values()) < sum(faults.values()):
+        is_other = any(use.signs & SKEW for use in other.values())  # the page has another sign of a cross product
+        if sum(fewer.values()) - is_other < sum(faults.values()):
             uses, faults, marks = other, fewer, without
     primes = {prime for text in texts for prime in PRIMED.findall(text)}
     signs = ", ".join(f'"#{each.replace(" ", "")}"' for each in sorted(primes))
@@ -68,10 +69,14 @@ def proposed(equations: Sequence[PrintedEquation]) -> str:
 
 def _lines_of(uses: Mapping[Glyph, LetterUse], letters: AbstractSet[str], of_operators: bool) -> Iterator[str]:
     """What is said of the letters, a line each; of one that is made of others than known `letters`, that alone."""
+    seen: set[Glyph] = set()
     for stem, use in uses.items():
         question = f"  # ? or {use.other}" if use.other not in ("", use.kind) else ""
         doubt = _otherwise(stem, use, of_operators)
         for glyph, said in _declared(stem, use, uses):
+            if glyph in seen:  # the components of one vector may be of several families
+                continue
+            seen.add(glyph)
             of = f", of = {_quoted(said['of'])}" if "of" in said else ""
             of += f", shape = {said['shape']}" if "shape" in said else ""
             of += f', or = "{doubt}"' if doubt and said["is"] == use.kind else ""

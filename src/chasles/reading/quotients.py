@@ -47,7 +47,10 @@ def fraction_fits(atom: Atom, ctx: FittingContext) -> list[Fit]:
         if said.is_of_its_own:
             return ctx.of_its_own(latex_of(atom))
         if said.of and (makes := [partial(PartialDerivative, by=by) for by in partial_by(said, ctx)]):
-            return applied(makes, of_atoms(said.of, ctx), ctx, replace(letter_of(atom), base="", accents=()), atom.text)
+            marks = replace(letter_of(atom), base="", accents=())
+            fits = applied(makes, of_atoms(said.of, ctx), ctx, marks, atom.text)
+            is_word = any(fit.node is None or not fit.node.fault for fit in fits)
+            return fits if is_word else ctx.of_its_own(latex_of(atom))  # by a matrix, or by an expression
     found = []
     for top, bottom in product(of_atoms(above, ctx), of_atoms(below, ctx)):
         divisor = bottom.at((1, 1))

@@ -94,16 +94,18 @@ class _Respelling:
     def scripted(self) -> list[Atom]:
         start = self.raw[self.at]
         nuclei = [] if start.text in ("_", "^", "'", r"\prime") else self.nucleus()
-        if start.text in SCRIPTLESS:  # what follows is a script at the left of the next letter
+        if nuclei and nuclei[-1].text in SCRIPTLESS:  # what follows is a script at the left of the next letter
             return nuclei
         scripts: dict[str, Atoms] = {}
         primes = 0
+        is_apart = False  # over a blank in place of a subscript stands what is printed at the left of the next letter
         while (text := self.peek()) in ("_", "^", "'", r"\prime", r"\limits", r"\nolimits"):
             token = self.raw[self.at]
             self.at += 1
             if text in ("'", r"\prime"):
                 primes += 1
             elif text in ("_", "^"):
+                is_apart |= text == "_" and [self.ahead(k) for k in range(3)] == ["{", "\\ ", "}"]
                 script = self.argument(token)
                 if text == "^" and script and script[0].primes and not any(script[0].arguments or [script[0].text]):
                     primes += script.pop(0).primes
@@ -115,6 +117,8 @@ class _Respelling:
         if not (scripts or primes) or start.text in (r"\underbrace", r"\overbrace"):
             return nuclei
         sups = (scripts["^"],) if scripts.get("^") else ()
+        if nuclei and sups and is_apart and not primes:
+            return [*nuclei, *with_scripts([], (None, 0, sups), start)]
         return with_scripts(nuclei, (scripts.get("_"), primes, sups), start)
 
     def argument(self, owner: Token) -> list[Atom]:
@@ -187,6 +191,9 @@ class _Respelling:
             return [single(token._replace(text=r"\operatorname{arctan2}"))]
         if text in (r"\pmatrix", r"\matrix", r"\cases") and self.peek() == "{":
             return [_environment(text[1:], token, self.group())]
+        if name := self.plain_name(text):
+            self.at += len(name) - 1
+            return [single(token._replace(text=commands.PLAIN_NAMES[name]))]
         if (sign := commands.IN_ASCII.get(text + self.ahead())) is not None:
             self.at += 1
             text = sign
@@ -199,6 +206,21 @@ class _Respelling:
 
     def ahead(self, count: int = 0) -> str:
         return self.raw[self.at + count].text if self.at + count < len(self.raw) else ""
+
+    def plain_name(self, text: str) -> str:
+        """The name of a function that is typed in letters, as in 2cos(x), where its argument follows.
+
+        An a before it may be a factor, or part of the name.
+        """
+        run = text
+        while len(self.ahead(len(run) - 1)) == 1 and self.ahead(len(run) - 1).isalpha():
+            run += self.ahead(len(run) - 1)
+        behind = next((each for k in (0, 1) if (each := self.ahead(len(run) - 1 + k)) != " "), "")
+        is_argument = behind == "(" or behind in commands.DELIMITER_SIZES
+        if run in commands.NAMES_OF_ANGLES:
+            is_argument |= behind in ("^", "{", *commands.LETTERS)
+        is_whole = self.at < 2 or self.raw[self.at - 2].text not in ("a", "c")
+        return run if run in commands.PLAIN_NAMES and is_argument and is_whole else ""
 
     def command(self, token: Token) -> Atom:
         """A command with its arguments; a sign that is put over a relation makes it a definition."""

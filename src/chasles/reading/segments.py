@@ -17,6 +17,7 @@ from chasles.reading.printed import PrintedEquation
 CONDITIONS = re.compile(r"(?:(?:for|if|when|where|provided|with|as|in|on|at|over)\b|i\.e\.)", re.IGNORECASE)
 PROSE = re.compile(r"(?:is|are|being)\b")
 """What words begin with that say something of what stands before them."""
+UPRIGHT = re.compile(r"\\operatorname\{(and|where|with|for|if|otherwise|when|or|subject|such|that|to)\}")
 ABBREVIATIONS = [[*"s.t."], [*"i.e."], [*"w.r.t."]]
 DOTS = (r"\dots", r"\ldots", r"\cdots", "..")
 
@@ -47,7 +48,12 @@ def segments(marks: Atoms) -> list[tuple[Atoms, bool]]:
     found = [each for each in found if not _lists_values(each[0])] if len(found) > 1 else found
     if not all(_is_membership(part) for part, _ in found):
         found = [each for each in found if not _is_membership(each[0])]
-    return [(full, condition) for part, condition in found for full in written_out(part)]
+    return [(full, condition) for part, condition in found for full in written_out(_ended(part))]
+
+
+def _ended(part: Atoms) -> Atoms:
+    """Without a sign of relation at the end, behind which nothing stands on the page."""
+    return part[:-1] if len(part) > 1 and part[-1].kind == "RELATION" else part
 
 
 def chains_of(equation: PrintedEquation) -> list[Chain]:
@@ -76,6 +82,7 @@ def _lists_values(part: Atoms) -> bool:
 def _side_by_side(line: list[Atom]) -> list[tuple[list[Atom], str]]:
     """The parts between commas, wide spaces and words, each with the words before it."""
     parts: list[tuple[list[Atom], str]] = [([], "")]
+    line = [_as_text(atom) for atom in line]
     words = tuple({mark.text for mark in line if mark.text.startswith(r"\text{")})
     marks = (",", ";", r"\quad", r"\forall", *words)
     place = 0
@@ -84,6 +91,12 @@ def _side_by_side(line: list[Atom]) -> list[tuple[list[Atom], str]]:
         parts.append((part, mark[6:-1] if mark.startswith(r"\text{") else mark.strip("\\")))
         place += len(part) + 1
     return parts
+
+
+def _as_text(atom: Atom) -> Atom:
+    """The atom, or a word of prose that is set in upright letters as one in a text."""
+    name = UPRIGHT.fullmatch(atom.text)
+    return atom if name is None or atom.is_marked else replace(atom, text=rf"\text{{{name[1]}}}")
 
 
 def _are_values(marks: Atoms) -> bool:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import lru_cache, partial
 from itertools import combinations, islice, product
 
@@ -11,6 +12,7 @@ from chasles.reading.grammar import Chain, Terms
 from chasles.reading.letter_names import NameMarks, is_declared, parted, stem_of
 from chasles.reading.letter_shapes import Misshapen, Shape, shape_of_chain
 from chasles.reading.letter_uses import SKEW, LetterUse, letter_uses, looks
+from chasles.reading.marks import SIZE
 from chasles.reading.notation_file import usual_names
 from chasles.reading.printed import PrintedEquation
 from chasles.reading.segments import chains_of
@@ -38,11 +40,27 @@ UNLIKELY = 0.3
 def shaped_letters(
     equations: Sequence[PrintedEquation], texts: Sequence[str], marks: NameMarks
 ) -> tuple[dict[Glyph, LetterUse], dict[int, int]]:
-    """The letters with what they are, and by their places the equations that do not fit together even so."""
-    uses = letter_uses(equations, texts, marks)
-    search = _KindSearch([chains_of(equation) for equation in equations], uses, marks)
-    search.go_through()
-    return dict(sorted(search.uses.items(), key=lambda each: spelled(each[0]))), search.all_faults()
+    """The letters with what they are, and by their places the equations that do not fit together even so.
+
+    Capitals that may be matrices are so at first, then numbers where more fits together with that; letters that have
+    only the base in common are of different kinds where else something does not fit.
+    """
+    chains = [chains_of(equation) for equation in equations]
+    searches: list[_KindSearch] = []
+    for are_numbers in (False, True):
+        uses = letter_uses(equations, texts, marks)
+        for use in uses.values():
+            if are_numbers and (use.kind, use.other) == ("matrix", "scalar"):
+                use.kind, use.other = "scalar", "matrix"
+        searches.append(_KindSearch(chains, uses, marks))
+        searches[-1].go_through()
+        if not searches[0].all_faults():
+            break
+    best = min(searches, key=lambda each: sum(each.all_faults().values()))
+    if faults := best.all_faults():
+        best.part({stem for place in faults for stem in best.stems[place]})
+        best.go_through()
+    return dict(sorted(best.uses.items(), key=lambda each: spelled(each[0]))), best.all_faults()
 
 
 class _KindSearch:
@@ -57,14 +75,12 @@ class _KindSearch:
         self.chains, self.uses = chains, uses
         self.names = usual_names()
         self.stems: dict[int, list[Glyph]] = {}
-        for stem, use in uses.items():
-            for place in use.places:
-                self.stems.setdefault(place, []).append(stem)
         self.kinds: dict[Glyph, list[Kind]] = {stem: _kinds(stem, use) for stem, use in uses.items()}
         self.known: dict[object, int] = {}
         self.sizes: set[int] = set()
         self.work = 0
-        self.known_by = lru_cache(maxsize=None)(partial(_known_by, marks=marks))
+        self.known_by = lru_cache(maxsize=None)(partial(_known_by, uses=uses, marks=marks))
+        self.part(set())
 
     def all_faults(self) -> dict[int, int]:
         """How many relations of each equation do not fit together, those with a matrix counted more."""
@@ -76,11 +92,28 @@ class _KindSearch:
             for place in [place for place in self.stems if self.faults(place)]:
                 self.mend(place)
 
+    def part(self, stems: set[Glyph]) -> None:
+        """Let each letter of these families be of a kind of its own."""
+        for stem in sorted(stems, key=spelled):
+            if len(self.uses[stem].letters) > 1:
+                use, kinds = self.uses.pop(stem), self.kinds.pop(stem)
+                for own, places in use.letters.items():
+                    self.uses[own] = replace(use, letters={own: places}, places=places, signs=use.signs)
+                    self.kinds[own] = [*kinds]
+        self.stems = {}
+        for stem, use in self.uses.items():
+            for place in use.places:
+                self.stems.setdefault(place, []).append(stem)
+        self.known.clear()
+        self.known_by.cache_clear()
+
     def shape_of(self, letter: Glyph) -> tuple[Shape | None, tuple[str, ...]]:
         stem, marks = self.known_by(letter)
         use = self.uses.get(stem) if stem else None
         if use is None:
-            return (1, 1) if letter.base == r"\pi" else None, marks
+            size = SIZE.fullmatch(letter.loose.sub) if letter.loose.base in ("I", "1", "0") else None
+            known = (int(size[1]), int(size[2] or size[1])) if size and (size[2] or letter.loose.base != "0") else None
+            return (1, 1) if letter.base == r"\pi" else known, marks
         return (use.shape[0], use.shape[1]) if use.shape else SHAPES[use.kind], marks
 
     def faults(self, place: int) -> int:
@@ -165,10 +198,11 @@ class _KindSearch:
             return None
 
 
-def _known_by(letter: Glyph, marks: NameMarks) -> tuple[Glyph | None, tuple[str, ...]]:
+def _known_by(letter: Glyph, uses: Mapping[Glyph, LetterUse], marks: NameMarks) -> tuple[Glyph | None, tuple[str, ...]]:
     """What a letter of the page has in common with those of its kind, and its marks that are no part of its name."""
     own, others = parted(letter, marks)
-    return stem_of(own) if is_declared(letter, marks.bare) else None, others
+    stem = own if own in uses else stem_of(own)
+    return stem if is_declared(letter, marks.bare) else None, others
 
 
 def _has_grid(chain: Chain) -> bool:
