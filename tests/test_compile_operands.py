@@ -15,6 +15,8 @@ from chasles.compiling import LoweringError
 from chasles.compiling.identifiers import identifier, name_of_group
 from chasles.compiling.operands import inputs_of
 
+from .counted import at_most
+
 t, x, m, g = sp.symbols("t x m g")
 q1, q2 = dynamicsymbols("q1 q2")
 f = sp.Function("f")
@@ -225,3 +227,22 @@ def test_what_is_shared_is_read_once():
     assert kernel(0.5, 0.1) == pytest.approx(value, rel=1e-9)
     with pytest.raises(LoweringError, match=r"m in Add\(\.\.\.\) is not among the inputs"):
         chasles.compile(expression, [x])
+
+
+def test_inverses_and_determinants_of_many_rows():
+    """SymPy writes the inverse of four rows out in minutes."""
+    A, c = sp.MatrixSymbol("A", 5, 5), sp.MatrixSymbol("c", 5, 1)
+    wanted = [A.I, (A * A.T + sp.Identity(5)).I * c, A**-2, sp.Trace(A.I), sp.Determinant(A)]
+    with at_most(calls=10_000_000):
+        kernel = chasles.compile([*wanted, sp.Determinant(A.I)], [A, c])
+    square, column = np.random.default_rng(1).normal(size=(5, 5)), np.arange(5.0)
+    inverse = np.linalg.inv(square)
+    expected = [inverse, np.linalg.solve(square @ square.T + np.eye(5), column), inverse @ inverse]
+    expected += [np.trace(inverse), np.linalg.det(square), np.linalg.det(inverse)]
+    for got, exact in zip(kernel(square, column), expected, strict=True):
+        assert np.allclose(got, exact, rtol=1e-12, atol=1e-12)
+    slope = chasles.compile(sp.Determinant(A), [A], jacobian=True)(np.diag([1.0, 2.0, 3.0, 4.0, 0.0]))[1]
+    assert np.array_equal(slope.reshape(5, 5), np.diag([0.0, 0.0, 0.0, 0.0, 24.0]))
+    assert np.isnan(chasles.compile((c * c.T).I, [c])(column)).all()
+    with pytest.raises(LoweringError, match="of 13 rows"):
+        chasles.compile(sp.Determinant(sp.MatrixSymbol("A", 13, 13)), [sp.MatrixSymbol("A", 13, 13)])

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
 
 import sympy
 from sympy.codegen import cfunctions
 
+from chasles.compiling.elimination import solved
 from chasles.compiling.sums_of_angles import Stumpff
 from chasles.lowering.builder import Builder
 from chasles.lowering.refusal import LoweringError
@@ -55,6 +56,12 @@ _SAME_IN_C: Mapping[type, str] = {
 }
 
 
+class Inverted(sympy.Function):  # type: ignore[misc]
+    """An entry of an inverse: its row and column, how many rows the matrix has, and the entries of that."""
+
+    is_real = True
+
+
 def functions_by_class(build: Builder) -> dict[type, Callable[..., int]]:
     """The steps of each function of SymPy that is known, of the steps of its arguments."""
 
@@ -85,6 +92,7 @@ def functions_by_class(build: Builder) -> dict[type, Callable[..., int]]:
         sympy.acoth: lambda a: build.function("atanh", over(a)),
         sympy.asech: partial(_inverse_hyperbolic_secant, build),
         sympy.acsch: lambda a: build.function("asinh", over(a)),
+        Inverted: partial(_inverted, build, {}),
         sympy.expint: partial(_exponential_integral, build),
         sympy.Ci: lambda a: _where_nonnegative(build, a, build.function("ci", a)),
         sympy.Chi: lambda a: _where_nonnegative(build, a, build.function("chi", a)),
@@ -163,6 +171,15 @@ def _arccotangent(build: Builder, a: int) -> int:
     """The angle in (-pi/2, pi/2], which jumps at zero."""
     turned = build.negate(build.arctangent2(build.one, build.negate(a)))
     return build.select(build.less(a, build.zero), turned, build.arctangent2(build.one, build.function("fabs", a)))
+
+
+def _inverted(build: Builder, known: dict[tuple[int, ...], Sequence[Sequence[int]]], *of: int) -> int:
+    row, column, size = (int(build.value(each) or 0) for each in of[:3])
+    entries = of[3:]
+    if entries not in known:
+        unit = [[build.one if i == j else build.zero for j in range(size)] for i in range(size)]
+        known[entries] = solved(build, [entries[k : k + size] for k in range(0, size * size, size)], unit)
+    return known[entries][row][column]
 
 
 def _polygamma(build: Builder, order: int, a: int) -> int:

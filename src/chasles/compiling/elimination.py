@@ -45,12 +45,12 @@ def solved_definite(build: Builder, matrix: Matrix, right: Sequence[int]) -> lis
     return [found[places[number]] for number in range(size)]
 
 
-def solved(build: Builder, matrix: Matrix, right: Sequence[int]) -> list[int]:
-    """The steps of the solution of a system with any regular matrix.
+def solved(build: Builder, matrix: Matrix, right: Matrix) -> list[list[int]]:
+    """The steps of the solutions of a system with any regular matrix, for each column on the right, in rows.
 
     Raises `LoweringError` for a matrix that is singular whatever its entries are.
     """
-    rows = [[*row, value] for row, value in zip(matrix, right, strict=True)]
+    rows = [[*row, *values] for row, values in zip(matrix, right, strict=True)]
     size = len(rows)
     inverses: list[int] = []
     for k in range(size):
@@ -59,14 +59,14 @@ def solved(build: Builder, matrix: Matrix, right: Sequence[int]) -> list[int]:
         inverses.append(_inverse(build, rows[k][k]))
         for i in range(k + 1, size):
             factor = build.multiply(rows[i][k], inverses[k])
-            for j in range(k + 1, size + 1):
+            for j in range(k + 1, len(rows[i])):
                 rows[i][j] = build.subtract(rows[i][j], build.multiply(factor, rows[k][j]))
-    found: list[int] = [build.zero] * size
+    found = [row[size:] for row in rows]
     for k in reversed(range(size)):
-        value = rows[k][size]
-        for j in range(k + 1, size):
-            value = build.subtract(value, build.multiply(rows[k][j], found[j]))
-        found[k] = build.multiply(value, inverses[k])
+        for column in range(len(found[k])):
+            for j in range(k + 1, size):
+                found[k][column] = build.subtract(found[k][column], build.multiply(rows[k][j], found[j][column]))
+            found[k][column] = build.multiply(found[k][column], inverses[k])
     return found
 
 
@@ -106,8 +106,8 @@ def _inverse(build: Builder, pivot: int) -> int:
     """The reciprocal of a pivot; NaN for zero. Raises `LoweringError` for what is always zero."""
     if pivot == build.zero:
         raise LoweringError(
-            "the equations have no solution, as their matrix is singular whatever its entries are: ask for "
-            "outputs=['mass_matrix', 'forcing']"
+            "linear equations have no solution, as their matrix is singular whatever its entries are: of a method "
+            "ask for outputs=['mass_matrix', 'forcing']"
         )
     is_zero = build.equal(pivot, build.zero)
     return build.divide(build.select(is_zero, build.zero, build.one), pivot)

@@ -145,7 +145,8 @@ def _finished(stated: Program, equations: EquationsOfMotion, wanted: Sequence[st
     results = {"mass_matrix": matrix[: equations.rows * size], "forcing": right[: equations.rows]}
     if not set(wanted) <= set(results):
         definite = not equations.constrained and _is_symmetric(stated, size)
-        unknowns = (solved_definite if definite else solved)(build, rows, right)
+        columns = [[each] for each in right]
+        unknowns = solved_definite(build, rows, right) if definite else [x for [x] in solved(build, rows, columns)]
         results["accelerations"] = unknowns[:moving]
         results["state_rates"] = [*rates, *unknowns[:moving]]
         results["multipliers"] = [build.negate(each) for each in unknowns[moving:]]

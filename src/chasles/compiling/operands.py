@@ -15,6 +15,7 @@ import sympy
 from sympy.core.function import UndefinedFunction
 
 from chasles.compiling.identifiers import name_of_group
+from chasles.compiling.inverses import explicit, without_inverses
 from chasles.compiling.scalars import shown
 from chasles.compiling.variables import Substitution, carried_out, correspondence, is_variable
 from chasles.kernels.signatures import OPTIONS
@@ -231,7 +232,7 @@ def _array(item: Any) -> sympy.NDimArray:
 def _entries(value: Any) -> tuple[tuple[int, ...], tuple[sympy.Expr, ...]]:
     """The core shape of an expression, and its entries."""
     if not isinstance(value, sympy.MatrixBase | sympy.MatrixExpr):
-        return (), tuple(carried_out([value]))
+        return (), tuple(carried_out([without_inverses(value)]))
     value = _explicit(value) if isinstance(value, sympy.MatrixExpr) else value
     return _core(value.shape), tuple(carried_out(map(sympy.sympify, value)))
 
@@ -241,7 +242,7 @@ def _explicit(value: Any) -> Any:
     if not all(getattr(extent, "is_Integer", False) or isinstance(extent, int) for extent in value.shape):
         raise LoweringError(f"{shown(value)} has the shape {value.shape}: extents must be numbers")
     require_room(prod(map(int, value.shape)))
-    return value.as_explicit()
+    return explicit(value)
 
 
 def _core(shape: tuple[Any, ...]) -> tuple[int, ...]:
