@@ -20,9 +20,12 @@ from hypothesis import strategies as st
 from sympy import Abs, Eq, Matrix, Rational, cos, cot, csc, eye, pi, sec, sin, sqrt, tan, zeros
 from sympy.core.function import AppliedUndef
 
+from chasles.algebra.normal_form import reduce_by
+from chasles.algebra.rings import make_ring
 from chasles.algebra.surds import SurdSum, root_of
+from chasles.algebra.work_limit import OutOfTime, remaining, within
 from chasles.prove import Rejected, Untreatable, prove, recheck
-from chasles.verdict import Fails, Holds, HoldsUnder, IllFormed, Undecided
+from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, IllFormed, Undecided
 
 from .sampling import WHOLE, sample
 
@@ -568,6 +571,44 @@ for name, (left, right, given) in CASES.items():
 for item in sample(list(identities())[::20], 6):
     print(item.text, said(item.left, item.right, item.given))
 """
+
+
+def test_mixed_derivatives_are_equal_in_any_order() -> None:
+    field = sp.Function("u")(x, y)
+    for one, other in (((x, y), (y, x)), ((x, y, x), (y, (x, 2))), (((x, 2), y), (x, y, x))):
+        assert prove(sp.Derivative(field, *one), sp.Derivative(field, *other)).true
+    assert isinstance(prove(sp.Derivative(field, x, y), sp.Derivative(field, x, x)), Fails)
+
+
+def test_real_roots_are_read() -> None:
+    assert prove(sp.real_root(x, 3) ** 3, x).true
+    assert prove(sp.real_root(-x, 3), -sp.real_root(x, 3)).true
+
+
+def test_what_never_changes_its_sign_turns_where_it_is_zero() -> None:
+    for given in (f**2 + g**2 <= m**2, f >= g, f <= 1):
+        verdict = prove(f.diff(t), g.diff(t), given=given)
+        at = verdict.counterexample.at
+        assert at.get("d_1(t)", 1) or not at.get("Derivative(d_1(t), t)", 0)
+    rise, flat = f.diff(t), Eq(f, 1 - sp.Function("d", nonnegative=True)(t))
+    found = Fails(Counterexample({"f(t)": 1, str(rise): 1, "d(t)": 0, "Derivative(d(t), t)": -1}, (1, 1), "1", "0", ""))
+    with pytest.raises(Rejected):
+        recheck(found, rise, 0, given=flat)
+
+
+def test_work_is_counted_while_a_leading_term_comes_back() -> None:
+    ring = make_ring(("x", "y", "z"))
+    one, two, three = ring.generators
+    whole, divisor = (
+        (one + two + three) ** 16,
+        one * two + one * three**9 + two * three**7 + one**0 + two * three + three,
+    )
+    cofactors, rest = reduce_by(ring, whole, [divisor])
+    assert (cofactors[0], rest) == ring.divide(whole, divisor)
+    with within(2e4):
+        with pytest.raises(OutOfTime):
+            reduce_by(ring, whole, [divisor])
+        assert remaining() > -2e4
 
 
 @pytest.mark.slow

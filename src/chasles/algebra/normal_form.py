@@ -8,10 +8,15 @@ is not in the ideal; a certificate does not depend on that.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 from math import comb
+from operator import ge, sub
 
 from chasles.algebra.rings import Exponents, Polynomial, Ring
 from chasles.algebra.work_limit import afford, check, spend
+
+LARGE = 2_000
+"""So many products of terms are worth to be counted while they are formed."""
 
 
 def reduce_by(
@@ -29,13 +34,9 @@ def reduce_by(
         degrees = ring.degrees(polynomial)
         for place, (generator, lead) in enumerate(zip(generators, leads, strict=True)):
             check()
-            times = _times(degrees, lead)
-            if not times:
+            if not all(map(ge, degrees, lead)):
                 continue
-            afford(_growth(polynomial, generator, times))
-            quotient, remainder = ring.divide(polynomial, generator)
-            if quotient != 0:
-                spend(len(quotient) * _words(ring, quotient) * len(generator) * _words(ring, generator))
+            quotient, remainder = _divided(ring, polynomial, generator, lead, degrees)
             if quotient != 0:
                 cofactors[place] = cofactors[place] + quotient if place in cofactors else quotient
                 polynomial = remainder
@@ -44,6 +45,41 @@ def reduce_by(
                     break
                 degrees = ring.degrees(polynomial)
     return {k: c for k, c in cofactors.items() if c != 0}, polynomial
+
+
+def _divided(
+    ring: Ring, polynomial: Polynomial, generator: Polynomial, lead: Exponents, degrees: Exponents
+) -> tuple[Polynomial, Polynomial]:
+    """Quotient and remainder; large ones step by step where nothing says how often the leading term comes back."""
+    if len(polynomial) * len(generator) > LARGE:
+        rest = ring.degrees(generator - ring.from_terms({lead: ring.leading(generator)[1]}))
+        if any(lead) and all(map(ge, rest, lead)):
+            return _by_steps(ring, polynomial, generator, lead)
+    # At most so often does the leading term occur in a term; each time the others take its place.
+    times = min((degree // own for degree, own in zip(degrees, lead, strict=False) if own), default=1)
+    afford(len(polynomial) * comb(len(generator) + times - 2, times) if times > 1 else 0)
+    quotient, remainder = ring.divide(polynomial, generator)
+    _count(ring, quotient, generator)
+    return quotient, remainder
+
+
+def _by_steps(
+    ring: Ring, polynomial: Polynomial, generator: Polynomial, lead: Exponents
+) -> tuple[Polynomial, Polynomial]:
+    """Quotient and remainder, with all terms replaced at once that the leading term divides, again and again."""
+    total, top = ring.constant(Fraction(0)), ring.leading(generator)[1]
+    while True:
+        terms = {m: c / top for m, c in ring.terms(polynomial) if all(map(ge, m, lead))}
+        if not terms:
+            return total, polynomial
+        quotient = ring.from_terms({tuple(map(sub, m, lead)): c for m, c in terms.items()})
+        _count(ring, quotient, generator)
+        polynomial, total = polynomial - quotient * generator, total + quotient
+
+
+def _count(ring: Ring, quotient: Polynomial, generator: Polynomial) -> None:
+    if quotient != 0:
+        spend(len(quotient) * _words(ring, quotient) * len(generator) * _words(ring, generator))
 
 
 def leads_of(ring: Ring, generators: Sequence[Polynomial]) -> tuple[Exponents, ...]:
@@ -55,13 +91,3 @@ def _words(ring: Ring, polynomial: Polynomial) -> int:
     """How many machine words a coefficient takes, judged by the leading one: so much longer takes a product."""
     coefficient = ring.leading(polynomial)[1]
     return 1 + (coefficient.numerator.bit_length() + coefficient.denominator.bit_length()) // 64
-
-
-def _times(degrees: Exponents, lead: Exponents) -> int:
-    """At most so often does the leading term occur in a term of a polynomial of these degrees; a constant does once."""
-    return min((degree // exponent for degree, exponent in zip(degrees, lead, strict=False) if exponent), default=1)
-
-
-def _growth(polynomial: Polynomial, generator: Polynomial, times: int) -> int:
-    """At most so many terms arise when the generator's leading term is replaced by the others as often as it occurs."""
-    return len(polynomial) * comb(len(generator) + times - 2, times) if times > 1 else 0

@@ -110,8 +110,8 @@ def listed(conditions: Any, name: str) -> Iterator[tuple[str, Any]]:
 
 
 def valued(e: Any) -> Any:
-    """The expression written out, with zero for what SymPy is told to be zero."""
-    e = by_definition(e)
+    """The expression written out, with zero for what SymPy is told to be zero, and mixed derivatives in one order."""
+    e = by_definition(e.xreplace({rate: rate.canonical for rate in e.atoms(sympy.Derivative)}))
     zeros = {part: sympy.S.Zero for part in e.atoms(sympy.Symbol, AppliedUndef) if part.is_zero}
     value = e.xreplace(zeros) if zeros else e
     met = {part.xreplace(zeros) for part in e.atoms(sympy.Pow, sympy.Function)} if zeros else set()

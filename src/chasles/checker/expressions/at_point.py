@@ -58,7 +58,18 @@ class AtPoint(Expressions, Reals):
             said = getattr(e, f"is_{assumption}")
             if said is not None and said is not is_so(self, value, assumption):
                 raise Rejected(f"{e} is {'' if said else 'not '}{assumption}, and its value is not so")
+        if e is not function and (function.is_nonnegative or function.is_nonpositive):
+            self._require_turning(e, function, value)
         return value
+
+    def _require_turning(self, e: Any, function: Any, value: Polynomial) -> None:
+        """Where what never changes its sign is zero, it turns: its first other rate is even, and has that sign."""
+        order = int(e.derivative_count)
+        lower = [str(function), *(str(function.diff(*e.variables[:n])) for n in range(1, order))]
+        if str(function) not in self.numbers or any(self.sign(self.numbers.get(name, ZERO)) for name in lower):
+            return
+        if self.sign(value) not in ((0, 1 if function.is_nonnegative else -1) if order % 2 == 0 else (0,)):
+            raise Rejected(f"{function} would change its sign at the point")
 
     def half_turn(self) -> Polynomial:
         """What pi is."""

@@ -62,7 +62,7 @@ class Parts:
         if e is sympy.I:
             return sympy.S.Zero, sympy.S.One
         if is_atom(e) or not e.has(*OF_COMPLEX):
-            self.met[e] = None
+            self.met |= {e: None} if isinstance(e, sympy.Expr) else {}
             return e, sympy.S.Zero
         if isinstance(e, sympy.Pow):
             return self._power(e)

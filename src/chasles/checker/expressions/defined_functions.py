@@ -124,11 +124,4 @@ def gamma_at(x: Any) -> Any:
     """The value at an integer, or between two; raises `Rejected` where there is none, or none is known."""
     if not x.is_Rational or x.q > 2 or abs(x) > LARGEST or (x.q == 1 and x <= 0):
         raise Rejected(f"gamma({x}) has no value that is known to the checker")
-    factor = sympy.S.One
-    while x > 1:
-        x -= 1
-        factor *= x
-    while x < 0:
-        factor /= x
-        x += 1
-    return factor if x == 1 else factor * sympy.sqrt(sympy.pi)
+    return sympy.gamma(x)

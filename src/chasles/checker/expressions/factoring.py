@@ -36,11 +36,7 @@ def root_of_square(polynomial: Polynomial) -> Polynomial | None:
 
 def terms_of(polynomial: Polynomial) -> Terms:
     """The same for all multiples."""
-    return (
-        frozenset(primitive(polynomial)[1].terms.items())
-        if constant(polynomial) is None
-        else frozenset(polynomial.terms.items())
-    )
+    return frozenset((polynomial if constant(polynomial) is not None else primitive(polynomial)[1]).terms.items())
 
 
 def quotient(polynomial: Polynomial, divisor: Polynomial) -> Polynomial | None:

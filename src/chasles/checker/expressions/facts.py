@@ -20,6 +20,8 @@ from chasles.checker.expressions.signs import is_nonnegative, is_positive
 from chasles.checker.sparse import ONE, Polynomial, Rejected, number, parsed, variable
 
 LABEL = re.compile(r"(exp given|log given|given|frame|equal|zero|root|square) (\S+)(?: (\d+),(\d+))?(?: d(\d+))?")
+MOVING = ("given", "frame", "square")
+"""What may be differentiated."""
 Frame = tuple[dict[tuple[int, int], Polynomial], set[str], bool]
 """What a frame satisfies, the equations that say that it is one, and whether they hold at all times."""
 
@@ -50,17 +52,15 @@ class Facts:
         if (found := LABEL.fullmatch(label)) is None:
             raise Rejected(f"{label!r} names nothing that is given")
         kind, name, rates = found[1], found[2], int(found[5] or 0)
-        entry = (int(found[3]) - 1, int(found[4]) - 1) if found[3] else None
-        if (kind in ("zero", "root") and entry) or (kind not in ("given", "frame", "square") and rates):
+        entry = int(found[3] or 0) - 1, int(found[4] or 0) - 1
+        if (kind in ("zero", "root", "equal")) == bool(found[3]) or rates > MOST_RATES * (kind in MOVING):
             raise Rejected(f"{label!r} names nothing that is given")
         if kind in ("zero", "root"):
             return self._zero(name) if kind == "zero" else self.reading.functions.relation(self.reading.places[name])
         place = int(name)
-        if kind == "equal" and entry is None and not rates:
+        if kind == "equal":
             one, other = self._certificate["equal"][place]
             return self.reading.equal(*([parsed(text, self.reading.places) for text in side] for side in (one, other)))
-        if entry is None or kind == "equal" or rates > MOST_RATES:
-            raise Rejected(f"{label!r} names nothing that is given")
         if kind in ("exp given", "log given"):
             return self._of_both(kind[:3], self.asked.given[place], entry)
         if kind == "given":

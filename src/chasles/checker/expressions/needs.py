@@ -171,9 +171,7 @@ class _SaidNeed:
 
     def allows(self, domain: Polynomial) -> bool:
         """Whether it says that something is not negative."""
-        if self.relation == " != 0":
-            return False
-        if not self.polynomial:
+        if self.relation == " != 0" or not self.polynomial:
             return False
         (scale, base), (wanted, other) = primitive(self.polynomial), primitive(domain)
         return base.terms == other.terms and scale * wanted > 0
