@@ -23,8 +23,8 @@ from chasles.compiling.sums_of_angles import (
     angle_of,
     angles_in,
     degree_of_power,
-    has_limit,
     limited,
+    order_of,
     parts_of,
     square_of,
     sum_of,
@@ -47,7 +47,7 @@ def without_removable(expression: sympy.Basic) -> sympy.Basic:
         if isinstance(part, KNOWN):
             by_angle.setdefault(angle_of(part), []).append(part)
     for angle, functions in by_angle.items():
-        whole = WholeAngle(angle) if divided and isinstance(angle, sympy.Add | sympy.Mul | sympy.Pow) else None
+        whole = WholeAngle(angle) if divided and not _is_root(angle) else None
         if (
             angle in divided
             or square_of(angle) in divided
@@ -64,6 +64,11 @@ def without_removable(expression: sympy.Basic) -> sympy.Basic:
             found = whole.back(_regular(whole.of(stated), ANGLE)) if whole else _regular(stated, angle)
             expression = found if any(isinstance(part, Stumpff) for part in parts_of(found, ())) else expression
     return expression
+
+
+def _is_root(angle: sympy.Expr) -> bool:
+    """Whether it is a root, whose square SymPy keeps as a whole, or a function."""
+    return not isinstance(angle, sympy.Add | sympy.Mul | sympy.Pow) or square_of(angle) == angle.args[0]
 
 
 @lru_cache(KEPT)
@@ -142,9 +147,7 @@ def _orders(term: sympy.Expr, angle: sympy.Expr) -> tuple[Any, Any, list[Factor]
     factors: list[Factor] = []
     for (base, exponent), is_whole in zip(others, whole, strict=True):
         part = sum_of(base, angle) if is_whole else None
-        order = 0
-        while order < MOST_ORDER and part is not None and has_limit(part, order + 1):
-            order += 1
+        order = 0 if part is None else max(order_of(part, MOST_ORDER), 0)
         factors.append((base, exponent, part, order))
     return left + sum(order * exponent for _, exponent, _, order in factors), left, factors
 

@@ -143,13 +143,23 @@ def limited(found: Sum | None, angle: sympy.Expr, divided: int = 0) -> Any:
 
 def has_limit(found: Sum, divided: int) -> bool:
     """Whether the sum over so many powers of the angle has one: what is singular in its terms cancels."""
-    polynomial: dict[Any, Any] = {}
+    return order_of(found, divided) == divided
+
+
+def order_of(found: Sum, most: int) -> int:
+    """The first power of the angle whose coefficient in the sum's series does not vanish, up to a largest one."""
+    lowest = int(min((degree for degree, _, _ in found), default=most))
+    return next((power for power in range(lowest, most) if not _vanishes(_coefficient(found, power))), most)
+
+
+def _coefficient(found: Sum, power: int) -> Any:
+    """What a power of the angle has for its coefficient in the sum's series."""
+    terms = []
     for (degree, times, even), coefficient in found.items():
-        for order in _singular(degree, divided, even=even):
-            term = coefficient * times**order * (-1) ** (order // 2) / factorial(order)
-            power = degree + order
-            polynomial[power] = polynomial.get(power, 0) + term
-    return all(map(_vanishes, polynomial.values()))
+        order = int(power - degree)
+        if order >= 0 and order % 2 != even:
+            terms.append(sympy.Rational((-1) ** (order // 2), factorial(order)) * times**order * coefficient)
+    return sympy.Add(*terms)
 
 
 @lru_cache(KEPT)
