@@ -69,3 +69,11 @@ assuming = ['n_x \cdot n_y = 0', 'n_z = n_x \times n_y']
     assert [each.verdict for each in right] == ["holds-under", "holds-under"]
     assert wrong.verdict == "fails"
     assert str(wrong.finding.instead.left) == "a_z"
+
+
+def test_a_slip_for_which_no_point_is_found_is_told_with_what_was_likely_meant() -> None:
+    letters = {r"\mathbf{a}": "vector", r"\theta": "angle", "C": "scalar", "m": "scalar"}
+    said = (r"\theta = \|\mathbf{a}\|", r"C = 2 - 3 \cos\theta", r"C + m + 3 \cos\theta = 2 - m")
+    *_, slip = read("\n".join(f"$$ {each} $$" for each in said), {"symbols": letters}).equations
+    assert slip.verdict == "open"
+    assert str(slip.finding.instead.left) == "C - m + 3 cos(theta)"

@@ -182,7 +182,9 @@ class Deduction:
         is_case = key is not None and self._said_here[1].get(key, claim.right) != claim.right
         if not finding.open and not (is_case and isinstance(finding.verdict, Fails)):
             return finding
-        made = self._defined(claim, *meant) if meant else self._posed(claim, True, finding.verdict)
+        if not meant:
+            return with_fields(self._posed(claim, True, finding.verdict), doubt=finding.doubt, instead=finding.instead)
+        made = self._defined(claim, *meant)
         return with_fields(made, verdict=finding.verdict, doubt=finding.doubt) if finding.doubt else made
 
     def _foretell(self, claim: Claim, ahead: tuple[Claim, ...]) -> bool:

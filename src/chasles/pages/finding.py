@@ -13,9 +13,9 @@ from chasles.verdict import Verdict
 class PageFinding:
     """What was made of one relation: its role, its verdict, and the statement, with the premises that it needs.
 
-    `against` are the premises of a refutation; `instead` is what is true in place of what fails; `given` are premises
-    that a person says, and needs no more. The verdict of an `open` one says why it was not proved; where there is a
-    `doubt`, it is found only if letters are what is proposed, and that says of which kind.
+    `against` are the premises of a refutation; `instead` is what is true in place of what fails, or likely is a slip;
+    `given` are premises that a person says, and needs no more. The verdict of an `open` one says why it was not proved;
+    where there is a `doubt`, it is found only if letters are what is proposed, and that says of which kind.
     """
 
     role: str

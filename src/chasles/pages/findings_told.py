@@ -72,6 +72,8 @@ def _given(each: PageEquation) -> str:
 
 def _open(each: PageEquation) -> str:
     assert each.finding is not None
+    if each.finding.instead and not each.finding.verdict.true:
+        return f"open: likely a slip, but no point is known at which it fails{_instead(each)}"
     match each.finding.verdict:
         case Fails(counterexample):
             return f"open: does not follow from what the page says before ({_point(counterexample)}); {ASKED}"

@@ -58,13 +58,13 @@ def refuted(
     if is_asked and not is_false and isinstance(verdict, Fails):
         instead = _instead(claim, premises, session, consequences)
     if not isinstance(verdict, Fails) or (instead is None and not told) or of_its_own:
-        return PageFinding("claim", verdict, claim, open=True)
+        return PageFinding("claim", verdict, claim, open=True, instead=None if of_its_own else instead)
     everywhere: list[tuple[Claim, Verdict]] = []
     for generation in range(premises.generations):
         everything = with_everything(claim, premises, generation)
         found = verdict_on(everything, session)
         if not isinstance(found, Fails):
-            return PageFinding("claim", found, claim, open=True)
+            return PageFinding("claim", found, claim, open=True, instead=instead)
         everywhere.append((everything, found))
     refuted_claim, first = everywhere[0]
     against = (*(given.number for given in refuted_claim.given), *(h.text for h in refuted_claim.assuming))
