@@ -103,6 +103,14 @@ def test_a_power_that_is_no_number_of_the_machine_loses_what_its_rounding_does()
         assert agrees(kernel(at), exact(x ** sp.Rational(5, 7), at, 0.0))
 
 
+def test_one_is_taken_from_an_exponential_without_loss():
+    expressions = [sp.exp(x) - 1 + y, 1 - sp.exp(-x), y - y * sp.exp(x / y), 2 * sp.exp(x) - 2, 3 - 3 * sp.cosh(2 * x)]
+    kernel = chasles.compile(expressions, [x, y])
+    for at in ((1e-10, 1e-11), (-1e-7, 0.5), (0.7, 2.0), (-30.0, 3.0), (300.0, -1.0)):
+        for expression, got in zip(expressions, kernel(*at), strict=True):
+            assert agrees(got, exact(expression, *at)), (expression, at)
+
+
 @pytest.mark.parametrize("relation", [x < y, sp.Or(x > 1, y > 1)], ids=str)
 def test_a_truth_value_is_one_or_zero(relation):
     kernel = chasles.compile(relation, [x, y])

@@ -38,7 +38,8 @@ def compile(
     """The kernel that computes SymPy expressions, with NaN wherever something is divided by zero.
 
     What is compiled is the cheapest spelling that is proved equal and loses no digits that another one keeps: a sum is
-    nested, 1 - cos(x) is 2 sin(x/2)^2. A quotient of functions of one angle that has a limit has that for its value.
+    nested, 1 - cos(x) is 2 sin(x/2)^2, 1 - exp(x) is -expm1(x). A quotient of functions of one angle that has a limit
+    has that for its value.
 
     Symbols are real; those of an expression are the inputs of their names, whatever is assumed of either. Functions of
     anything and their derivatives go in like symbols, each for itself: what is no input is refused, never derived from

@@ -13,12 +13,11 @@ from sys import float_info
 from typing import Any
 
 import sympy
-from sympy.codegen import cfunctions
 from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 from sympy.simplify.cse_main import Unevaluated
 
-from chasles.compiling.elementary import functions_by_class, power
+from chasles.compiling.elementary import functions_by_class, power, without_one
 from chasles.lowering.builder import Builder
 from chasles.lowering.refusal import LoweringError
 
@@ -112,11 +111,7 @@ class Scalars:
 
     def _sum(self, terms: Sequence[sympy.Expr]) -> int:
         """The sum; exp(x) - 1 is a function of its own, which loses nothing near zero."""
-        minus = next((term for term in terms if term is sympy.S.NegativeOne), None)
-        powers = [term for term in terms if isinstance(term, sympy.exp)]
-        if minus is not None and powers:
-            terms = [cfunctions.expm1(powers[0].exp), *(term for term in terms if term not in (minus, powers[0]))]
-        first, *rest = [self.of(term) for term in terms]
+        first, *rest = [self.of(term) for term in without_one(terms)]
         return reduce(self.build.add, rest, first)
 
     def _logarithm(self, of: sympy.Expr) -> int:
