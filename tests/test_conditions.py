@@ -32,6 +32,7 @@ motion = Condition("0", M @ rate(v) + h, t + J.T @ f, on=(v, h, t, f))
 lyapunov = Condition("0", A.T @ Q + Q @ A, -P, on=(P,))
 decay = Definition("0", V, v.T @ Q @ v), Definition("0", rate(v), A @ v), Definition("0", rate(Q), 0 * Q)
 line = Condition("0", y - a * x, lifted(b), on=(y,))
+area = Condition("0", V * w - K * i, R, on=(w,))
 
 TRUE = [
     claim(V * K, i * R * K + w, given=(motor,)),
@@ -44,6 +45,8 @@ TRUE = [
     claim(rate(V), -(v.T @ P @ v), given=(*decay, lyapunov)),
     claim(partial(y, x), a, given=(line,)),
     claim(abs(x), 2, given=(Condition("0", x**2, lifted(4), on=(x,)),)),
+    claim(V * w, R + K * i, given=(area,)),
+    claim(w, (R + K * i) / V, nonzero(V), given=(area,)),
 ]
 FALSE = [
     claim(V * K, i * R * K - w, given=(motor,)),
@@ -52,6 +55,7 @@ FALSE = [
     claim(2 * a * x, -b, given=(roots,)),
     claim(t, M @ rate(v) + h + J.T @ f, given=(motion,)),
     claim(rate(V), v.T @ P @ v, given=(*decay, lyapunov)),
+    claim(V * w, R - K * i, given=(area,)),
 ]
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+from random import Random
 from typing import Any
 
 import pytest
@@ -9,8 +11,24 @@ import pytest
 from chasles.checker.certificate import check
 from chasles.decisions.session import Session
 from chasles.statements import Claim, Definition, nonzero, positive
+from chasles.statements.bounds import RealInterval
+from chasles.statements.inequalities import inequality
 from chasles.verdict import Fails, Holds, HoldsUnder, IllFormed
-from chasles.vocabulary import CPM, Identity, Node, dot, inverse, norm, rate, scalar, square, vector
+from chasles.vocabulary import (
+    CPM,
+    Identity,
+    Node,
+    cos,
+    dot,
+    inverse,
+    norm,
+    plain,
+    rate,
+    scalar,
+    sin,
+    square,
+    vector,
+)
 from chasles.vocabulary.functions import arctan
 from chasles.vocabulary.nodes import lifted
 from chasles.vocabulary.partial import partial
@@ -63,6 +81,36 @@ def test_where_a_length_is_not_zero_its_square_is_not(length: Node) -> None:
     verdict = verdict_on(a / dot(a, a) + a / norm(a) ** 2, 2 * a / (a.T @ a), nonzero(length))
     assert isinstance(verdict, HoldsUnder), verdict
     assert len(verdict.needs) == 1
+
+
+def test_what_inequalities_keep_from_zero() -> None:
+    ellipse = inequality(r >= 0), inequality(r < 1)
+    for divisor in (1 - r**2, 1 + r * cos(h), 2 - r * sin(h) - r):
+        verdict = verdict_on(s / divisor, s / divisor, *ellipse)
+        assert verdict.needs == (f"{plain(divisor)} != 0",)
+    for divisor in (r + r**2, 1 - 2 * r, 1 + 2 * r * cos(h), r * s + 1):
+        assert isinstance(verdict_on(s / divisor, s / divisor, *ellipse), IllFormed)
+
+
+def test_intervals_hold_sums_products_and_powers() -> None:
+    draw, grid = Random(1), [Fraction(k, 4) for k in range(-20, 21)]
+
+    def some() -> RealInterval:
+        low, high = sorted(Fraction(draw.randint(-3, 3)) for _ in range(2))
+        ends = [None if draw.random() < 0.2 else end for end in (low, high)]
+        return RealInterval(*ends, *(end is not None and low != high and draw.random() < 0.5 for end in ends))
+
+    def has(interval: RealInterval, x: Fraction) -> bool:
+        low, high = interval.low, interval.high
+        above = low is None or x > low or (x == low and not interval.low_open)
+        return above and (high is None or x < high or (x == high and not interval.high_open))
+
+    for one, other in ((some(), some()) for _ in range(400)):
+        for x in draw.sample([x for x in grid if has(one, x)], 1):
+            assert has(one.within(other), x) == has(other, x)
+            assert all(has(one.power(n), x**n) for n in (1, 2, 3, 4))
+            assert has(-one, -x)
+            assert all(has(one * other, x * y) and has(one + other, x + y) for y in grid if has(other, y))
 
 
 @pytest.mark.parametrize("divisor", [r + s, 1 - r**2, r**2 + s**2, 1 + r, dot(a, b) + 1, r**2 - 1], ids=str)

@@ -48,6 +48,7 @@ TRUE: list[tuple[Any, Any, list[Any]]] = [
     (sqrt(f**2), f, [f > 0]),
     (sqrt((f - g) ** 2).diff(t), f.diff(t) - g.diff(t), [f > g]),
     (acos(cos(x)), x, [x >= 0, x <= pi]),
+    (Abs(sin(x / 2)), sin(x / 2), [x >= 0, x <= pi]),
     (acos(cos(x)), 2 * pi - x, [x > pi, x < 2 * pi]),
     (asin(sin(x)), x, [Abs(x) <= pi / 2]),
     (asin(sin(x)), pi - x, [x >= pi / 2, x <= 3 * pi / 2]),

@@ -56,6 +56,13 @@ FIT = [
 ]
 LOST = [
     ('one = Claim("1.2", x, x)\none = Claim("1.3", v, v)', "line 8: one is what line 7 declares already"),
+    ('one = Claim("1.2", a, 2 * a, sign="<")', "printed with <: say *says_that(left < right)"),
+    ('one = Condition("1.2", x, v * t, on=(A,))', "is posed on A, which does not occur in it"),
+    (
+        'one = Claim("1.2", A @ v, A @ v, restates=known, by=x)',
+        "does not restate what it says it does: cannot mul",
+    ),
+    ('one = Claim("1.2", x, x, restates=known)', "does not restate what it says it does: cannot equate"),
     ('one = Claim("1.2", x, x)\nother = Section("1", "T")\ntwo = Claim("1.3", v, v)', "1 is called 'S' and 'T'"),
 ]
 WHEN_EMITTED = [

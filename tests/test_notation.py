@@ -19,6 +19,7 @@ from chasles.vocabulary import (
     Rate,
     Transpose,
     bracket,
+    cos,
     cross,
     det,
     dot,
@@ -27,6 +28,7 @@ from chasles.vocabulary import (
     norm,
     number,
     rate,
+    scalar,
     sin,
     square,
     tr,
@@ -35,8 +37,11 @@ from chasles.vocabulary import (
 )
 from chasles.vocabulary.arguments import WrongArgument
 from chasles.vocabulary.fitting import word
+from chasles.vocabulary.functions import arctan, cosh
 from chasles.vocabulary.notation import Notation
 from chasles.vocabulary.shorthand import Shorthand
+from chasles.vocabulary.spelling import spell
+from chasles.vocabulary.typesetting import Latex
 
 DECLARATIONS = """
 from chasles.vocabulary import scalar, square, vector
@@ -125,6 +130,18 @@ def test_brackets_within_brackets_may_be_round(own: ModuleType) -> None:
         sys.modules["of_its_own"].NOTATION = Notation({}, round_brackets=round_brackets)  # type: ignore[attr-defined]
         assert latex(2 * (own.a + 2 * inner)).startswith(rf"2 \left{opening}")
         assert latex(bracket(inner)).startswith(r"\left[")
+
+
+def test_functions_of_letters_and_fractions_may_have_no_brackets() -> None:
+    angle = scalar("x", r"\theta_{1}", "an angle")
+    usual, bare = Latex(), Latex(Notation({}, bare_arguments=True))
+    for node, shown, short in (
+        (sin(angle / 2), r"\sin\left( \frac{\theta_{1}}{2} \right)", r"\sin \frac{\theta_{1}}{2}"),
+        (cosh(angle) ** 2, r"\cosh^2\left( \theta_{1} \right)", r"\cosh^2 \theta_{1}"),
+        (cos(angle + 1) ** 2, *2 * (r"\cos^2\left( \theta_{1} + 1 \right)",)),
+        (arctan(scalar("z", "z", "")), *2 * (r"\arctan z",)),
+    ):
+        assert (spell(node, usual).text, spell(node, bare).text) == (shown, short)
 
 
 def test_what_stands_beside_each_other_is_a_product(own: ModuleType) -> None:

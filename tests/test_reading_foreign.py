@@ -306,7 +306,7 @@ def test_a_line_that_begins_with_where_states_something(text: str, expected: lis
         (r"r = h, \; h \; \text{is scalar}", ["r=h"]),
         (r"r = h => h = r", ["h=r"]),
         (r"r -> h", [r"r\rightarrowh"]),
-        (r"r = \ln|h| - \ln |r|", [r"r=\ln\left(|h|\right)-\ln\left(|r|\right)"]),
+        (r"r = \ln|h| - \ln |r|", [r"r=\ln|h|-\ln|r|"]),
         (r"r = h ... h + r", [r"r=h\ldotsh+r"]),
         (r"r = 2 \cdot \ldots \cdot h", [r"r=2\cdot\ldots\cdoth"]),
         (r"r = h \prod_k h", [r"r=h\prod_{k}h"]),

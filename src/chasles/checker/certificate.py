@@ -15,6 +15,7 @@ from chasles.checker.reading import Reading
 from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, cleared, parsed, powered, variable, well_formed
 from chasles.checker.witness import point_of, require
 from chasles.statements import Inverse, Problem, Statement, Theorem, problem_of
+from chasles.statements.conditions import freed
 from chasles.statements.goals import AcceptedSides
 from chasles.statements.inversion import problems_of_inverse
 from chasles.statements.problem import default_sides
@@ -55,6 +56,7 @@ def _check(problem: Problem, certificate: Mapping[str, Any]) -> None:
         check_words(problem, certificate)
         return
     problem = with_spins(problem) if certificate.get("spins") else problem
+    problem = freed(problem) if certificate.get("freed") else problem
     if "squares" in certificate:
         from chasles.checker.inequalities.squares import ReadingOfSquares
 

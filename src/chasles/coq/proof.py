@@ -35,7 +35,7 @@ def theorem(name: str, steps: Iterable[str]) -> str:
 
 def steps_of(said: CoqStatement, certificate: Mapping[str, Any]) -> list[str]:
     """The steps that show a statement."""
-    if other := {"scalars", "words", "squares"} & certificate.keys():
+    if other := {"scalars", "words", "squares", "freed"} & certificate.keys():
         raise Unsaid(f"a certificate of {', '.join(sorted(other))}")
     try:
         problem = with_spins(said.problem) if certificate.get("spins") else said.problem

@@ -105,9 +105,18 @@ def _with_angle(said: Said, symbol: Any) -> Said:
     (low, after, _), (high, before, _) = ends
     if high <= low:
         return said
-    value = between(low, high, after, before, partial(_fresh, said))
+    part = _part(said, symbol)
+    value = between(low * part, high * part, after, before, partial(_fresh, said))
+    value = value and value / part
     bounded = sympy.Dummy(positive=after or None, nonnegative=True) if low == 0 else sympy.Dummy(real=True)
     return said if value is None or not _may_be(symbol, bounded, said) else _defined(said, symbol, value, ends)
+
+
+def _part(said: Said, symbol: Any) -> Any:
+    """The half of a symbol if that is an angle, of which a sine or a tangent of the whole does not tell the sign."""
+    angles = (each.args[0] for e in expressions_in(said) for each in e.atoms(*CIRCULAR))
+    halves = any(angle.coeff(symbol).is_Rational and angle.coeff(symbol).q % 2 == 0 for angle in angles)
+    return sympy.S.Half if halves else sympy.S.One
 
 
 def _with_ratio(said: Said, symbol: Any, name: str) -> Said | None:

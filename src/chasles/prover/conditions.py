@@ -25,6 +25,10 @@ from chasles.problems.variables import Untreatable
 LARGEST_POWER = 16
 
 
+class Underdetermined(Untreatable):
+    """Conditions do not determine what they are posed on."""
+
+
 @dataclass(frozen=True, slots=True)
 class Solved:
     """variable = numerator / product of nonzero factors: product variable - numerator is a combination of zeros.
@@ -41,7 +45,7 @@ class Solved:
 def solve_conditions(context: Context) -> tuple[tuple[Generator, ...], tuple[Solved, ...]]:
     """The conditions as polynomials, and what they determine, which the context's unfolding uses from then on.
 
-    Raises `Untreatable` if the conditions are not linear in the unknowns or do not determine them.
+    Raises `Underdetermined` if the conditions are not linear in the unknowns or do not determine them.
     """
     problem = context.problem
     if not problem.conditions:
@@ -70,7 +74,7 @@ def _refuse_angles(context: Context) -> None:
     """Raise `Untreatable` if an unknown is an angle whose cosine and sine occur: no linear system determines these."""
     angles = {v.symbol for v in context.variables if v.kind == "cos" and v.symbol in context.problem.unknowns}
     if angles:
-        raise Untreatable(
+        raise Underdetermined(
             f"a condition is to determine the angle {describe(tuple(s for s in angles if s is not None))}: "
             "only one that says it is a sum of rational multiples of other angles does"
         )
@@ -98,7 +102,7 @@ def _linear(
         constants.append(rest)
     for polynomial in (*constants, *(m for row in matrix for m in row)):
         if any(ring.derivative(polynomial, place) != 0 for place in places):
-            raise Untreatable(f"the conditions are not linear in {describe(context.problem.unknowns)}")
+            raise Underdetermined(f"the conditions are not linear in {describe(context.problem.unknowns)}")
     return matrix, constants
 
 
@@ -140,7 +144,7 @@ def _one(
     rest = claim - reduce(add, (f * conditions[k].polynomial for k, f in factors.items()), ring.constant(Fraction(0)))
     cofactors, remainder = context.basis.reduce(rest)
     if remainder != 0:
-        raise Untreatable(f"the conditions could not be solved for {context.variables[place].name}")
+        raise Underdetermined(f"the conditions could not be solved for {context.variables[place].name}")
     return Solved(context.variables[place].name, Ratio(field, numerator, exponents), factors, cofactors)
 
 
@@ -185,7 +189,7 @@ def _as_atoms(context: Context, determinant: Polynomial) -> tuple[tuple[int, ...
             (mine, c), (theirs, d) = ring.leading(determinant), ring.leading(candidate)
             if mine == theirs and determinant == candidate * ring.constant(c / d):
                 return exponents, c / d
-    raise Untreatable(
+    raise Underdetermined(
         f"the conditions determine {describe(context.problem.unknowns)} only where a determinant is not zero "
         "that no hypothesis declares nonzero: assume it, pose them on what they determine, or give a `solution`"
     )

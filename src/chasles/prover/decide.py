@@ -17,11 +17,11 @@ from chasles.problems.context import Context, build, difference, entries
 from chasles.problems.divisors import UndeclaredDivisor
 from chasles.problems.variables import NoForm, Untreatable
 from chasles.prover.certifying import ProvedEntry, certified
-from chasles.prover.conditions import Solved, satisfying_point, solve_conditions
+from chasles.prover.conditions import Solved, Underdetermined, satisfying_point, solve_conditions
 from chasles.prover.consistency import contradiction
 from chasles.prover.sources import SAMPLES, DeclaredPoints, PointSource
 from chasles.statements import Goal, Hypothesis, Problem
-from chasles.statements.conditions import assumed
+from chasles.statements.conditions import freed
 from chasles.statements.spins import with_spins
 from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, IllFormed, Posed, Undecided, Verdict
 from chasles.vocabulary import Symbol, symbols_of
@@ -64,6 +64,13 @@ def _decide(problem: Problem, own: tuple[Hypothesis, ...], source: PointSource) 
         proved = _prove(context, context.basis, unproved)
     except UndeclaredDivisor as error:
         return IllFormed(str(error))
+    except Underdetermined as error:
+        verdict = _decide(freed(problem), own, source)
+        if isinstance(verdict, Undecided):
+            return Undecided(str(error))
+        if isinstance(verdict, Holds | HoldsUnder):
+            return replace(verdict, certificate={**verdict.certificate, "freed": True})
+        return verdict
     except Untreatable as error:
         return source.contradiction(problem) or Undecided(str(error), without_form=isinstance(error, NoForm))
     found = None if proved else _refuted(context, solved, unproved, source)
@@ -145,8 +152,7 @@ def pose(problem: Problem, attempts: int = points.ATTEMPTS) -> Verdict:
         witness = _satisfying(problem, attempts)
     except Untreatable:
         try:
-            free = replace(problem, hypotheses=(*problem.hypotheses, *assumed(problem.conditions)), conditions=())
-            witness = _satisfying(replace(free, unknowns=()), attempts)
+            witness = _satisfying(freed(problem), attempts)
         except Untreatable as error:
             return Undecided(str(error))
     if witness is None:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Container, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace as with_fields
 from math import prod
+from typing import TYPE_CHECKING
 
 from chasles import vocabulary as w
 from chasles.statements.goals import Goal
@@ -14,6 +16,9 @@ from chasles.statements.varied import opened_parts
 from chasles.vocabulary import Node
 from chasles.vocabulary.shorthand import Shorthand
 from chasles.vocabulary.sizes import sizes_of
+
+if TYPE_CHECKING:
+    from chasles.statements.problem import Problem
 
 ASSUMED = ("condition", "field equation")
 """The kinds of hypotheses that conditions are: of what is where it is, and of fields, wherever they are taken."""
@@ -34,6 +39,12 @@ def assumed(conditions: Iterable[Goal], kind: str = ASSUMED[0]) -> Iterator[Hypo
     for goal in conditions:
         difference = w.Sum((goal.left, w.Negative(goal.right)))
         yield Hypothesis(kind, (difference,), ((goal.left, goal.right),), (), "", goal.label, free=True)
+
+
+def freed(problem: Problem) -> Problem:
+    """The problem of which the conditions are assumed, and need not determine anything."""
+    hypotheses = (*problem.hypotheses, *assumed(problem.conditions))
+    return with_fields(problem, hypotheses=hypotheses, conditions=(), unknowns=())
 
 
 def as_rules(

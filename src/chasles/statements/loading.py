@@ -18,7 +18,10 @@ from chasles.statements.chapter import Entry, Section, place_of
 from chasles.statements.elsewhere import is_of_another
 from chasles.statements.inversion import Inverse
 from chasles.statements.packages import DeclarationError
-from chasles.statements.statement import Claim, Definition, Statement, Theorem, is_rule
+from chasles.statements.problem import default_form, problem_of
+from chasles.statements.statement import Claim, Condition, Definition, Statement, Theorem, bare, is_rule
+from chasles.statements.varied import opened_parts
+from chasles.vocabulary import Node, Symbol
 from chasles.vocabulary.arguments import fits
 from chasles.vocabulary.families import indices_of
 from chasles.vocabulary.fitting import measured
@@ -39,11 +42,14 @@ def declared_by(book: ModuleType) -> tuple[Entry, ...]:
     """The statements of a chapter, by its package, module by module. Raises `DeclarationError`."""
     entries: list[Entry] = []
     seen: set[int] = set()
+    defined: dict[Node, Node] = {}
     _refuse_misnamed(book)
     for module in _modules(book):
         _refuse_lost(module)
         for each in _entries(module, seen):
-            _refuse_senseless(each)
+            if isinstance(each.statement, Definition):
+                defined[bare(each.statement.left)] = each.statement.right
+            _refuse_senseless(each, defined)
         own = [each for each in _entries(module, seen) if not is_of_another(each.statement, book.__name__)]
         entries += _in_own_sections(module.__name__, own)
         seen.update(id(entry.statement) for entry in entries)
@@ -74,7 +80,7 @@ def _refuse_misnamed(book: ModuleType) -> None:
             raise DeclarationError(f"{book.__file__}, line {line}: {wrong}")
 
 
-def _refuse_senseless(entry: Entry) -> None:
+def _refuse_senseless(entry: Entry, defined: Mapping[Node, Node]) -> None:
     """Raise `DeclarationError` for a declaration that says nothing, or that no other could use."""
     said, wrong = entry.statement, ""
     sides = said.printed if isinstance(said, Statement) else ()
@@ -86,6 +92,12 @@ def _refuse_senseless(entry: Entry) -> None:
         wrong = f"is said to be multiplied by {said.by}, and not what it restates"
     elif isinstance(said, Definition) and not (is_rule(said) or indices_of(said.left)):
         wrong = f"defines {said.left}, which is no symbol: state it as a Condition on what it determines"
+    elif isinstance(said, Statement) and said.sign in INEQUALITIES:
+        wrong = f"is an equation, and printed with {said.sign}: say *says_that(left {INEQUALITIES[said.sign]} right)"
+    elif isinstance(said, Condition) and (idle := _idle_unknowns(said, defined)):
+        wrong = f"is posed on {idle[0]}, which does not occur in it: pose it on what it determines"
+    elif isinstance(said, Claim) and said.restates is not None and (unfit := _unfit(said)):
+        wrong = f"does not restate what it says it does: {unfit}"
     try:
         others = ("reading", "corrected") if isinstance(said, Statement) else ()
         for left, right in (said.form(which) for which in others if said.form_exists(which)):  # type: ignore[union-attr]
@@ -99,6 +111,32 @@ def _refuse_senseless(entry: Entry) -> None:
             )
     if wrong:
         raise DeclarationError(f"{entry.place}{entry.name} ({said.number}) {wrong}")
+
+
+INEQUALITIES = {"<": "<", ">": ">", "<=": "<=", ">=": ">=", r"\leq": "<=", r"\geq": ">=", r"\le": "<=", r"\ge": ">="}
+"""Signs that an equation does not have, as they are written in Python."""
+
+
+def _idle_unknowns(said: Condition, defined: Mapping[Node, Node]) -> list[Symbol]:
+    """The symbols that a condition is posed on, and that neither it nor what its letters mean has."""
+    seen, waiting = set[Node](), [*said.printed, *(side for each in said.given for side in each.printed)]
+    while waiting:
+        for part in opened_parts(waiting.pop()):
+            if part not in seen:
+                seen.add(part)
+                waiting += [defined[part]] if part in defined else []
+    return [symbol for symbol in said.on if symbol not in seen]
+
+
+def _unfit(said: Claim) -> str:
+    """Why what a claim restates, multiplied, is no equation of its shape and dimension."""
+    try:
+        problem_of(said, default_form(said))
+    except Misfit as misfit:
+        return str(misfit)
+    except TypeError:
+        return ""
+    return ""
 
 
 def _refuse_lost(module: ModuleType) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Container, Iterable, Iterator
 from dataclasses import replace as with_fields
 from typing import TYPE_CHECKING
 
-from chasles.statements.conditions import as_rules
+from chasles.statements.conditions import ASSUMED, as_rules
 from chasles.statements.evident import evident_divisors
 from chasles.statements.goals import Goal
 from chasles.statements.hypotheses import Hypothesis
@@ -38,7 +38,8 @@ def with_what_is_seen(problem: Problem) -> Problem:
     """The same problem, with what is seen about divisors, and about all that sums are taken over."""
     if problem.has_functions:
         return problem
-    sides = (*sides_of(problem), *(side for _, side in problem.rules))
+    told = (side for h in problem.hypotheses if h.kind in ASSUMED for pair in h.equations for side in pair)
+    sides = (*sides_of(problem), *(side for _, side in problem.rules), *told)
     found = (
         *evident_divisors(sides, problem.hypotheses, dict(problem.rules)),
         *_summed(sides, problem.hypotheses),

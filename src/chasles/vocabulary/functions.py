@@ -75,6 +75,8 @@ class FunctionOf(Node):
         form = style.called(self.function, PRINTED[self.function])
         if "#" in form:
             return Piece(form.replace("#", text), Precedence.ATOM, depth)
+        if len(inner) == 1:
+            return style.function(form, inner[0])
         return Piece(f"{form}{style.brackets(text, depth)}", Precedence.POWER, depth + 1)
 
 

@@ -27,12 +27,13 @@ class Notation:
     """What words are printed as: `forms` maps a word to a form in which #1, #2 stand for its parts.
 
     A word is named by its class, by the function that writes it (`CPM`, `tr`), or, a function of a scalar, by its
-    name ("sin"). With `round_brackets` brackets within brackets are round, but where the author chose others. Raises
-    `WrongArgument` for a form that leaves out a part or has none that the word has.
+    name ("sin"). With `round_brackets` brackets within brackets are round, but where the author chose others; with
+    `bare_arguments` a function of a letter or of a fraction has none. Raises `WrongArgument` for a form that leaves out
+    a part or has none that the word has.
     """
 
-    def __init__(self, forms: Mapping[Any, str], *, round_brackets: bool = False) -> None:
-        self.round_brackets = round_brackets
+    def __init__(self, forms: Mapping[Any, str], *, round_brackets: bool = False, bare_arguments: bool = False) -> None:
+        self.round_brackets, self.bare_arguments = round_brackets, bare_arguments
         if not isinstance(forms, Mapping):
             raise WrongArgument(f"Notation takes a table of words and forms: {FORMS}")
         self.all_forms = {_key(word): form for word, form in forms.items()}

@@ -19,7 +19,7 @@ from chasles.vocabulary.nodes import Contract, Negative, Node, Number, Power, Qu
 from chasles.vocabulary.pieces import Piece, Precedence, Style
 from chasles.vocabulary.shorthand import Shorthand
 from chasles.vocabulary.spatial import Cofactor, Cross, Determinant, Dot, Inverse, Norm, Skew, Trace, Vect
-from chasles.vocabulary.tree import undotted
+from chasles.vocabulary.tree import children, undotted
 
 FUNCTIONS: dict[type[Node], str] = {Skew: "CPM", Vect: "vect", Trace: "tr", Determinant: "det", Cofactor: "cof"}
 
@@ -58,6 +58,8 @@ class _Speller:
                 return self._operation(node)
 
     def _operation(self, node: Node) -> Piece:
+        if named := self._named(node):
+            return self.style.function(named[0], self.piece(named[1]))
         match node:
             case Sum(terms):
                 return self._sum(terms)
@@ -106,15 +108,23 @@ class _Speller:
         return _joined(pieces, self.style.product([piece.text for piece in pieces]), Precedence.PRODUCT)
 
     def _power(self, base: Node, exponent: str) -> Piece:
-        if isinstance(base, Call) and exponent.isdigit():
-            return self.style.function(base.function, self.piece(base.argument), exponent)
+        if exponent.isdigit() and (named := self._named(base)):
+            return self.style.function(named[0], self.piece(named[1]), exponent)
         piece = self.bracketed(base, Precedence.ATOM)
         return Piece(self.style.power(piece.text, exponent), Precedence.POWER, piece.depth)
 
-    def _laid_out(self, node: Node) -> Piece:
+    def _named(self, node: Node) -> tuple[str, Node] | None:
+        """The name and the argument of a function whose powers are written behind its name."""
         match node:
             case Call(function, argument):
-                return self.style.function(function, self.piece(argument))
+                return function, argument
+            case _ if (name := getattr(node, "function", "")) in ("sinh", "cosh", "tanh"):
+                return self.style.called(name, rf"\{name}"), children(node)[0]
+            case _:
+                return None
+
+    def _laid_out(self, node: Node) -> Piece:
+        match node:
             case Shorthand() | Skew() | Vect() | Trace() | Determinant() | Cofactor():
                 parts = [self.piece(part) for part in node.below]
                 inner = _joined(parts, ", ".join(part.text for part in parts), Precedence.SUM)

@@ -21,6 +21,7 @@ ONE_MARK = re.compile(r".|\\[A-Za-z]+")
 BEFORE = re.compile(r"(?:\{\}(?:[_^](?:\{(?:[^{}]|\{[^{}]*\})*\}|\\[A-Za-z]+|.))+)?")
 """Scripts before a letter, that of a frame: {}^A_B."""
 CLOSED = (")", "]", r"\}", r"\|", r"\end{bmatrix}")
+COMMANDS = ("sin", "cos", "tan", "cot", "det")
 INFIX = {"dot": r"\cdot", "cross": r"\times"}
 
 
@@ -74,12 +75,18 @@ class Latex:
 
     def function(self, name: str, argument: Piece, exponent: str = "") -> Piece:
         stem, _, mark = name.partition("_")
-        command = (rf"\{name}" if name in ("sin", "cos", "det") else rf"\text{{{stem}}}") + f"_{mark}" * bool(mark)
+        command = rf"\{name}" if name in COMMANDS else rf"\text{{{stem}}}" + f"_{mark}" * bool(mark)
+        command = name if name.startswith("\\") else command
         command = self.power(command, exponent) if exponent else command
-        is_letter = argument.level is Precedence.ATOM and argument.depth == 0 and "{" not in argument.text
-        if is_letter and not argument.text[0].isdigit():
+        if self._is_bare(argument):
             return Piece(f"{command} {argument.text}", Precedence.PRODUCT)
         return Piece(f"{command}{self.brackets(argument.text, argument.depth)}", Precedence.POWER, argument.depth + 1)
+
+    def _is_bare(self, argument: Piece) -> bool:
+        """Whether an argument is printed without brackets: a letter, and if the chapter prints it so a fraction."""
+        bare = self.notation.bare_arguments
+        is_letter = argument.level is Precedence.ATOM and argument.depth == 0 and (bare or "{" not in argument.text)
+        return (bare and argument.bar) or (is_letter and not argument.text[0].isdigit())
 
     def called(self, name: str, in_latex: str) -> str:
         return in_latex
