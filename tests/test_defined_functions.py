@@ -46,6 +46,9 @@ TRUE = [
     (sp.GoldenRatio**2, sp.GoldenRatio + 1, set()),
     (sp.TribonacciConstant**3, sp.TribonacciConstant**2 + sp.TribonacciConstant + 1, set()),
     (sp.Subs(x**2 + y, x, sp.cos(y)), sp.cos(y) ** 2 + y, set()),
+    (sp.erf(x * (x + 1)) * y + sp.erf(x**2 + x), (y + 1) * sp.erf(x**2 + x), set()),
+    (sp.erf(log(x)) / 2, sp.erf(log(x)) - sp.erf(log(x), evaluate=False) / 2, {"x > 0"}),
+    (sp.besselj(0, x) ** 2 - sp.Si(x) ** 2, (sp.besselj(0, -x) - sp.Si(x)) * (sp.besselj(0, x) + sp.Si(x)), set()),
 ]
 FALSE = [
     (floor(x + y), floor(x) + floor(y)),
@@ -79,6 +82,13 @@ def test_values_refute(left: Any, right: Any) -> None:
     verdict = prove(left, right)
     assert isinstance(verdict, Fails), verdict
     recheck(verdict, left, right)
+
+
+def test_of_functions_that_are_only_bounded_nothing_else_is_told() -> None:
+    for left, right in ((sp.erf(x), 0), (sp.erf(x), sp.erf(y)), (sp.erf(x) + sp.erfc(x), 1)):
+        assert isinstance(prove(left, right), Undecided)
+    order = Rational(1, 3)
+    assert isinstance(prove(sp.besselj(order, x) * 2, sp.besselj(order, x) + sp.besselj(order, x) * y / y), Undecided)
 
 
 def test_a_value_that_is_given_is_one_at_a_point() -> None:

@@ -100,7 +100,7 @@ TRUE: list[tuple[Any, Any]] = [
     (x * (acos(third) + asin(third)), x * pi / 2),
 ]  # fmt: skip
 CONDITIONAL: list[tuple[Any, Any, set[str]]] = [
-    (log(p**2 / q), 2 * log(p) - log(q), {"q > 0"}),
+    (log(p**2 / q), 2 * log(p) - log(q), set()),
     (log(x * y), log(x) + log(y), {"x*y > 0", "x > 0", "y > 0"}),
     (log(x * y), log(-x) + log(-y), {"x*y > 0", "-x > 0", "-y > 0"}),
     (log(x**2), 2 * log(Abs(x)), {"x != 0"}),
@@ -122,20 +122,20 @@ CONDITIONAL: list[tuple[Any, Any, set[str]]] = [
     (sp.diff(f**2 * log(f), t), 2 * f * f.diff(t) * log(f) + f * f.diff(t), {"f(t) > 0"}),
     (asin(x) + acos(x), pi / 2, {"1 - x**2 >= 0"}),
     (acos(-x), pi - acos(x), {"1 - x**2 >= 0"}),
-    (atan(p) + atan(1 / p), pi / 2, {"p > 0"}),
+    (atan(p) + atan(1 / p), pi / 2, set()),
     (acot(x), atan(1 / x), {"x != 0"}),
     (atan(x), acot(1 / x), {"x != 0"}),
-    (atan(x), asin(x / sqrt(1 + x**2)), {"x**2 + 1 != 0"}),
+    (atan(x), asin(x / sqrt(1 + x**2)), set()),
     (asin(x), atan(x / sqrt(1 - x**2)), {"1 - x**2 != 0", "1 - x**2 >= 0"}),
-    (sin(2 * atan(x)), 2 * x / (1 + x**2), {"x**2 + 1 != 0"}),
+    (sin(2 * atan(x)), 2 * x / (1 + x**2), set()),
     (sin(3 * asin(x)), 3 * x - 4 * x**3, {"1 - x**2 >= 0"}),
     (cos(3 * acos(x)), 4 * x**3 - 3 * x, {"1 - x**2 >= 0"}),
     (tan(2 * atan(x)), 2 * x / (1 - x**2), {"1 - x**2 != 0"}),
-    (tan(atan(x) + y), (x * cos(y) + sin(y)) / (cos(y) - x * sin(y)), {"-x*sin(y) + cos(y) != 0", "x**2 + 1 != 0"}),
+    (tan(atan(x) + y), (x * cos(y) + sin(y)) / (cos(y) - x * sin(y)), {"-x*sin(y) + cos(y) != 0"}),
     (sin(2 * atan2(y, x)), 2 * x * y / (x**2 + y**2), {"x**2 + y**2 != 0"}),
-    (atan2(p, q) + atan2(q, p), pi / 2, {"p > 0", "q > 0"}),
+    (atan2(p, q) + atan2(q, p), pi / 2, set()),
     (atan(p) - atan(q), atan((p - q) / (1 + p * q)), set()),
-    (arg(p + I * q), atan(q / p), {"p > 0"}),
+    (arg(p + I * q), atan(q / p), set()),
     (sp.diff(asin(f), t), f.diff(t) / sqrt(1 - f**2), {"1 - f(t)**2 != 0", "1 - f(t)**2 >= 0"}),
 ]  # fmt: skip
 GIVEN: list[tuple[Any, Any, list[Any]]] = [
@@ -181,7 +181,7 @@ FALSE: list[tuple[Any, Any]] = [
 ]
 REFUSED: list[Any] = [
     log(-1 - x**2), log(x) + log(-x), (-2) ** x, log(x + I), x ** (y + I), asin(x + I * y), exp(x) ** 2000,
-    exp(x / 997), sp.erf(x), exp(sp.sqrt(sp.Symbol("k", complex=True))),
+    exp(x / 997), sp.LambertW(x), exp(sp.sqrt(sp.Symbol("k", complex=True))),
 ]  # fmt: skip
 
 

@@ -11,6 +11,7 @@ import sympy
 from chasles.checker.expressions.complexes import QUOTIENTS
 from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.expressions.readings import CIRCULAR
+from chasles.from_sympy.atoms import real_copy
 from chasles.from_sympy.opening import FunctionSymbol, Signed
 
 
@@ -23,13 +24,15 @@ class DivisorText:
 
 
 def divisor_of(expression: Any, origins: Mapping[Any, Any] = {}) -> DivisorText:
-    """What is said of a divisor: of a positive symbol that it is positive; nothing of a number.
+    """What is said of a divisor: nothing of a number, nor of what SymPy sees to have one sign.
 
     `origins` are what variables in it stand for.
     """
     named = is_atom(expression) and not (isinstance(expression, FunctionSymbol) and not isinstance(expression, Signed))
     value = _with_cosines(expression)
-    evident = (not value.free_symbols and value != 0) or bool(expression.is_nonzero and not named)
+    evident = (not value.free_symbols and value != 0) or bool(
+        not expression.has(Signed) and real_copy(expression).is_nonzero
+    )
     spelled = expression if named else expression.xreplace(origins)
     return DivisorText(f"{spelled} {'> 0' if expression.is_positive else '!= 0'}", evident)
 

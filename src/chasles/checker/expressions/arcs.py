@@ -16,16 +16,12 @@ if TYPE_CHECKING:
 
 
 class Arcs:
-    """The angles of points in a reading, each a variable; `points` are their coordinates, y first.
-
-    `positive` are the inverses of what is positive that nobody asked for.
-    """
+    """The angles of points in a reading, each a variable; `points` are their coordinates, y first."""
 
     def __init__(self, reading: Proven, functions: Functions) -> None:
         self.reading, self.functions = reading, functions
         self.places: dict[tuple[Terms, ...], int] = {}
         self.points: dict[int, tuple[Polynomial, Polynomial]] = {}
-        self.positive: set[int] = set()
 
     def arc(self, y: Polynomial, x: Polynomial) -> Polynomial:
         """The angle of the point (x, y), which is not the origin."""
@@ -34,9 +30,7 @@ class Arcs:
             if multiple is not None:
                 return self.reading.half_turn() * number(multiple)
         if constant(x) is None and is_positive(self.reading, x):
-            known = set(self.reading.inverses)
             y, x = self.reading.normal(y * self.reading.inverse(x)), ONE
-            self.positive |= self.reading.inverses.keys() - known
         (above, below), (other, another) = self.reading.cleared(y), self.reading.cleared(x)
         key = tuple(frozenset((*p.terms.items(), (-1, p.below))) for p in (above, other))
         key = (*key, frozenset(below.items()), frozenset(another.items()))

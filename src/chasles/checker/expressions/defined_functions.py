@@ -17,7 +17,11 @@ from chasles.checker.sparse import Rejected
 
 LARGEST = 200
 """So many factors has a product that a recurrence gives at most."""
-VALUED = (sympy.floor, sympy.Mod, sympy.gamma, sympy.binomial)
+BOUNDED = {
+    sympy.erf: 1, sympy.erfc: 2, sympy.Si: 2, sympy.fresnels: 1, sympy.fresnelc: 1, sympy.airyai: 1, sympy.besselj: 1,
+}  # fmt: skip
+"""Real functions of which no more is known than that they are no larger; of Bessel's, those of integral order."""
+VALUED = (sympy.floor, sympy.Mod, sympy.gamma, sympy.binomial, *BOUNDED)
 """What is a quantity by itself once all others are said by these."""
 
 

@@ -17,7 +17,7 @@ import sympy
 from sympy.core.relational import Relational
 
 from chasles.checker.expressions.complexes import QUOTIENTS
-from chasles.checker.expressions.defined_functions import LARGEST, by_definition, gamma_at, remainder
+from chasles.checker.expressions.defined_functions import BOUNDED, LARGEST, by_definition, gamma_at, remainder
 from chasles.checker.expressions.intervals import Enclosing, Enclosure, Unbounded
 from chasles.checker.sparse import Rejected
 
@@ -125,6 +125,14 @@ def _binomial(of: EnclosedValues, e: Any) -> Enclosure:
     return of(by_definition(sympy.binomial(n, k, evaluate=False)))
 
 
+def _bounded(of: EnclosedValues, e: Any) -> Enclosure:
+    """No more than that it is bounded, where its arguments have values."""
+    if e.args[:-1] and not e.args[0].is_integer:
+        raise Rejected(f"{e} is not known to be real")
+    of(e.args[-1])
+    return Enclosure(-BOUNDED[e.func] * of.at.one, BOUNDED[e.func] * of.at.one)
+
+
 def _direction(of: EnclosedValues, e: Any) -> Enclosure:
     """By the arctangent, in a half plane in which the point surely lies."""
     y, x = e.args
@@ -149,6 +157,7 @@ ENCLOSED: dict[type, Callable[[EnclosedValues, Any], Enclosure]] = {
     sympy.Mod: lambda of, e: of(remainder(e)),
     sympy.gamma: lambda of, e: of(gamma_at(of.exactly(e.args[0]))),
     sympy.binomial: _binomial,
+    **dict.fromkeys(BOUNDED, _bounded),
     sympy.Max: lambda of, e: reduce(_larger, map(of, e.args)),
     sympy.Min: lambda of, e: -reduce(_larger, (-of(part) for part in e.args)),
     sympy.Piecewise: lambda of, e: of(next((value for value, condition in e.args if of.holds(condition)), sympy.nan)),

@@ -60,18 +60,14 @@ def _is_said(said: list[_SaidNeed], odd: frozenset[Terms], sign: int) -> bool:
     """Whether a product is said to be positive, or each of its factors to have a sign."""
     known = [signs for one in said for signs in one.signs]
     single = {terms: s for factors, s in known if len(factors) == 1 for terms in factors}
-    if (odd, sign) in known:
-        return True
-    return odd <= single.keys() and reduce(mul, (single[terms] for terms in odd), sign) > 0
+    return (odd, sign) in known or (odd <= single.keys() and reduce(mul, map(single.get, odd), sign) > 0)
 
 
 def _is_evident(reading: Proven, place: int) -> bool:
-    """Whether something visibly does not vanish; of a quantity that the question divides by it is said in any case."""
+    """Whether something visibly does not vanish."""
     base = reading.inverses[place]
     if reading.is_number(base):
         return bool(reading.sign(base))
-    if any(str(reading.atoms.get(atom)) in reading.divided.get(place, ()) for atom in base.places):
-        return place in reading.arcs.positive
     return is_positive(reading, base) or is_positive(reading, -base) or _is_odd(reading, base)
 
 
@@ -155,10 +151,8 @@ class _SaidNeed:
 
     def excludes(self, place: int) -> bool:
         """Whether it says that what a variable is the inverse of does not vanish."""
-        if self.relation == " >= 0":
-            return False
-        if self.spelled in self.reading.divided.get(place, ()):
-            return True
+        if self.relation == " >= 0" or self.spelled in self.reading.divided.get(place, ()):
+            return self.relation != " >= 0"
         return bool(self.polynomial) and quotient(self.polynomial, self.reading.inverses[place]) is not None
 
     def bears_on(self, place: int) -> bool:
