@@ -69,7 +69,7 @@ def _by_steps(
     """Quotient and remainder, with all terms replaced at once that the leading term divides, again and again."""
     total, top = ring.constant(Fraction(0)), ring.leading(generator)[1]
     while True:
-        terms = {m: c / top for m, c in ring.terms(polynomial) if all(map(ge, m, lead))}
+        terms = {m: c / top for m, c in ring.terms(polynomial, lead)}
         if not terms:
             return total, polynomial
         quotient = ring.from_terms({tuple(map(sub, m, lead)): c for m, c in terms.items()})
