@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
-from functools import cached_property, wraps
+from functools import cached_property
 from hashlib import sha256
 from inspect import cleandoc
 from os import PathLike
@@ -15,7 +15,7 @@ from warnings import warn
 import numpy
 
 from chasles import kernels
-from chasles.compiling.compiler import Compiler, CompilerFailed, found
+from chasles.compiling.compiler import CompilerFailed, found
 from chasles.compiling.packing import packing_of
 from chasles.compiling.recall import Sources, recalled
 from chasles.compiling.store import loaded
@@ -29,6 +29,8 @@ if TYPE_CHECKING:
 
 MANY_SINGLES = 2**20
 """So many numbers of single precision in a kernel's results are worth a compiler's time."""
+_SILENT = numpy.errstate(all="ignore")
+"""Nothing is warned of that is computed for a piece that is not taken."""
 
 
 class CompiledKernel(Displayed):
@@ -79,7 +81,7 @@ class CompiledKernel(Displayed):
         packing = packing_of(self.program) if ufunc is not None else None
         called, alone = (ufunc, one) if packing is None else map(packing.around, (ufunc, one))
         self.ufunc = ufunc
-        self._function: Callable[..., Any] = _undisturbed(self.array_api) if ufunc is None else called
+        self._function: Callable[..., Any] = _SILENT(self.array_api) if ufunc is None else called
         self.one: Callable[..., Any] = alone or self._function
 
     def __call__(self, *inputs: Any, **options: Any) -> Any:
@@ -213,8 +215,7 @@ def _sources_of(program: Program, *, narrowed: bool = True) -> tuple[Sources, di
 
 def _compiled(program: Program, sources: Sources, files: dict[str, str], doc: str, levels: str) -> tuple[Any, Any]:
     """The ufunc of the compiled program and its light function; None where nothing compiles or nothing makes these."""
-    alone = levels == "own"
-    compiler = found(kernels.instructions, alone=alone) if kernels.make_ufunc is not None else None
+    compiler = found(kernels.instructions, alone=levels == "own") if kernels.make_ufunc is not None else None
     if compiler is None or not sources.paths:
         return None, None
 
@@ -222,7 +223,7 @@ def _compiled(program: Program, sources: Sources, files: dict[str, str], doc: st
         return compiler.shared_object(files or _sources_of(program)[1], folder)
 
     try:
-        library = loaded(_key(sources, compiler), made)
+        library = loaded(sha256(repr((compiler.key, sources.digest)).encode()).hexdigest(), made)
     except (CompilerFailed, OSError) as error:
         warn(f"{program.name} runs as NumPy kernel: it could not be compiled: {error}", RuntimeWarning, stacklevel=5)
         return None, None
@@ -230,10 +231,6 @@ def _compiled(program: Program, sources: Sources, files: dict[str, str], doc: st
     inner = program if packing is None else packing.program
     names = ([item.name for item in items] for items in (inner.arguments, inner.results))
     return functions_of(library, 0, program.name, doc, sources.packed, *names)
-
-
-def _key(sources: Sources, compiler: Compiler) -> str:
-    return sha256(repr((compiler.key, sources.digest)).encode()).hexdigest()
 
 
 class _WrittenOut:
@@ -254,14 +251,3 @@ class _WrittenOut:
 
     def __call__(self, *inputs: Any, **options: Any) -> Any:
         return self._function(*inputs, **options)
-
-
-def _undisturbed(function: Callable[..., Any]) -> Callable[..., Any]:
-    """The function without warnings of what is computed for a piece that is not taken."""
-
-    @wraps(function)
-    def called(*inputs: Any, **options: Any) -> Any:
-        with numpy.errstate(all="ignore"):
-            return function(*inputs, **options)
-
-    return called

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import partial
+from functools import partial, reduce
 from typing import Any
 
 Rates = Callable[..., tuple[Any, ...]]
@@ -41,10 +41,18 @@ class KnownFunction:
 
 
 def _one_over(arithmetic: Any, *factors: Any) -> tuple[Any, ...]:
-    product = factors[0]
-    for factor in factors[1:]:
-        product = arithmetic.multiply(product, factor)
+    product = reduce(arithmetic.multiply, factors)
     return (arithmetic.divide(_number(arithmetic, 1), product),)
+
+
+def _above_one(arithmetic: Any, a: Any) -> Any:
+    return arithmetic.add(_number(arithmetic, 1), a)
+
+
+def _of_inverse_cosine(arithmetic: Any, value: Any, a: Any) -> tuple[Any, ...]:
+    one = _number(arithmetic, 1)
+    legs = arithmetic.multiply(arithmetic.subtract(a, one), arithmetic.add(a, one))
+    return _one_over(arithmetic, arithmetic.square_root(legs))
 
 
 def _number(arithmetic: Any, value: Fraction | int) -> Any:
@@ -167,6 +175,7 @@ def _of_lambert(arithmetic: Any, value: Any, a: Any) -> tuple[Any, ...]:
     return _one_over(arithmetic, arithmetic.add(_number(arithmetic, 1), value), arithmetic.function("exp", value))
 
 
+_OF_SCIPY = partial(KnownFunction, special=True)
 FUNCTIONS: dict[str, KnownFunction] = {
     "fabs": KnownFunction(1, "fabs", _sign, exact=True),
     "floor": KnownFunction(1, "floor", _without_rate, exact=True),
@@ -174,73 +183,50 @@ FUNCTIONS: dict[str, KnownFunction] = {
     "exp": KnownFunction(1, "exp", lambda on, value, a: (value,)),
     "expm1": KnownFunction(1, "expm1", lambda on, value, a: (on.function("exp", a),)),
     "log": KnownFunction(1, "ln", lambda on, value, a: _one_over(on, a)),
-    "log1p": KnownFunction(1, "log1p", lambda on, value, a: _one_over(on, on.add(_number(on, 1), a))),
+    "log1p": KnownFunction(1, "log1p", lambda on, value, a: _one_over(on, _above_one(on, a))),
     "pow": KnownFunction(2, "power", _power),
     "cbrt": KnownFunction(1, "cbrt", lambda on, value, a: _one_over(on, _number(on, 3), value, value)),
     "sinh": KnownFunction(1, "sinh", lambda on, value, a: (on.function("cosh", a),)),
     "cosh": KnownFunction(1, "cosh", lambda on, value, a: (on.function("sinh", a),)),
-    "tanh": KnownFunction(
-        1, "tanh", lambda on, value, a: (_square(on, on.divide(_number(on, 1), on.function("cosh", a))),)
-    ),
+    "tanh": KnownFunction(1, "tanh", lambda on, value, a: (_square(on, *_one_over(on, on.function("cosh", a))),)),
     "asinh": KnownFunction(
-        1, "asinh", lambda on, value, a: _one_over(on, on.square_root(on.add(_number(on, 1), _square(on, a))))
+        1, "asinh", lambda on, value, a: _one_over(on, on.square_root(_above_one(on, _square(on, a))))
     ),
-    "acosh": KnownFunction(
-        1,
-        "acosh",
-        lambda on, value, a: _one_over(
-            on,
-            on.square_root(on.multiply(on.subtract(a, _number(on, 1)), on.add(a, _number(on, 1)))),
-        ),
-    ),
+    "acosh": KnownFunction(1, "acosh", _of_inverse_cosine),
     "atanh": KnownFunction(
-        1, "atanh", lambda on, value, a: _one_over(on, on.subtract(_number(on, 1), a), on.add(_number(on, 1), a))
+        1, "atanh", lambda on, value, a: _one_over(on, on.subtract(_number(on, 1), a), _above_one(on, a))
     ),
     "erf": KnownFunction(1, "erf", lambda on, value, a: (_bell(on, a),)),
     "erfc": KnownFunction(1, "erfc", lambda on, value, a: (on.negate(_bell(on, a)),)),
     "tgamma": KnownFunction(1, "gamma", lambda on, value, a: (on.multiply(value, on.function("digamma", a)),)),
     "lgamma": KnownFunction(1, "loggamma", lambda on, value, a: (on.function("digamma", a),)),
     "stumpff": KnownFunction(2, _stumpff, _of_stumpff, rates_by_square=_stumpff_by_square),
-    "digamma": KnownFunction(
-        1, "digamma", lambda on, value, a: (on.function("polygamma", _number(on, 1), a),), special=True
-    ),
-    "polygamma": KnownFunction(2, lambda context, n, a: context.psi(int(n), a), _following, special=True),
-    "jv": KnownFunction(2, "besselj", _neighbours("jv", 0), special=True),
-    "yv": KnownFunction(2, "bessely", _neighbours("yv", 0), special=True),
-    "iv": KnownFunction(2, "besseli", _neighbours("iv", 1), special=True),
-    "kv": KnownFunction(2, "besselk", _neighbours("kv", -1), special=True),
-    "expi": KnownFunction(1, "ei", lambda on, value, a: (on.divide(on.function("exp", a), a),), special=True),
-    "expn": KnownFunction(2, "expint", _preceding, special=True),
-    "si": KnownFunction(1, "si", lambda on, value, a: (on.function("stumpff", _number(on, 1), a),), special=True),
-    "ci": KnownFunction(1, "ci", lambda on, value, a: (on.divide(on.cosine(a), a),), special=True),
-    "shi": KnownFunction(1, "shi", _of_shi, special=True),
-    "chi": KnownFunction(1, "chi", lambda on, value, a: (on.divide(on.function("cosh", a), a),), special=True),
-    "fresnel_s": KnownFunction(1, "fresnels", lambda on, value, a: (on.sine(_of_fresnel(on, a)),), special=True),
-    "fresnel_c": KnownFunction(1, "fresnelc", lambda on, value, a: (on.cosine(_of_fresnel(on, a)),), special=True),
-    **{
-        f"airy_{kind}": KnownFunction(1, f"airy{kind}", _slope(f"airy_{kind}_prime"), special=True)
-        for kind in ("ai", "bi")
-    },
-    **{
-        f"airy_{kind}_prime": KnownFunction(1, _airy_prime(kind), _of_airy_prime(kind), special=True)
-        for kind in ("ai", "bi")
-    },
-    "lambertw": KnownFunction(1, "lambertw", _of_lambert, special=True),
-    "erfi": KnownFunction(
-        1,
-        "erfi",
-        lambda on, value, a: _one_over(on, _number(on, _HALF_ROOT**2), _bell(on, a)),
-        special=True,
-    ),
-    "erfinv": KnownFunction(1, "erfinv", lambda on, value, a: _one_over(on, _bell(on, value)), special=True),
-    "erfcinv": KnownFunction(
+    "digamma": _OF_SCIPY(1, "digamma", lambda on, value, a: (on.function("polygamma", _number(on, 1), a),)),
+    "polygamma": _OF_SCIPY(2, lambda context, n, a: context.psi(int(n), a), _following),
+    "jv": _OF_SCIPY(2, "besselj", _neighbours("jv", 0)),
+    "yv": _OF_SCIPY(2, "bessely", _neighbours("yv", 0)),
+    "iv": _OF_SCIPY(2, "besseli", _neighbours("iv", 1)),
+    "kv": _OF_SCIPY(2, "besselk", _neighbours("kv", -1)),
+    "expi": _OF_SCIPY(1, "ei", lambda on, value, a: (on.divide(on.function("exp", a), a),)),
+    "expn": _OF_SCIPY(2, "expint", _preceding),
+    "si": _OF_SCIPY(1, "si", lambda on, value, a: (on.function("stumpff", _number(on, 1), a),)),
+    "ci": _OF_SCIPY(1, "ci", lambda on, value, a: (on.divide(on.cosine(a), a),)),
+    "shi": _OF_SCIPY(1, "shi", _of_shi),
+    "chi": _OF_SCIPY(1, "chi", lambda on, value, a: (on.divide(on.function("cosh", a), a),)),
+    "fresnel_s": _OF_SCIPY(1, "fresnels", lambda on, value, a: (on.sine(_of_fresnel(on, a)),)),
+    "fresnel_c": _OF_SCIPY(1, "fresnelc", lambda on, value, a: (on.cosine(_of_fresnel(on, a)),)),
+    **{f"airy_{kind}": _OF_SCIPY(1, f"airy{kind}", _slope(f"airy_{kind}_prime")) for kind in ("ai", "bi")},
+    **{f"airy_{kind}_prime": _OF_SCIPY(1, _airy_prime(kind), _of_airy_prime(kind)) for kind in ("ai", "bi")},
+    "lambertw": _OF_SCIPY(1, "lambertw", _of_lambert),
+    "erfi": _OF_SCIPY(1, "erfi", lambda on, value, a: _one_over(on, _number(on, _HALF_ROOT**2), _bell(on, a))),
+    "erfinv": _OF_SCIPY(1, "erfinv", lambda on, value, a: _one_over(on, _bell(on, value))),
+    "erfcinv": _OF_SCIPY(
         1,
         lambda context, a: context.erfinv(1 - a),
         lambda on, value, a: (on.negate(_one_over(on, _bell(on, value))[0]),),
-        special=True,
     ),
-    "zeta": KnownFunction(1, "zeta", None, special=True),
-    "ellipk": KnownFunction(1, "ellipk", None, special=True),
-    "ellipe": KnownFunction(1, "ellipe", None, special=True),
+    "zeta": _OF_SCIPY(1, "zeta", None),
+    "ellipk": _OF_SCIPY(1, "ellipk", None),
+    "ellipe": _OF_SCIPY(1, "ellipe", None),
 }
 """By name."""

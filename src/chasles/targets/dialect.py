@@ -94,6 +94,8 @@ ARITHMETIC: Mapping[Op, Phrase] = {
     Op.EQUAL: Phrase("{} == {}", Level.COMPARISON, (Level.SUM, Level.SUM)),
 }
 """What nearly all languages share."""
+CONDITIONAL = Phrase("{} ? {} : {}", Level.CHOICE, (Level.COMPARISON, Level.SUM, Level.SUM))
+"""How C and its kin choose."""
 
 
 @dataclass(frozen=True, slots=True)

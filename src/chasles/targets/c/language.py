@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from chasles.lowering.program import Op
 from chasles.targets.constants import DOUBLE, SINGLE, Precision, literals
-from chasles.targets.dialect import ARITHMETIC, Dialect, Level, Phrase, call, flat
+from chasles.targets.dialect import ARITHMETIC, CONDITIONAL, Dialect, Level, Phrase, call, circular, flat
 
 _KEYWORDS = """
     auto break case char const continue default do double else enum extern float for goto if inline int long register
@@ -36,23 +36,13 @@ RESERVED = frozenset(f"{_KEYWORDS} {_LIBRARY} {_FLOATS}".split())
 
 
 def _dialect(precision: Precision) -> Dialect:
-    suffix = precision.suffix
-    spell: Mapping[Op, Phrase] = {
-        **ARITHMETIC,
-        Op.SQUARE_ROOT: call(f"sqrt{suffix}"),
-        Op.SINE: call(f"sin{suffix}"),
-        Op.COSINE: call(f"cos{suffix}"),
-        Op.ARCTANGENT2: call(f"atan2{suffix}", 2),
-        Op.NOT_A_NUMBER: Phrase("NAN", Level.ATOM, ()),
-        Op.SELECT: Phrase("{} ? {} : {}", Level.CHOICE, (Level.COMPARISON, Level.SUM, Level.SUM)),
-    }
-
     def declare(name: str, text: str, truth: bool) -> str:
         return f"const {'int' if truth else precision.name} {name} = {text};"
 
     def function(name: str, operands: int) -> Phrase:
-        return call(f"{name}{suffix}", operands)
+        return call(f"{name}{precision.suffix}", operands)
 
+    spell = {**ARITHMETIC, **circular(function), Op.NOT_A_NUMBER: Phrase("NAN", Level.ATOM, ()), Op.SELECT: CONDITIONAL}
     return Dialect(spell, literals(precision), flat, declare, RESERVED, function=function)
 
 

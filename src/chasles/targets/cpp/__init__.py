@@ -15,7 +15,7 @@ from chasles.lowering.program import Argument, Op, Result
 from chasles.targets.c.functions import PRECISIONS, Function, head, precisions_of, unread
 from chasles.targets.c.language import RESERVED
 from chasles.targets.constants import SINGLE, Precision, literals
-from chasles.targets.dialect import ARITHMETIC, Dialect, Level, Phrase, Shape, call, circular, flat
+from chasles.targets.dialect import ARITHMETIC, CONDITIONAL, Dialect, Phrase, Shape, call, circular, flat
 from chasles.targets.kernel import TargetKernel, signature
 from chasles.targets.layout import listed
 from chasles.targets.spelling import spelled
@@ -48,7 +48,7 @@ def _dialect(precision: Precision) -> Dialect:
         **ARITHMETIC,
         **circular(function),
         Op.NOT_A_NUMBER: call(f"std::numeric_limits<{precision.name}>::quiet_NaN", 0),
-        Op.SELECT: Phrase("{} ? {} : {}", Level.CHOICE, (Level.COMPARISON, Level.SUM, Level.SUM)),
+        Op.SELECT: CONDITIONAL,
     }
     return Dialect(
         spell,
