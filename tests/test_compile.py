@@ -756,3 +756,12 @@ def test_spherical_bessel_functions_have_their_values_at_zero():
     near = [1 - 1e-10 / 6, 1e-5 / 3 - 1e-15 / 30, 1e-10 / 15]
     far = [math.sin(2) / 2, 0.435397774979992, 0.198447949057147]
     np.testing.assert_allclose(np.array(kernel([0.0, 1e-5, 2.0])).T, [[1, 0, 0], near, far], rtol=1e-14, atol=1e-17)
+
+
+def test_functions_of_a_users_own_are_read_anew(monkeypatch, tmp_path):
+    """Another run may define another function of the same name."""
+    monkeypatch.setenv("CHASLES_CACHE", str(tmp_path))
+    monkeypatch.setenv("CC", "no-such-compiler")
+    for power in (2, 3):
+        body = {"doit": lambda self, power=power, **_: self.args[0] ** power}
+        assert chasles.compile(type("Mine", (sp.Function,), body)(x), [x])(3.0) == 3.0**power

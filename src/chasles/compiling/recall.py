@@ -15,6 +15,8 @@ import sympy
 from chasles import __version__
 from chasles.compiling.store import kept
 
+_VERSIONED = ("sympy.", "chasles.")
+"""Where classes are from whose versions are in the key."""
 _ROOMS = ("algebra", "compiling", "lowering", "targets")
 Made = TypeVar("Made")
 
@@ -35,18 +37,21 @@ class Sources:
 
 
 def recalled(key: str, make: Callable[[], Made]) -> Made:
-    """What was made for this key, from the cache or else made now. Raises what `make` raises."""
-    found: Made = pickle.loads(kept(key, lambda: pickle.dumps(make()), ".pickle"))
+    """What was made for this key, from the cache; or else, or without a key, made now. Raises what `make` raises."""
+    found: Made = pickle.loads(kept(key, lambda: pickle.dumps(make()), ".pickle")) if key else make()
     return found
 
 
 def key_of(expressions: Iterable[sympy.Basic], *others: object) -> str:
     """The hash of some expressions, of what is said besides, and of the code that reads them.
 
+    Empty where a class of the user's own is among the parts: what that comes to may have changed, and not its name.
     Takes time with the number of different parts of the expressions.
     """
     known: dict[Any, bytes] = {}
     digests = [_digest(expression, known) for expression in expressions]
+    if not all(str(type(part).__module__).startswith(_VERSIONED) for part in known):
+        return ""
     return sha256(repr((digests, others, __version__, sympy.__version__, _code())).encode()).hexdigest()
 
 
