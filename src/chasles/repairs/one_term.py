@@ -41,8 +41,11 @@ SIGN, FACTOR, LEFT_OUT, REPLACED = 0, 1, 3, 4
 
 
 def other_number(number: Fraction) -> int:
-    """The effort of multiplying a term by a number: least for a sign, less for whole numbers and halves than others."""
-    return LEFT_OUT if number == 0 else SIGN if number == -1 else FACTOR + (number.denominator > 2)
+    """The effort of multiplying a term by a number: least for a sign, less for whole numbers and halves than others.
+
+    A negative one is a factor and a sign, two slips.
+    """
+    return LEFT_OUT if number == 0 else SIGN if number == -1 else FACTOR + (number.denominator > 2) + 2 * (number < 0)
 
 
 def other_coefficient(coefficient: Coefficient) -> int:

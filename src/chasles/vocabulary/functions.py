@@ -75,8 +75,8 @@ class FunctionOf(Node):
         form = style.called(self.function, PRINTED[self.function])
         if "#" in form:
             return Piece(form.replace("#", text), Precedence.ATOM, depth)
-        if len(inner) == 1:
-            return style.function(form, inner[0])
+        if len(inner) == 1 and (bare := style.function(form, inner[0])).level is Precedence.PRODUCT:
+            return bare
         return Piece(f"{form}{style.brackets(text, depth)}", Precedence.POWER, depth + 1)
 
 
