@@ -31,6 +31,7 @@ from .sampling import WHOLE, sample
 
 a, b, c, x, y, z, t, phi = sp.symbols("a b c x y z t phi")
 m, N = sp.Symbol("m", positive=True), sp.Symbol("N", integer=True)
+odd, nonzero = sp.Symbol("odd", odd=True), sp.Symbol("nonzero", nonzero=True)
 f, g, theta = (sp.Function(name)(t) for name in ("f", "g", "theta"))
 e = Matrix(sp.symbols("e1:4"))
 e_t = Matrix([sp.Function(name)(t) for name in ("e1", "e2", "e3")])
@@ -143,6 +144,9 @@ CONDITIONAL: list[tuple[Any, Any, dict[str, Any], set[str]]] = [
     (x * y / x, y, {"nonzero": [x]}, set()),
     (x / (2 * m) + x / (2 * m) + 1 / (x**2 + 1), x / m + 1 / (1 + x**2), {}, set()),
     (1 / Abs(x), Abs(x) / x**2, {}, {"x != 0"}),
+    (1 / odd, odd / odd**2, {}, {"odd != 0"}),
+    (m / (nonzero * m) + 1 / (2 * N + 1), 1 / nonzero + 1 / (2 * N + 1), {}, {"nonzero != 0"}),
+    (sp.log(m) / (sp.exp(x) + 1), sp.log(m) / (1 + sp.exp(x)), {}, set()),
     (sqrt(x) * sqrt(y), sqrt(x * y), {}, {"x >= 0", "y >= 0"}),
     (sqrt(x / y), sqrt(x * y) / Abs(y), {}, {"y != 0", "x*y >= 0"}),
     (1 / sqrt(x / y), sqrt(y / x), {}, {"y != 0", "x != 0", "x*y >= 0"}),

@@ -30,9 +30,10 @@ def divisor_of(expression: Any, origins: Mapping[Any, Any] = {}) -> DivisorText:
     """
     named = is_atom(expression) and not (isinstance(expression, FunctionSymbol) and not isinstance(expression, Signed))
     value = _with_cosines(expression)
-    evident = (not value.free_symbols and value != 0) or bool(
-        not expression.has(Signed) and real_copy(expression).is_nonzero
-    )
+    # Term by term, as the checker sees it.
+    copy = sympy.expand(real_copy(value))
+    seen = copy.is_positive or copy.is_negative or (copy.is_nonzero and not named)
+    evident = (not value.free_symbols and value != 0) or bool(seen and not expression.has(Signed))
     spelled = expression if named else expression.xreplace(origins)
     return DivisorText(f"{spelled} {'> 0' if expression.is_positive else '!= 0'}", evident)
 

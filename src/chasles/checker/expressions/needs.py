@@ -68,15 +68,14 @@ def _is_evident(reading: Proven, place: int) -> bool:
     base = reading.inverses[place]
     if reading.is_number(base):
         return bool(reading.sign(base))
-    return is_positive(reading, base) or is_positive(reading, -base) or _is_odd(reading, base)
+    return is_positive(reading, base) or is_positive(reading, -base) or _leaves_remainder(reading, base)
 
 
-def _is_odd(reading: Proven, base: Polynomial) -> bool:
-    """Whether a multiple of something is an odd integer."""
-    content = gcd(*base.terms.values())
-    odd = {terms for terms, c in base.terms.items() if c // content % 2}
+def _leaves_remainder(reading: Proven, base: Polynomial) -> bool:
+    """Whether a multiple of something is an integer that leaves a remainder, as an odd one does."""
+    divisor = gcd(*(c for monomial, c in base.terms.items() if monomial))
     integral = (place in reading.atoms and reading.atoms[place].is_integer for place in base.places)
-    return odd == {0} and all(integral)
+    return divisor > 0 and base.terms.get(0, 0) % divisor != 0 and all(integral)
 
 
 def _is_excluded(reading: Proven, place: int, said: list[_SaidNeed]) -> bool:

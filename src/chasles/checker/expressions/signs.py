@@ -104,7 +104,7 @@ def _of_product(reading: KnownRoots, monomial: int) -> Sign | None:
         known = _of_variable(reading, place)
         if known is None and power % 2:
             return None
-        strict = strict and known is not None and known[1]
+        strict = strict and (bool(getattr(reading.atoms.get(place), "is_nonzero", 0)) if known is None else known[1])
         sign *= known[0] if known is not None and power % 2 else 1
     return sign, strict
 
