@@ -13,6 +13,7 @@ from functools import reduce
 from chasles.pages.consequences import Consequences
 from chasles.pages.premises import PosedEquation
 from chasles.pages.quantities import Quantity, quantity, symbols_in
+from chasles.reading.spellings import multiplied
 from chasles.repairs.repair import Repair
 from chasles.statements import Claim, Condition, Hypothesis, Statement
 from chasles.vocabulary import (
@@ -161,13 +162,13 @@ def _of(node: Node, kinds: Kinds) -> Node:
         return node
     match node:
         case Scale(trailing=trailing):
-            return _times(*(parts[::-1] if trailing else parts))
+            return multiplied(*(parts[::-1] if trailing else parts))
         case Contract():
-            return reduce(_times, parts)
+            return reduce(multiplied, parts)
         case Cross() | Dot() if all(part.is_scalar for part in parts):
-            return _times(*parts)
+            return multiplied(*parts)
         case Quotient() if not parts[1].is_scalar:
-            return _times(parts[0], Inverse(parts[1]))
+            return multiplied(parts[0], Inverse(parts[1]))
         case Transpose() if parts[0].is_scalar:
             return parts[0]
         case FunctionOf("exp" | "log") if not parts[0].is_scalar:
@@ -175,9 +176,3 @@ def _of(node: Node, kinds: Kinds) -> Node:
         case Sum():
             return Sum(_as_large(parts))
     return rebuilt(node, parts)
-
-
-def _times(left: Node, right: Node) -> Node:
-    if left.is_scalar:
-        return Scale(left, right)
-    return Scale(right, left, True) if right.is_scalar else Contract((left, right))

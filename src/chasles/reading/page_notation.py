@@ -12,11 +12,10 @@ from typing import Any, cast, get_type_hints
 from chasles.reading.fits import made
 from chasles.reading.glyphs import Glyph, letter_in
 from chasles.reading.letter_table import LetterTable
-from chasles.reading.spellings import Make, Spellings, exponential
+from chasles.reading.spellings import Make, Spellings, exponential, multiplied
 from chasles.vocabulary import (
     PI,
     Call,
-    Contract,
     Cross,
     Determinant,
     Dot,
@@ -108,13 +107,6 @@ def repeated_rate(order: int) -> Make:
     return make
 
 
-def _product(left: Node, right: Node) -> Node:
-    """A product whose sign is a dot: of scalars, of a scalar and a term, of matrices."""
-    if left.is_scalar:
-        return Scale(left, right)
-    return Scale(right, left, True) if right.is_scalar else Contract((left, right))
-
-
 def _inverse_quaternion(of: Node) -> Node:
     """The inverse of a quaternion: its conjugate over its squared norm, which is 1 for a unit quaternion."""
     conjugate = QuaternionConjugate(of)
@@ -169,8 +161,8 @@ def usual_spellings(notation: PageNotation) -> None:
     spellings.add("#^{-1}", _inverse_quaternion)
     spellings.add(r"# \cdot #", Dot)
     spellings.add(r"\langle #, #\rangle", Dot)
-    spellings.add(r"# \cdot #", _product)
-    spellings.add("# * #", _product)
+    spellings.add(r"# \cdot #", multiplied)
+    spellings.add("# * #", multiplied)
     spellings.add(r"# \times #", Cross)
     spellings.add(r"# \times #", _number_times)
     for _, word in known_words():

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from chasles.reading.context import FittingContext
 from chasles.reading.fits import Fit, made
-from chasles.vocabulary import Block, Contract, Misfit, Node, Scale, Sum
+from chasles.reading.spellings import multiplied
+from chasles.vocabulary import Block, Misfit, Node, Scale, Sum
 from chasles.vocabulary.parts import part
 from chasles.vocabulary.pieces import Precedence
 
@@ -34,15 +35,6 @@ def _mixed(a: Node, column: Node) -> Node:
         terms = [Scale(factor, vector) for factor, (vector,) in zip(row, column.rows, strict=True)]
         sums.append((Sum(tuple(terms)),))
     return Block(tuple(sums))
-
-
-def multiplied(a: Node, b: Node) -> Node:
-    """The product as an author writes it from left to right."""
-    if a.is_scalar:
-        return Scale(a, b)
-    if b.is_scalar:
-        return Scale(b, a, trailing=True)
-    return Contract((*(a.factors if isinstance(a, Contract) else (a,)), b))
 
 
 def _times_sized(left: Fit, right: Fit, ctx: FittingContext) -> Iterator[Fit]:

@@ -15,8 +15,8 @@ from chasles.reading.factors import factors, is_argument, operators_of
 from chasles.reading.fits import UNUSUAL, Fit, kept, made
 from chasles.reading.glyphs import Glyph, in_latex, joined, letter_of, text_of_row
 from chasles.reading.page_functions import lists_letters
-from chasles.reading.products import multiplied, times
-from chasles.reading.spellings import Make, called
+from chasles.reading.products import times
+from chasles.reading.spellings import Make, called, multiplied
 from chasles.vocabulary import Quotient, Skew
 from chasles.vocabulary.pieces import Precedence
 

@@ -82,7 +82,7 @@ def _lists_values(part: Atoms) -> bool:
 def _side_by_side(line: list[Atom]) -> list[tuple[list[Atom], str]]:
     """The parts between commas, wide spaces and words, each with the words before it."""
     parts: list[tuple[list[Atom], str]] = [([], "")]
-    line = [_as_text(atom) for atom in line]
+    line = [atom if atom.is_marked else replace(atom, text=UPRIGHT.sub(r"\\text{\1}", atom.text)) for atom in line]
     words = tuple({mark.text for mark in line if mark.text.startswith(r"\text{")})
     marks = (",", ";", r"\quad", r"\forall", *words)
     place = 0
@@ -91,12 +91,6 @@ def _side_by_side(line: list[Atom]) -> list[tuple[list[Atom], str]]:
         parts.append((part, mark[6:-1] if mark.startswith(r"\text{") else mark.strip("\\")))
         place += len(part) + 1
     return parts
-
-
-def _as_text(atom: Atom) -> Atom:
-    """The atom, or a word of prose that is set in upright letters as one in a text."""
-    name = UPRIGHT.fullmatch(atom.text)
-    return atom if name is None or atom.is_marked else replace(atom, text=rf"\text{{{name[1]}}}")
 
 
 def _are_values(marks: Atoms) -> bool:

@@ -9,7 +9,7 @@ from chasles.reading.atoms import TYPEFACES, Atom, Atoms, Unread, said_of
 from chasles.reading.glyphs import letter_of, only_atom, text_of
 from chasles.reading.grammar import Terms, formula
 from chasles.reading.respelling import atoms_in
-from chasles.vocabulary import Group, Misfit, Negative, Node, Scale, Skew
+from chasles.vocabulary import Contract, Group, Misfit, Negative, Node, Scale, Skew
 from chasles.vocabulary.functions import FunctionOf
 from chasles.vocabulary.rotation_vectors import RotationByVector
 
@@ -95,6 +95,15 @@ def _applied(row: Atoms) -> tuple[str, object] | None:
         subscript = f" _ {said_of(row[0].sub)}" if row[0].sub else ""
         return "names", called(row[0]) + subscript
     return None
+
+
+def multiplied(a: Node, b: Node) -> Node:
+    """The product as an author writes it from left to right."""
+    if a.is_scalar:
+        return Scale(a, b)
+    if b.is_scalar:
+        return Scale(b, a, trailing=True)
+    return Contract((*(a.factors if isinstance(a, Contract) else (a,)), b))
 
 
 def exponential(of: Node) -> Node:

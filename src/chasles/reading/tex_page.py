@@ -82,7 +82,7 @@ class TexPage:
         """A command of LaTeX in prose, or a dollar; one that is broken is passed over."""
         is_itself = token.text == r"\noexpand"
         token = (source.lexeme() if is_itself else None) or token
-        text = token.text
+        text, is_input = token.text, token.text in (r"\input", r"\include", r"\subfile")
         try:
             if DEFINING.match(text):
                 source.define(token)
@@ -98,14 +98,14 @@ class TexPage:
                 self.numbering.begin_section(text[1:], source.name(token), is_numbered)
             elif text in (r"\begin", r"\end"):
                 self.handle_environment(token, source.name(token), source)
-            elif text in (r"\input", r"\include", r"\subfile"):
+            elif is_input:
                 name = source.name(token)
             else:
                 self.handle_setting(token, source)
         except BadPage:
             source.waiting.clear()
             return
-        if text in (r"\input", r"\include", r"\subfile") and self.included:
+        if is_input and self.included:
             self.include(name, token)
 
     def define(self, definitions: str) -> None:
