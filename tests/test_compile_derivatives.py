@@ -112,6 +112,21 @@ def test_second_derivatives_at_removable_singularities(shape, at, in_numpy, dire
     assert (hessian == hessian.T).all()
 
 
+@pytest.mark.parametrize("shape", ["sin(r*t)/r", "(1 - cos(t*r))/r**2", "cos(2*r*t)"])
+def test_derivatives_of_a_turn_at_a_rate_that_may_be_zero(shape, in_numpy, direction):
+    r, t = sp.symbols("r t")
+    shape = sp.sympify(shape)
+    kernel = chasles.compile(shape.subs(r, v.norm()), {"v": v, "t": t}, jacobian=True)
+    for at in (0.0, 1e-200, 1e-9, 0.4):
+        value, slope = kernel(at * np.array([2.0, -1.0, 2.0]), 0.7)
+        point = {r: sp.Rational(3 * at) or sp.Rational(1, 10**250), t: sp.Rational(0.7)}
+        exact, by_rate, by_time = (
+            float(each.subs(point).evalf(20, maxn=2000)) for each in (shape, shape.diff(r), shape.diff(t))
+        )
+        wanted = [exact, *(by_rate * np.array([2.0, -1.0, 2.0]) / 3), by_time]
+        np.testing.assert_allclose([value, *slope], wanted, rtol=1e-13, atol=1e-220)
+
+
 def test_what_is_not_chosen_is_not_differentiated(in_numpy, direction):
     """The other piece has no value, nor has its derivative, and neither shows."""
     f = sp.Piecewise((sp.sqrt(x) * sp.log(x), x > 0), (y**2, True)) * z

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from dataclasses import replace as with_fields
 from fractions import Fraction
 from typing import TypeVar
 
@@ -145,9 +146,9 @@ def _rate(build: Builder, number: int, step: Step, changing: Collection[int]) ->
             terms, divisor = [(a, build.one)], build.multiply(build.constant(2), number)
         case Op.SINE:
             terms = [(a, build.cosine(a))]
-        case Op.COSINE if (under := _under_root(build, a)) is not None:
-            half = build.multiply(build.constant(-(under[0] ** 2) / 2), build.function("stumpff", build.one, a))
-            terms = [(under[1], half)]
+        case Op.COSINE if (under := _under_root(build, a, changing)) is not None:
+            times = build.constant(-(under.factor**2) / 2)
+            terms = under.terms(build, build.multiply(times, build.function("stumpff", build.one, a)))
         case Op.COSINE:
             terms = [(a, build.negate(build.sine(a)))]
         case Op.ARCTANGENT2:
@@ -160,30 +161,51 @@ def _rate(build: Builder, number: int, step: Step, changing: Collection[int]) ->
     return _Rate(tuple(term for term in terms if term[0] in changing), divisor)
 
 
-def _under_root(build: Builder, number: int) -> tuple[Fraction, int] | None:
-    """Of which step a step is a multiple of the root, and which multiple."""
+@dataclass(frozen=True, slots=True)
+class _Root:
+    """A multiple, by a number and perhaps by a step, of the root of what a step holds."""
+
+    factor: Fraction
+    radicand: int
+    by: int | None = None
+
+    def terms(self, build: Builder, slope: int) -> list[tuple[int, int]]:
+        """The terms of a function with this slope by the square of the multiple, the number left out."""
+        if self.by is None:
+            return [(self.radicand, slope)]
+        rate = build.multiply(self.by, slope)
+        twice = build.multiply(build.constant(2), build.multiply(self.radicand, rate))
+        return [(self.radicand, build.multiply(self.by, rate)), (self.by, twice)]
+
+
+def _under_root(build: Builder, number: int, changing: Collection[int]) -> _Root | None:
+    """Of which root that changes a step is a multiple."""
     step = build.step(number)
     if step.op is Op.SQUARE_ROOT:
-        return Fraction(1), step.operands[0]
-    factor = build.value(step.operands[0]) if step.op is Op.MULTIPLY else None
-    inner = None if factor is None else _under_root(build, step.operands[1])
-    return None if factor is None or inner is None else (factor * inner[0], inner[1])
+        return _Root(Fraction(1), step.operands[0]) if step.operands[0] in changing else None
+    for one, other in (step.operands, step.operands[::-1]) if step.op is Op.MULTIPLY else ():
+        factor = build.value(one)
+        if factor is not None or build.step(other).op is Op.SQUARE_ROOT:
+            inner = _under_root(build, other, changing)
+            if inner is not None:
+                return (
+                    with_fields(inner, by=one) if factor is None else with_fields(inner, factor=factor * inner.factor)
+                )
+    return None
 
 
 def _terms_of_function(build: Builder, number: int, step: Step, changing: Collection[int]) -> list[tuple[int, int]]:
-    function = FUNCTIONS[step.function]
-    known, operands = function.rates, [*step.operands]
-    under = _under_root(build, operands[-1])
-    times = build.one
-    if function.rates_by_square is not None and under is not None:
-        # The root itself has no derivative at zero, and the even function has.
-        known, times = function.rates_by_square, build.constant(under[0] ** 2)
-        operands[-1] = under[1]
-    if known is None:
+    function, under = FUNCTIONS[step.function], _under_root(build, step.operands[-1], changing)
+    # The root itself has no derivative at zero, and the even function has.
+    by_square = function.rates_by_square if under is not None else None
+    rates = by_square or function.rates
+    if rates is None:
         raise LoweringError(f"the derivative of {step.function} is not known")
-    slopes = [*known(build, number, *step.operands)]
-    slopes[-1] = build.multiply(times, slopes[-1])
-    return list(zip(operands, slopes, strict=True))
+    *slopes, last = rates(build, number, *step.operands)
+    found = list(zip(step.operands, slopes, strict=False))
+    if by_square is None or under is None:
+        return [*found, (step.operands[-1], last)]
+    return found + under.terms(build, build.multiply(build.constant(under.factor**2), last))
 
 
 def _below_choices(build: Builder, rates: _Rates) -> set[int]:
