@@ -461,6 +461,7 @@ def test_a_command_that_nothing_defines_is_no_letter_that_is_proposed() -> None:
         (r"\mathbf b = r_{}^{2}\mathbf a", [r"\mathbf{b}=r^2\mathbf{a}"]),
         (r"r = 2sin(h) + hcos^2h", [r"r=2\sinh+h\cos^2h"]),
         (r"r = [h, 1]", [r"r=[h,1]"]),
+        (r"r = [0, 1]", [r"r=[0,1]"]),
         (r"r := h = \\ := 2 h = \\", [r"r\equivh", "h=2h"]),
         (r"r = h \quad \mathrm{and} \quad h = 1", ["r=h", "h=1"]),
         (r"\frac{d r}{d h} = r", [r"\frac{dr}{dh}=r"]),

@@ -220,7 +220,7 @@ def _column(atom: Atom, rest: Glyph, ctx: FittingContext) -> list[Fit]:
         return []
     shapes = [{fit.shape for fit in part} for part in parts]
     if atom.text == "[]" and not rest.sups and len(shapes) == 2 and shapes[0] & shapes[1]:
-        if shapes[0] & shapes[1] == {(1, 1)}:  # an interval, a row or a column
+        if (shapes[0] & shapes[1]) - {None} == {(1, 1)}:  # an interval, a row or a column
             return with_marks(ctx.of_its_own(latex_of(atom)), rest, ctx)
         ctx.note("two in square brackets may be a commutator: write a column as a matrix", atom.place)
         return []
