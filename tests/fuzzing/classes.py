@@ -154,6 +154,28 @@ def pi_in_a_witness(draw: Random) -> Judgement:
     return question, judge(question, draw)
 
 
+def divisors_that_are_seen_not_to_vanish(draw: Random) -> Judgement:
+    """What the prover takes to have one sign, or to leave a remainder, the checker sees so, too; else it is said."""
+    n, odd = sp.Symbol("n", integer=True), sp.Symbol("odd", odd=True)
+    atoms = (x, y, p, q, n, odd, sin(x), Abs(y), sqrt(p), sp.exp(x), sqrt(x**2 + 1))
+    parts = [draw.choice((1, 2, sp.Rational(1, 3))) * draw.choice(atoms) ** draw.choice((1, 2, 2, 4)) for _ in "ab"]
+    base = parts[0] + draw.choice((parts[1], 1, p)) + draw.choice((0, 1, sp.Rational(4, 3)))
+    base = base ** draw.choice((1, 1, 2)) + draw.choice((0, 1, p))
+    question = Equation(z / base, (z + 1) / base - 1 / base, kind="divisor", lenient=True)
+    judged = judge(question, draw)
+    open_ = judged.alarm is None and not judged.answer.true
+    return question, replace(judged, alarm=Alarm("lost", judged.answer.words)) if open_ else judged
+
+
+def derivatives_in_any_order(draw: Random) -> Judgement:
+    """Mixed derivatives that SymPy leaves as they are written."""
+    field, order = sp.Function("u")(x, y, z), [draw.choice((x, y, z)) for _ in range(draw.randint(2, 4))]
+    other = draw.sample(order, len(order))
+    answer = answer_of(lambda: prove(sp.Derivative(field, *order) * phi, phi * sp.Derivative(field, *other)))
+    wrong = None if answer.true else Alarm("false fails", answer.name)
+    return f"{order}, {other}", Judged(answer, wrong)
+
+
 CLASSES: dict[str, Callable[[Random], Judgement]] = {
     make.__name__.replace("_", " "): make
     for make in (
@@ -165,5 +187,7 @@ CLASSES: dict[str, Callable[[Random], Judgement]] = {
         said_at_another_time,
         needs_left_out,
         pi_in_a_witness,
+        divisors_that_are_seen_not_to_vanish,
+        derivatives_in_any_order,
     )
 }
