@@ -27,6 +27,7 @@ LIMITS = [
     *((1 - sp.cos(x * y)) / x**2, (x * y - sp.sin(x * y)) / (x * y) ** 3, (1 - sp.cos(x**2)) / x**4),
     *(sp.sin(y * sp.sin(x)) / sp.sin(x), (1 - sp.cos(sp.sqrt(2) * x)) / x**2, (1 - sp.cos(sp.sqrt(x))) / x),
     *((x - z - sp.sin(x - z)) / (x - z) ** 3, (2 * x - 2 * z - sp.sin(2 * x - 2 * z)) / (z - x) ** 3),
+    (x - x * sp.cos(x)) / (sp.sin(x) ** 2 + (1 - sp.cos(x)) ** 2) + sp.sin(x),
     sp.Piecewise((sp.sin(x) / x, sp.Ne(x, 0)), (1, True)),
     sp.Piecewise((1, sp.Eq(r, 0)), (sp.sin(r) / r, True)),
 ]

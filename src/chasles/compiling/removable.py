@@ -8,6 +8,7 @@ that a Jacobian is as good as what it is of.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import lru_cache
 from math import factorial
 from typing import Any
@@ -37,9 +38,7 @@ MOST_ORDER = 8
 def without_removable(expression: sympy.Basic) -> sympy.Basic:
     """The same expression; it has a value where an angle is zero by which it divides, if it has a limit there."""
     parts = parts_of(expression, ())
-    divided = {
-        part.base for part in parts if isinstance(part, sympy.Pow) and part.exp.is_number and part.exp.is_negative
-    }
+    divided = _divisors(parts)
     quotients = {angle_of(part) for part in parts if isinstance(part, QUOTIENTS)}
     below = quotients.union(*map(angles_in, divided))
     by_angle: dict[sympy.Expr, list[sympy.Expr]] = {}
@@ -62,8 +61,15 @@ def without_removable(expression: sympy.Basic) -> sympy.Basic:
                     spelled[f] = quotient if isinstance(f, sympy.tan) else 1 / quotient
             stated = expression.xreplace(spelled) if spelled else expression
             found = whole.back(_regular(whole.of(stated), ANGLE)) if whole else _regular(stated, angle)
-            expression = found if any(isinstance(part, Stumpff) for part in parts_of(found, ())) else expression
+            made = parts_of(found, ())
+            if any(isinstance(part, Stumpff) for part in made) or len(_divisors(made)) < len(_divisors(parts)):
+                expression, parts = found, made
     return expression
+
+
+def _divisors(parts: Iterable[sympy.Basic]) -> set[sympy.Expr]:
+    """What the parts that are quotients divide by."""
+    return {part.base for part in parts if isinstance(part, sympy.Pow) and part.exp.is_number and part.exp.is_negative}
 
 
 def _is_root(angle: sympy.Expr) -> bool:
