@@ -27,6 +27,7 @@ from chasles.vocabulary import (
     scalar,
     sin,
     square,
+    tan,
     vector,
 )
 from chasles.vocabulary.functions import arctan
@@ -90,6 +91,11 @@ def test_what_inequalities_keep_from_zero() -> None:
         assert verdict.needs == (f"{plain(divisor)} != 0",)
     for divisor in (r + r**2, 1 - 2 * r, 1 + 2 * r * cos(h), r * s + 1):
         assert isinstance(verdict_on(s / divisor, s / divisor, *ellipse), IllFormed)
+
+
+def test_a_tangent_stands_where_it_is_one() -> None:
+    assert verdict_on(tan(h / 2) * cos(h / 2), sin(h / 2)).needs == ("cos(h / 2) != 0",)
+    assert verdict_on(tan(h), sin(h) / cos(h), nonzero(cos(h), r"h \neq 1")).needs == ("h != 1",)
 
 
 def test_intervals_hold_sums_products_and_powers() -> None:

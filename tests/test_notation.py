@@ -19,7 +19,7 @@ from chasles.vocabulary import (
     Rate,
     Transpose,
     bracket,
-    cos,
+    cot,
     cross,
     det,
     dot,
@@ -31,6 +31,7 @@ from chasles.vocabulary import (
     scalar,
     sin,
     square,
+    tan,
     tr,
     vect,
     vector,
@@ -136,9 +137,9 @@ def test_functions_of_letters_and_fractions_may_have_no_brackets() -> None:
     angle = scalar("x", r"\theta_{1}", "an angle")
     usual, bare = Latex(), Latex(Notation({}, bare_arguments=True))
     for node, shown, short in (
-        (sin(angle / 2), r"\sin\left( \frac{\theta_{1}}{2} \right)", r"\sin \frac{\theta_{1}}{2}"),
+        (tan(angle / 2), r"\tan\left( \frac{\theta_{1}}{2} \right)", r"\tan \frac{\theta_{1}}{2}"),
         (cosh(angle) ** 2, r"\cosh^2\left( \theta_{1} \right)", r"\cosh^2 \theta_{1}"),
-        (cos(angle + 1) ** 2, *2 * (r"\cos^2\left( \theta_{1} + 1 \right)",)),
+        (cot(angle + 1) ** 2, *2 * (r"\cot^2\left( \theta_{1} + 1 \right)",)),
         (arctan(scalar("z", "z", "")), *2 * (r"\arctan z",)),
     ):
         assert (spell(node, usual).text, spell(node, bare).text) == (shown, short)

@@ -154,7 +154,7 @@ const Kernel chasles_kernels[] = {
             "                2^-24\n"
             "              supposed: every operation rounded to nearest, with or without FMA, sine and cosine\n"
             "                within 0.8 ulp\n"
-            "  derivation  sha256 fd931c592a794abc154e30cb8754cc954c9fa9f827a0928a1e82185b1b2a8b81\n"
+            "  derivation  sha256 41aeb7a69bd4c902412187ac18c770eab3e24db7018b56881eddfad568648df0\n"
             "  signature   (3),(),(3),(3)->(3)\n"
             "",
         .loops = { &chasles_screw_axis_point_loopf, &chasles_screw_axis_point_loop },
@@ -550,7 +550,7 @@ const Kernel chasles_kernels[] = {
             "                2^-53, in single precision 2^-24\n"
             "              supposed: every operation rounded to nearest, with or without FMA, arctangent within 1\n"
             "                ulp\n"
-            "  derivation  sha256 b75d13b9d08f2ed9d5e5662876d264ac1f58472af4d4679a5aab80381c630eaf\n"
+            "  derivation  sha256 f4c88cd5f5da36a09188beb0fcfbf3a4571931b3f06ad9a253f46079ff8f69c5\n"
             "  signature   (3,3),(3),(3)->(6),(),()\n"
             "",
         .loops = { &chasles_screw_of_motion_loopf, &chasles_screw_of_motion_loop },
@@ -900,7 +900,7 @@ const Kernel chasles_kernels[] = {
             "                2^-24\n"
             "              supposed: every operation rounded to nearest, with or without FMA, sine and cosine\n"
             "                within 0.8 ulp\n"
-            "  derivation  sha256 c61d5578f7455d9deb930e9132cffeae9f18b18b83cb0ba9b49a6c83cd285a96\n"
+            "  derivation  sha256 956e7fbe93e1ea999fe3f7edebc581c8b10e077f4393b085160cc0c68988d2d5\n"
             "  signature   (3),(),(3)->(4,3)\n"
             "",
         .loops = { &chasles_natural_rate_matrix_dot_loopf, &chasles_natural_rate_matrix_dot_loop },
@@ -1061,7 +1061,7 @@ const Kernel chasles_kernels[] = {
             "                2^-24\n"
             "              supposed: every operation rounded to nearest, with or without FMA, sine and cosine\n"
             "                within 0.8 ulp\n"
-            "  derivation  sha256 d4b56350899a19bcc149b55d1279747465f4ffc9ff92ea858cdd2e564e99ca62\n"
+            "  derivation  sha256 4063df423497b2a63464c14082ba023d497a45f17209d99f956cc810ce8006b6\n"
             "  signature   (3),(),(6),(6)->(7)\n"
             "",
         .loops = { &chasles_pose_acceleration_natural_loopf, &chasles_pose_acceleration_natural_loop },

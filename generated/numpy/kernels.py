@@ -311,7 +311,7 @@ def screw_axis_point(e: Any, phi: Any, a: Any, a_prime: Any, /, *, out: Any = No
                   2^-24
                 supposed: every operation rounded to nearest, with or without FMA, sine and cosine
                   within 0.8 ulp
-    derivation  sha256 fd931c592a794abc154e30cb8754cc954c9fa9f827a0928a1e82185b1b2a8b81
+    derivation  sha256 41aeb7a69bd4c902412187ac18c770eab3e24db7018b56881eddfad568648df0
     signature   (3),(),(3),(3)->(3)
     """
     batch, e, phi, a, a_prime = prepared(
@@ -1043,7 +1043,7 @@ def screw_of_motion(Q: Any, a: Any, a_prime: Any, /, *, out: Any = None) -> Any:
                   2^-53, in single precision 2^-24
                 supposed: every operation rounded to nearest, with or without FMA, arctangent within 1
                   ulp
-    derivation  sha256 b75d13b9d08f2ed9d5e5662876d264ac1f58472af4d4679a5aab80381c630eaf
+    derivation  sha256 f4c88cd5f5da36a09188beb0fcfbf3a4571931b3f06ad9a253f46079ff8f69c5
     signature   (3,3),(3),(3)->(6),(),()
     """
     batch, Q, a, a_prime = prepared(
@@ -1668,7 +1668,7 @@ def natural_rate_matrix_dot(e: Any, phi: Any, omega: Any, /, *, out: Any = None)
                   2^-24
                 supposed: every operation rounded to nearest, with or without FMA, sine and cosine
                   within 0.8 ulp
-    derivation  sha256 c61d5578f7455d9deb930e9132cffeae9f18b18b83cb0ba9b49a6c83cd285a96
+    derivation  sha256 956e7fbe93e1ea999fe3f7edebc581c8b10e077f4393b085160cc0c68988d2d5
     signature   (3),(),(3)->(4,3)
     """
     batch, e, phi, omega = prepared(
@@ -1977,7 +1977,7 @@ def pose_acceleration_natural(e: Any, phi: Any, t: Any, t_dot: Any, /, *, out: A
                   2^-24
                 supposed: every operation rounded to nearest, with or without FMA, sine and cosine
                   within 0.8 ulp
-    derivation  sha256 d4b56350899a19bcc149b55d1279747465f4ffc9ff92ea858cdd2e564e99ca62
+    derivation  sha256 4063df423497b2a63464c14082ba023d497a45f17209d99f956cc810ce8006b6
     signature   (3),(),(6),(6)->(7)
     """
     batch, e, phi, t, t_dot = prepared(

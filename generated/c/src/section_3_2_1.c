@@ -179,7 +179,7 @@ void chasles_normal_matrix_inverse_batchf(
  *                 2^-24
  *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
  *                 within 0.8 ulp
- *   derivation  sha256 fd931c592a794abc154e30cb8754cc954c9fa9f827a0928a1e82185b1b2a8b81
+ *   derivation  sha256 41aeb7a69bd4c902412187ac18c770eab3e24db7018b56881eddfad568648df0
  */
 void chasles_screw_axis_point(
     const double e[3],
@@ -209,7 +209,7 @@ void chasles_screw_axis_point(
 /*
  * (3.18) chasles_screw_axis_point in single precision.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   39 operations; derivation sha256 fd931c592a794abc154e30cb8754cc954c9fa9f827a0928a1e82185b1b2a8b81
+ *   39 operations; derivation sha256 41aeb7a69bd4c902412187ac18c770eab3e24db7018b56881eddfad568648df0
  */
 void chasles_screw_axis_pointf(
     const float e[3],
@@ -239,7 +239,7 @@ void chasles_screw_axis_pointf(
 /*
  * (3.18) chasles_screw_axis_point for a batch.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   39 operations; derivation sha256 fd931c592a794abc154e30cb8754cc954c9fa9f827a0928a1e82185b1b2a8b81
+ *   39 operations; derivation sha256 41aeb7a69bd4c902412187ac18c770eab3e24db7018b56881eddfad568648df0
  */
 void chasles_screw_axis_point_batch(
     size_t count,
@@ -264,7 +264,7 @@ void chasles_screw_axis_point_batch(
 /*
  * (3.18) chasles_screw_axis_pointf for a batch.
  *   verdict: holds under; assumes phi != 0, |e| = 1
- *   39 operations; derivation sha256 fd931c592a794abc154e30cb8754cc954c9fa9f827a0928a1e82185b1b2a8b81
+ *   39 operations; derivation sha256 41aeb7a69bd4c902412187ac18c770eab3e24db7018b56881eddfad568648df0
  */
 void chasles_screw_axis_point_batchf(
     size_t count,

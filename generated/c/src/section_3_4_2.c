@@ -1567,7 +1567,7 @@ void chasles_euler_rodrigues_parameters_batchf(
  *                 2^-53, in single precision 2^-24
  *               supposed: every operation rounded to nearest, with or without FMA, arctangent within 1
  *                 ulp
- *   derivation  sha256 b75d13b9d08f2ed9d5e5662876d264ac1f58472af4d4679a5aab80381c630eaf
+ *   derivation  sha256 f4c88cd5f5da36a09188beb0fcfbf3a4571931b3f06ad9a253f46079ff8f69c5
  */
 void chasles_screw_of_motion(
     const double Q[9],
@@ -1675,7 +1675,7 @@ void chasles_screw_of_motion(
 /*
  * text 3.4.2 j chasles_screw_of_motion in single precision.
  *   verdict: holds under; assumes Q is a rotation, phi != 0
- *   114 operations; derivation sha256 b75d13b9d08f2ed9d5e5662876d264ac1f58472af4d4679a5aab80381c630eaf
+ *   114 operations; derivation sha256 f4c88cd5f5da36a09188beb0fcfbf3a4571931b3f06ad9a253f46079ff8f69c5
  */
 void chasles_screw_of_motionf(
     const float Q[9],
@@ -1783,7 +1783,7 @@ void chasles_screw_of_motionf(
 /*
  * text 3.4.2 j chasles_screw_of_motion for a batch.
  *   verdict: holds under; assumes Q is a rotation, phi != 0
- *   114 operations; derivation sha256 b75d13b9d08f2ed9d5e5662876d264ac1f58472af4d4679a5aab80381c630eaf
+ *   114 operations; derivation sha256 f4c88cd5f5da36a09188beb0fcfbf3a4571931b3f06ad9a253f46079ff8f69c5
  */
 void chasles_screw_of_motion_batch(
     size_t count,
@@ -1810,7 +1810,7 @@ void chasles_screw_of_motion_batch(
 /*
  * text 3.4.2 j chasles_screw_of_motionf for a batch.
  *   verdict: holds under; assumes Q is a rotation, phi != 0
- *   114 operations; derivation sha256 b75d13b9d08f2ed9d5e5662876d264ac1f58472af4d4679a5aab80381c630eaf
+ *   114 operations; derivation sha256 f4c88cd5f5da36a09188beb0fcfbf3a4571931b3f06ad9a253f46079ff8f69c5
  */
 void chasles_screw_of_motion_batchf(
     size_t count,

@@ -628,7 +628,7 @@ void chasles_acceleration_of_point_batchf(
  *                 2^-24
  *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
  *                 within 0.8 ulp
- *   derivation  sha256 c61d5578f7455d9deb930e9132cffeae9f18b18b83cb0ba9b49a6c83cd285a96
+ *   derivation  sha256 956e7fbe93e1ea999fe3f7edebc581c8b10e077f4393b085160cc0c68988d2d5
  */
 void chasles_natural_rate_matrix_dot(
     const double e[3],
@@ -686,7 +686,7 @@ void chasles_natural_rate_matrix_dot(
 /*
  * text 3.5 f chasles_natural_rate_matrix_dot in single precision.
  *   verdict: holds under; assumes |e| = 1, phi != 0
- *   70 operations; derivation sha256 c61d5578f7455d9deb930e9132cffeae9f18b18b83cb0ba9b49a6c83cd285a96
+ *   70 operations; derivation sha256 956e7fbe93e1ea999fe3f7edebc581c8b10e077f4393b085160cc0c68988d2d5
  */
 void chasles_natural_rate_matrix_dotf(
     const float e[3],
@@ -744,7 +744,7 @@ void chasles_natural_rate_matrix_dotf(
 /*
  * text 3.5 f chasles_natural_rate_matrix_dot for a batch.
  *   verdict: holds under; assumes |e| = 1, phi != 0
- *   70 operations; derivation sha256 c61d5578f7455d9deb930e9132cffeae9f18b18b83cb0ba9b49a6c83cd285a96
+ *   70 operations; derivation sha256 956e7fbe93e1ea999fe3f7edebc581c8b10e077f4393b085160cc0c68988d2d5
  */
 void chasles_natural_rate_matrix_dot_batch(
     size_t count,
@@ -763,7 +763,7 @@ void chasles_natural_rate_matrix_dot_batch(
 /*
  * text 3.5 f chasles_natural_rate_matrix_dotf for a batch.
  *   verdict: holds under; assumes |e| = 1, phi != 0
- *   70 operations; derivation sha256 c61d5578f7455d9deb930e9132cffeae9f18b18b83cb0ba9b49a6c83cd285a96
+ *   70 operations; derivation sha256 956e7fbe93e1ea999fe3f7edebc581c8b10e077f4393b085160cc0c68988d2d5
  */
 void chasles_natural_rate_matrix_dot_batchf(
     size_t count,
@@ -1511,7 +1511,7 @@ void chasles_euler_rodrigues_velocity_matrix_dot_batchf(
  *                 2^-24
  *               supposed: every operation rounded to nearest, with or without FMA, sine and cosine
  *                 within 0.8 ulp
- *   derivation  sha256 d4b56350899a19bcc149b55d1279747465f4ffc9ff92ea858cdd2e564e99ca62
+ *   derivation  sha256 4063df423497b2a63464c14082ba023d497a45f17209d99f956cc810ce8006b6
  */
 void chasles_pose_acceleration_natural(
     const double e[3],
@@ -1554,7 +1554,7 @@ void chasles_pose_acceleration_natural(
 /*
  * text 3.5 h chasles_pose_acceleration_natural in single precision.
  *   verdict: holds under; assumes |e| = 1, phi != 0
- *   96 operations; derivation sha256 d4b56350899a19bcc149b55d1279747465f4ffc9ff92ea858cdd2e564e99ca62
+ *   96 operations; derivation sha256 4063df423497b2a63464c14082ba023d497a45f17209d99f956cc810ce8006b6
  */
 void chasles_pose_acceleration_naturalf(
     const float e[3],
@@ -1597,7 +1597,7 @@ void chasles_pose_acceleration_naturalf(
 /*
  * text 3.5 h chasles_pose_acceleration_natural for a batch.
  *   verdict: holds under; assumes |e| = 1, phi != 0
- *   96 operations; derivation sha256 d4b56350899a19bcc149b55d1279747465f4ffc9ff92ea858cdd2e564e99ca62
+ *   96 operations; derivation sha256 4063df423497b2a63464c14082ba023d497a45f17209d99f956cc810ce8006b6
  */
 void chasles_pose_acceleration_natural_batch(
     size_t count,
@@ -1622,7 +1622,7 @@ void chasles_pose_acceleration_natural_batch(
 /*
  * text 3.5 h chasles_pose_acceleration_naturalf for a batch.
  *   verdict: holds under; assumes |e| = 1, phi != 0
- *   96 operations; derivation sha256 d4b56350899a19bcc149b55d1279747465f4ffc9ff92ea858cdd2e564e99ca62
+ *   96 operations; derivation sha256 4063df423497b2a63464c14082ba023d497a45f17209d99f956cc810ce8006b6
  */
 void chasles_pose_acceleration_natural_batchf(
     size_t count,

@@ -14,12 +14,13 @@ from chasles.vocabulary import Node
 def evident_divisors(
     sides: Iterable[Node], hypotheses: tuple[Hypothesis, ...], rules: Mapping[Node, Node]
 ) -> Iterator[Hypothesis]:
-    """That divisors are not zero which nothing declares so, and which are seen to be of one sign.
+    """That divisors are not zero which nothing declares so: those of tangents, and what is seen to be of one sign.
 
     Those that are so whatever symbols stand for are "evident", and are no condition of a verdict.
     """
     declared = {node: h for h in hypotheses for node in h.nonvanishing}
     quotients = [part for side in sides for part in opened_parts(side) if isinstance(part, w.Quotient)]
+    named = {quotient.denominator for quotient in quotients if quotient.called}
     for divisor in dict.fromkeys(part for quotient in quotients for part in _factors(quotient.denominator)):
         if divisor in declared:
             continue
@@ -33,6 +34,8 @@ def evident_divisors(
             if AssumedBounds(hypotheses, rules).exclude_zero(divisor):
                 always = AssumedBounds((), rules).exclude_zero(divisor)
                 yield with_fields(nonzero(divisor), kind="evident") if always else nonzero(divisor)
+        elif divisor in named:
+            yield nonzero(divisor)
 
 
 def _factors(node: Node) -> Iterator[Node]:

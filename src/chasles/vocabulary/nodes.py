@@ -248,11 +248,15 @@ class Scale(Node):
 
 @word
 class Quotient(Node):
-    """A term divided by a scalar; `slash` where the author writes it on one line."""
+    """A term divided by a scalar; `slash` where the author writes it on one line, `called` where by a name of its own.
+
+    A tangent is a sine divided by the cosine of the same, and stands where that is not zero.
+    """
 
     numerator: Node
     denominator: Node
     slash: bool = False
+    called: str = ""
 
     def _measured(self) -> Measure:
         if not self.denominator.is_scalar:

@@ -22,6 +22,7 @@ from chasles.vocabulary.spatial import Cofactor, Cross, Determinant, Dot, Invers
 from chasles.vocabulary.tree import children, undotted
 
 FUNCTIONS: dict[type[Node], str] = {Skew: "CPM", Vect: "vect", Trace: "tr", Determinant: "det", Cofactor: "cof"}
+QUOTIENTS = {"tan": ("sin", "cos"), "cot": ("cos", "sin")}
 
 
 def spell(node: Node, style: Style) -> Piece:
@@ -118,6 +119,8 @@ class _Speller:
         match node:
             case Call(function, argument):
                 return function, argument
+            case Quotient(Call(one, argument), Call(two, other), _, called) if argument == other and called:
+                return (called, argument) if (one, two) == QUOTIENTS[called] else None
             case _ if (name := getattr(node, "function", "")) in ("sinh", "cosh", "tanh"):
                 return self.style.called(name, rf"\{name}"), children(node)[0]
             case _:

@@ -102,14 +102,14 @@ def sin(angle: Node) -> Call:
 
 @declaring
 def cot(angle: Node) -> Quotient:
-    """The cotangent of an angle in radians: its cosine divided by its sine."""
-    return Quotient(cos(angle), sin(angle))
+    """The cotangent of an angle in radians: its cosine divided by its sine, where that is not zero."""
+    return Quotient(cos(angle), sin(angle), called="cot")
 
 
 @declaring
 def tan(angle: Node) -> Quotient:
-    """The tangent of an angle in radians: its sine divided by its cosine."""
-    return Quotient(sin(angle), cos(angle))
+    """The tangent of an angle in radians: its sine divided by its cosine, where that is not zero."""
+    return Quotient(sin(angle), cos(angle), called="tan")
 
 
 dot = making(Dot, "dot")
