@@ -10,6 +10,7 @@ from typing import Any
 import sympy
 
 from chasles.coq.expressions import Unsaid
+from chasles.coq.of_sympy import is_exponential
 from chasles.coq.plain import PlainExpressions
 from chasles.coq.rational import polynomial, text_of
 
@@ -20,7 +21,7 @@ MOST = 20
 
 def exponential(plain: PlainExpressions, e: Any) -> Any:
     """An exponential, a hyperbolic function or a power: a product of powers of exponentials; None for what is none."""
-    if e.func not in EXPONENTIAL and e is not sympy.E and not (e.is_Pow and not e.exp.is_Rational):
+    if e.func not in EXPONENTIAL and e is not sympy.E and not (e.is_Pow and is_exponential(e)):
         return None
     function = EXPONENTIAL.get(e.func, "exp")
     product, parts = sympy.Integer(1), list[str]()
@@ -36,7 +37,7 @@ def exponential(plain: PlainExpressions, e: Any) -> Any:
     plain.named |= {plain.labels[str(e)]: value} if str(e) in plain.labels else {}
     name = plain.remember(e)
     opened = "repeat first [rewrite exp_plus | rewrite exp_Ropp | rewrite exp_0 | rewrite exp_ln by above]"
-    logs = "".join(f"rewrite <- ?of'{each}; " for text, each in plain.remembered if text.startswith("ln "))
+    logs = "".join(f"rewrite <- ?of'{each}; " for text, each in plain.remembered.items() if text.startswith("ln "))
     equal = f"apply f_equal; {logs}{plain.rewritten}first [lra | reckon]"
     steps = (
         f"transitivity ({function} ({' + '.join(parts) or '0'})); [{equal} | unfold tanh, sinh, cosh; {opened}; reckon]"
@@ -57,7 +58,7 @@ def _exponent(plain: PlainExpressions, e: Any) -> Any:
 def _factors(plain: PlainExpressions, exponent: Any) -> Iterator[tuple[str, Any, int]]:
     """What is added in an exponent, as spelled, its exponential, and how often."""
     for term, multiple in exponent.as_coefficients_dict().items():
-        if term in plain.logarithms:
+        if term in plain.logarithms and multiple.is_Integer:
             unit, value = sympy.Integer(1), plain.logarithms[term]
         else:
             unit = plain.units.setdefault(term, _unit(plain, term, multiple))
@@ -76,7 +77,7 @@ def _unit(plain: PlainExpressions, term: Any, multiple: Any) -> Any:
     """What all multiples of a term in the exponents of the question are whole multiples of."""
     asked = sympy.Tuple(*plain.statement.asked.expressions)
     everything = sorted(asked.atoms(sympy.Pow, *EXPONENTIAL, sympy.coth, sympy.sech, sympy.csch), key=str)
-    exponents = [_exponent(plain, e) for e in everything if not (e.is_Pow and e.exp.is_Rational)]
+    exponents = [_exponent(plain, e) for e in everything if not e.is_Pow or is_exponential(e)]
     found = [multiple, *(each.as_coefficients_dict().get(term, sympy.Integer(0)) for each in exponents)]
     below = reduce(lcm, (int(each.q) for each in found))
     return sympy.Rational(reduce(gcd, (int(each * below) for each in found)), below)

@@ -20,7 +20,8 @@ from chasles.checker.expressions.asked import Asked
 from chasles.checker.sparse import Rejected
 from chasles.coq.exponentials import exponential, logarithm
 from chasles.coq.expressions import Unsaid
-from chasles.coq.of_sympy import ScalarStatement, in_entries
+from chasles.coq.inverses import inverse
+from chasles.coq.of_sympy import ScalarStatement, in_entries, in_parts
 from chasles.coq.plain import PlainExpressions
 from chasles.coq.proof import theorem
 from chasles.coq.rational import text_of
@@ -31,6 +32,7 @@ from chasles.coq.turns import turned
 from chasles.verdict import Holds, HoldsUnder, Verdict
 
 GIVEN = re.compile(r"given (\d+) (\d+),(\d+)(?: d(\d+))?")
+TANGENT = re.compile(r"\btan ")
 RATED = (sympy.sin, sympy.cos, sympy.exp)
 """Functions of which the theories know the rates."""
 OTHERWISE = {
@@ -43,7 +45,7 @@ OTHERWISE = {
     "variant": "of squares",
 }
 """Parts of certificates of which no proof is written for Coq."""
-READERS = (root, turned, exponential, logarithm)
+READERS = (root, turned, inverse, exponential, logarithm)
 NOW = " t now'"
 BY_CASES = ("intros.", "repeat apply conj; by_cases.")
 AS_SPELLED = ("intros.", "repeat apply conj; reflexivity.")
@@ -61,12 +63,16 @@ def as_theorem(
     claim = Claimed(name, "asked", name, f"{lhs} = {rhs}")
     said = ""
     try:
-        statement = ScalarStatement(Asked(*map(in_entries, (lhs, rhs, given, nonzero))), verdict.needs)
+        statement = ScalarStatement(in_parts(Asked(*map(in_entries, (lhs, rhs, given, nonzero)))), verdict.needs)
         said = holding(name, statement)
         if all(left == right for left, right in statement.goals) and not statement.timed:
             steps: Iterable[str] = AS_SPELLED
         else:
-            steps = BY_CASES if statement.has_cases else _ScalarProof(statement, verdict.certificate).steps()
+            steps = (
+                BY_CASES
+                if statement.is_of_cases(verdict.certificate)
+                else _ScalarProof(statement, verdict.certificate).steps()
+            )
         proof = theorem(name, steps)
     except (Rejected, Unsaid) as reason:
         return replace(claim, said=said, why_not=str(reason))
@@ -77,7 +83,7 @@ def as_theorem(
 
 class _ScalarProof:
     def __init__(self, statement: ScalarStatement, certificate: Mapping[str, Any]) -> None:
-        certificate = certificate.get("proof", certificate)  # of a more general question
+        certificate = {**certificate, **certificate.get("proof", {})}  # of a more general question
         if other := next((how for part, how in OTHERWISE.items() if certificate.get(part)), ""):
             raise Unsaid(f"no proof is written of what is shown {other}")
         self.statement, self.certificate = statement, certificate
@@ -104,9 +110,9 @@ class _ScalarProof:
         for premise in said.premises:
             if premise.says.startswith("0 < "):
                 yield f"pose proof (Rgt_not_eq _ _ {premise.name})."
-        remembered = sorted(plain.remembered, key=lambda each: ("tan " not in each[0], -len(each[0])))
+        remembered = sorted(plain.remembered.items(), key=lambda each: (not TANGENT.search(each[0]), -len(each[0])))
+        before = sum(bool(TANGENT.search(text)) for text, _ in remembered)
         named = [f"remember ({text}) as {name} eqn:of'{name} in *." for text, name in remembered]
-        before = sum("tan " in text for text, _ in remembered)
         yield from (*named[:before], "unfold tan in *.", *named[before:])
         yield from plain.facts
         yield from [f"{plain.rewritten.removesuffix('; ')} in *."] * bool(plain.values)

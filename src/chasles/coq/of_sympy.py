@@ -6,7 +6,8 @@ be read to know what is claimed, with what declared statements are written by.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from functools import reduce
 from typing import Any
@@ -18,6 +19,7 @@ from sympy.matrices.expressions.matexpr import MatrixElement
 
 from chasles import vocabulary as w
 from chasles.checker.expressions.asked import Asked
+from chasles.checker.expressions.complexes import Parts
 from chasles.checker.expressions.unevaluated import explicit, written_out
 from chasles.coq.expressions import APPLIED, ATOM, LOOSE, PLUS, Spelled, Spelling, Unsaid
 from chasles.coq.names import CoqNames
@@ -28,10 +30,9 @@ from chasles.vocabulary.fitting import SCALAR
 from chasles.vocabulary.functions import FunctionOf
 from chasles.vocabulary.measure import uniform
 
-UNITS = False
 FUNCTIONS = {
     sympy.tan: "tan", sympy.Abs: "Rabs", sympy.sign: "sign", sympy.exp: "exp", sympy.log: "ln", sympy.sinh: "sinh",
-    sympy.cosh: "cosh", sympy.tanh: "tanh",
+    sympy.cosh: "cosh", sympy.tanh: "tanh", sympy.asin: "asin", sympy.acos: "acos", sympy.atan: "atan",
 }  # fmt: skip
 """What Coq, or the theories, call functions of one number."""
 QUOTIENTS = {
@@ -42,7 +43,14 @@ QUOTIENTS = {
 }  # fmt: skip
 """Functions as quotients; but for the tangent, Coq has no words for them."""
 OF_TWO = {sympy.Max: "Rmax", sympy.Min: "Rmin"}
-BY_CASES = (sympy.sign, *OF_TWO)
+IN_OTHER_WORDS = {
+    **dict.fromkeys((sympy.asinh, sympy.acosh, sympy.atanh, sympy.acoth), sympy.log),
+    sympy.asec: sympy.acos, sympy.acsc: sympy.asin, sympy.Heaviside: sympy.Piecewise,
+}  # fmt: skip
+"""Functions that others are written for, as SymPy does it."""
+BY_CASES = (sympy.sign, sympy.Piecewise, sympy.Heaviside, *OF_TWO)
+DECIDED = {sympy.Lt: "Rlt_dec", sympy.Le: "Rle_dec", sympy.Eq: "Req_EM_T"}
+"""What Coq decides of two numbers."""
 SIGNS = {
     "positive": "0 < {}",
     "negative": "{} < 0",
@@ -64,6 +72,32 @@ def in_entries(value: Any) -> Any:
     return written_out(value) if isinstance(value, sympy.Expr) else value
 
 
+def in_parts(asked: Asked) -> Asked:
+    """What was asked, of real and imaginary parts: these, if there are any, in further rows."""
+    parts = Parts()
+    sides = parts.sides(*(list(side.values()) for side in (asked.left, asked.right)))
+    asked.left, asked.right = (_placed(asked.left, side) for side in sides)
+    given = []
+    for item in asked.given:
+        said = [parts.pairs(*pair) for pair in item.pairs.values()]
+        pairs = [pair[0] for pair in said] + [pair[1] for pair in said if len(pair) > 1]
+        given.append(replace(item, pairs=_placed(item.pairs, pairs)))
+    asked.given = given
+    return asked
+
+
+def _placed(places: Iterable[tuple[int, int]], parts: Sequence[Any]) -> dict[tuple[int, int], Any]:
+    """Parts by their places: imaginary ones as many rows below."""
+    places = list(places)
+    below = 1 + max((row for row, _ in places), default=0)
+    return dict(zip([*places, *((row + below, column) for row, column in places)], parts, strict=False))
+
+
+def is_exponential(power: Any) -> bool:
+    """Whether a power is that of an exponential: of any exponent, or of a positive number that is no square root."""
+    return not power.exp.is_Rational or (power.exp.q > 2 and power.base.is_positive is True)
+
+
 class SympyWords:
     """Expressions of SymPy in words: `atoms` are the symbols, functions and rates; `time` is what functions are of."""
 
@@ -78,7 +112,7 @@ class SympyWords:
         for each in (*sorted(variables, key=str), *functions):
             name = each.func.__name__ if each in functions else str(each)
             size = uniform(SCALAR, NO_DIMENSION)
-            self.atoms[each] = w.Symbol(name, name, size, constant=each in variables, home=__name__)
+            self.atoms[each] = w.Symbol(name, name, size, constant=each in variables, home=__name__, has_units=False)
         for each in sorted(expressions.atoms(sympy.Derivative), key=str):
             if each.expr not in functions:
                 raise Unsaid(f"the rate of {each.expr}")
@@ -90,6 +124,12 @@ class SympyWords:
         """An expression; raises `Unsaid` where there is no word for it."""
         if e in self.atoms:
             return self.atoms[e]
+        if isinstance(e, sympy.Piecewise):
+            return self._by_cases(*e.args)
+        if e.func is sympy.atan2:
+            return FunctionOf("atan2", tuple(map(self, e.args)))
+        if e.func in IN_OTHER_WORDS:
+            return self(e.rewrite(IN_OTHER_WORDS[e.func]))
         if e is sympy.pi:
             return w.PI
         if e.is_Rational and e < 0:
@@ -115,6 +155,26 @@ class SympyWords:
             return self._power(e)
         raise Unsaid(f"{e.func if e.is_Function else e} is no word of the theories")
 
+    def _by_cases(self, first: Any, *others: Any) -> w.Node:
+        value, condition = first
+        if condition is sympy.true:
+            return self(value)
+        if not others:
+            raise Unsaid(f"what has no value unless {condition}")
+        return self._chosen(condition, self(value), self._by_cases(*others))
+
+    def _chosen(self, condition: Any, then: w.Node, otherwise: w.Node) -> w.Node:
+        if isinstance(condition, sympy.And):
+            return reduce(lambda rest, each: self._chosen(each, rest, otherwise), condition.args, then)
+        if isinstance(condition, sympy.Or):
+            return reduce(lambda rest, each: self._chosen(each, then, rest), condition.args, otherwise)
+        if isinstance(condition, sympy.Ne):
+            return self._chosen(sympy.Eq(*condition.args, evaluate=False), otherwise, then)
+        condition = condition.reversed if isinstance(condition, sympy.Gt | sympy.Ge) else condition
+        if type(condition) not in DECIDED:
+            raise Unsaid(f"{condition} is no word of the theories")
+        return FunctionOf(DECIDED[type(condition)], (*map(self, condition.args), then, otherwise))
+
     def _product(self, e: Any) -> w.Node:
         above, below = [], []
         for factor in e.as_ordered_factors():
@@ -129,7 +189,7 @@ class SympyWords:
 
     def _power(self, e: Any) -> w.Node:
         base, exponent = e.as_base_exp() if e.exp.is_Rational and e.exp > 0 else (e.base, e.exp)
-        if not exponent.is_Rational:
+        if is_exponential(e):
             return FunctionOf("Rpower", (self(base), self(exponent)))
         if exponent < 0:
             return w.Quotient(self(sympy.Integer(1)), self(1 / e))
@@ -141,6 +201,10 @@ class SympyWords:
 
 class _ScalarSpelling(Spelling):
     def _number(self, node: w.Node) -> Spelled:
+        if isinstance(node, FunctionOf) and node.function in DECIDED.values():
+            *compared, then, otherwise = node.arguments
+            decided = " ".join((node.function, *(self.number(each, ATOM) for each in compared)))
+            return f"if {decided} then {self.number(then)} else {self.number(otherwise)}", LOOSE + 1
         if isinstance(node, FunctionOf):
             return f"{node.function} {' '.join(self.number(each, ATOM) for each in node.arguments)}", APPLIED
         return super()._number(node)
@@ -171,12 +235,11 @@ class ScalarStatement(CoqStatement):
         self.timed = words.time is not None
         self.spelling = _ScalarSpelling(self.names, self.applied)
 
-    @property
-    def has_cases(self) -> bool:
+    def is_of_cases(self, certificate: Mapping[str, Any]) -> bool:
         """Whether something is spoken of whose value is told by cases, all else being rational and at rest."""
         everything = sympy.Tuple(*self.asked.expressions)
         others = everything.atoms(sympy.Function) - everything.atoms(sympy.Abs, *BY_CASES)
-        return everything.has(*BY_CASES) and not others
+        return (everything.has(*BY_CASES) or "cases" in certificate) and not others
 
     def _signs(self) -> Iterator[Hypothesis]:
         for atom, node in self.words.atoms.items():

@@ -15,7 +15,7 @@ import sympy
 
 from chasles.checker.sparse import Rejected, exponents, parsed
 from chasles.coq.expressions import ATOM, Unsaid
-from chasles.coq.of_sympy import QUOTIENTS, SIGNS, ScalarStatement
+from chasles.coq.of_sympy import IN_OTHER_WORDS, QUOTIENTS, SIGNS, ScalarStatement
 from chasles.coq.rational import divisors_of, polynomial, rank, text_of
 
 Reader = Callable[["PlainExpressions", Any], Any]
@@ -26,18 +26,19 @@ class PlainExpressions:
     """Expressions in symbols that are called as Coq calls them.
 
     `remembered` are what gets a name in the proof, `facts` are the steps by which it is known what these are: by
-    `rules` something vanishes, by `values` a name has a value. Symbols may be exponentials, of `exponents` that are
-    multiples of `units`, or `logarithms`.
+    `rules`, one for a square, something vanishes, by `values` a name has a value. `angles` have names where they are no
+    rational functions. Symbols may be exponentials, of `exponents` that are multiples of `units`, or `logarithms`.
     """
 
     def __init__(
         self, statement: ScalarStatement, certificate: Mapping[str, Any], readers: Sequence[Reader] = ()
     ) -> None:
         self.statement, self.certificate, self._readers = statement, certificate, readers
-        self.rules: list[tuple[Any, str]] = []
+        self.rules: dict[Any, tuple[Any, str]] = {}
         self.facts: list[str] = []
-        self.remembered: list[tuple[str, str]] = []
+        self.remembered: dict[str, str] = {}
         self.values: list[str] = []
+        self.angles: dict[Any, str] = {}
         self.named: dict[str, Any] = {}
         self.labels = {text: key for key, text in certificate["names"].items()}
         self.units: dict[Any, Any] = {}
@@ -56,8 +57,10 @@ class PlainExpressions:
             if e in self._pending:
                 raise Unsaid(f"no proof is written of what {e} is, an exponential in another")
             self._pending.add(e)
-            self._known[e] = self._plain(e)
-            self._pending.discard(e)
+            try:
+                self._known[e] = self._plain(e)
+            finally:
+                self._pending.discard(e)
         return self._known[e]
 
     def knows(self, e: Any) -> bool:
@@ -67,6 +70,8 @@ class PlainExpressions:
     def _plain(self, e: Any) -> Any:
         if e is sympy.pi:
             self.facts.append("pose proof PI_neq0.")
+        if e.func in IN_OTHER_WORDS:
+            return self(e.rewrite(IN_OTHER_WORDS[e.func]))
         if e in self.statement.words.atoms or e is sympy.pi:
             sign = next((kind for kind in SIGNS if getattr(e, f"is_{kind}")), "real")
             return self.symbol(self.statement.side(e, ATOM), sign)
@@ -108,9 +113,13 @@ class PlainExpressions:
 
     def remember(self, e: Any) -> str:
         """A name for an expression of the question."""
-        name = f"value'{len(self.remembered)}"
-        self.remembered.append((self.statement.side(e), name))
-        return name
+        return self.remembered.setdefault(self.statement.side(e), f"value'{len(self.remembered)}")
+
+    def angle(self, e: Any) -> str:
+        """The name of an angle that is no rational function of symbols."""
+        if e not in self.angles:
+            self.angles[e] = self.remember(e)
+        return self.angles[e]
 
     def value(self, name: str, value: Any, steps: str) -> None:
         """A name has a value, by these steps."""
@@ -124,7 +133,7 @@ class PlainExpressions:
         text, name = f"({head}^2 - {text_of(equal)})", f"rule'{len(self.rules)}"
         self.facts.append(f"assert ({name} : {text} = 0) by ({steps}).")
         self.facts.append(f"try (pose proof (not_zero_square _ _ {name} ltac:(not_zero_known))).")
-        self.rules.append((head**2 - equal, text))
+        self.rules[head] = head**2 - equal, text
 
     def nonzero(self, e: Any) -> Iterator[str]:
         """The steps by which it is known, where that is seen, that what an expression is divided by is not zero."""
@@ -137,12 +146,12 @@ class PlainExpressions:
         """What vanishes as a combination of rules; raises `Unsaid` if it is none."""
         numerator, below = sympy.fraction(sympy.together(vanishing))
         numerator = sympy.expand(numerator)
-        rules = [rule for rule, _ in self.rules]
+        rules = [rule for rule, _ in self.rules.values()]
         symbols = sorted({s for each in (numerator, *rules) for s in each.free_symbols}, key=rank)
         if not numerator:
             return "0"
         quotients, rest = sympy.reduced(numerator, rules, *symbols) if rules else ((), numerator)
         if rest:
             raise Unsaid("the difference is not seen to vanish by the squares of roots, cosines and absolute values")
-        pairs = zip(quotients, self.rules, strict=True)
+        pairs = zip(quotients, self.rules.values(), strict=True)
         return " + ".join(f"({text_of(q / below / over)}) * {text}" for q, (_, text) in pairs if q)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from functools import reduce
-from itertools import product
+from itertools import chain, product
 from operator import mul
 from typing import Any
 
@@ -52,10 +53,16 @@ def _root(plain: PlainExpressions, e: Any, kind: str) -> Any:
         if what == kind and _same(plain, said, kind, text)
     ]
     plain.facts.append(f"pose proof ({LEMMAS[kind]}_positive _ _ of'{name}) as positive'{name}.")
-    value = None if names else next(_known(plain, square), None)
-    if value is not None:
+    ways = [_known(plain, square), _other_roots(plain), _other_sides(plain, e)]
+    if plain.certificate.get("facts"):
+        ways.reverse()
+    for value in () if names else chain(*ways):
+        try:
+            total = plain.total(square - value**2)
+        except Unsaid:
+            continue
         plain.facts += plain.nonzero(value)
-        equal = f"apply (by_parts _ _ ({plain.total(square - value**2)})); [vanish | {plain.rewritten}identity]"
+        equal = f"apply (by_parts _ _ ({total})); [vanish | {plain.rewritten}identity]"
         plain.value(name, value, f"(apply ({LEMMAS[kind]}_value _ _ _ of'{name}); [nonnegative | {equal}])")
         return value
     plain.named |= dict.fromkeys(names, _symbol(plain, name, kind, square))
@@ -74,7 +81,7 @@ def _introduced(plain: PlainExpressions, word: str, kind: str, text: str) -> Non
     """A root of which the question does not speak."""
     said, name = plain.parsed(text), f"word'{len(plain.facts)}"
     function = "sqrt" if kind == "sqrt" else "Rabs"
-    plain.facts.append(f"remember ({function} {text_of(said)}) as {name} eqn:of'{name}.")
+    plain.facts.append(f"destruct (named ({function} {text_of(said)})) as [{name} of'{name}].")
     plain.facts.append(f"pose proof ({LEMMAS[kind]}_positive _ _ of'{name}) as positive'{name}.")
     plain.named[word] = _symbol(plain, name, kind, said if kind == "sqrt" else said**2)
 
@@ -94,6 +101,20 @@ def _known(plain: PlainExpressions, square: Any) -> Iterator[Any]:
         ratio = sympy.cancel(square / made)
         if ratio.is_Rational and sympy.sqrt(ratio).is_Rational:
             yield reduce(mul, (v**n for (_, v), n in zip(known, powers, strict=False)), even * sympy.sqrt(ratio))
+
+
+def _other_roots(plain: PlainExpressions) -> list[Any]:
+    """Roots that may have the same square if cosines and roots in it are taken for what they are."""
+    return [head for head in plain.rules if head.is_nonnegative]
+
+
+def _other_sides(plain: PlainExpressions, e: Any) -> Iterator[Any]:
+    """What the question says that the root is."""
+    for left, right in plain.statement.goals:
+        for side, other in ((left, right), (right, left)):
+            if side == e and not _roots_in(other) & {e}:
+                with suppress(Unsaid):
+                    yield plain(other)
 
 
 def _even_part(square: Any) -> Any:

@@ -42,6 +42,10 @@ Definition number (x : R) : M 1 1 := matrix 1 1 (fun _ _ => x).
 Definition the (A : M 1 1) : R := entry A 0 0.
 
 Definition sign (x : R) : R := if Rlt_dec 0 x then 1 else if Rlt_dec x 0 then -1 else 0.
+Definition atan2 (y x : R) : R :=
+  if Rlt_dec 0 x then atan (y / x)
+  else if Rlt_dec x 0 then if Rlt_dec y 0 then atan (y / x) - PI else atan (y / x) + PI
+  else if Rlt_dec 0 y then PI / 2 else if Rlt_dec y 0 then - (PI / 2) else 0.
 Definition dot {m} (u v : M m 1) : R := sum m (fun i => entry u i 0 * entry v i 0).
 Definition norm {m} (v : M m 1) : R := sqrt (dot v v).
 Definition vector (x y z : R) : M 3 1 :=
