@@ -27,7 +27,8 @@ class PlainExpressions:
 
     `remembered` are what gets a name in the proof, `facts` are the steps by which it is known what these are: by
     `rules`, one for a square, something vanishes, by `values` a name has a value. `angles` have names where they are no
-    rational functions. Symbols may be exponentials, of `exponents` that are multiples of `units`, or `logarithms`.
+    rational functions. Symbols may be cosines and sines `of_numbers`, exponentials, of `exponents` that are multiples
+    of `units`, or `logarithms`.
     """
 
     def __init__(
@@ -39,6 +40,7 @@ class PlainExpressions:
         self.remembered: dict[str, str] = {}
         self.values: list[str] = []
         self.angles: dict[Any, str] = {}
+        self.of_numbers: set[Any] = set()
         self.named: dict[str, Any] = {}
         self.labels = {text: key for key, text in certificate["names"].items()}
         self.units: dict[Any, Any] = {}
@@ -138,6 +140,8 @@ class PlainExpressions:
     def nonzero(self, e: Any) -> Iterator[str]:
         """The steps by which it is known, where that is seen, that what an expression is divided by is not zero."""
         for factor in divisors_of(e):
+            if factor.free_symbols <= self.of_numbers:
+                raise Unsaid(f"no proof is written that {factor} is not zero")
             made_of_roots = all(symbol.name.startswith("value") for symbol in factor.free_symbols)
             known = "first [not_zero_known | intro; nra]" if made_of_roots else "not_zero_known"
             yield f"try (assert ({polynomial(factor)} <> 0) by {known})."

@@ -85,6 +85,7 @@ def _circle(plain: PlainExpressions, atom: Any, unit: Any) -> tuple[str, Any, An
     if not atom.xreplace(at).is_rational_function():
         text = plain.angle(angle)
     c, s = (plain.symbol(f"({function} {text})") for function in ("cos", "sin"))
+    plain.of_numbers |= {c, s} if atom is sympy.S.One else set()
     labels = [str(sympy.Symbol(name) * unit).replace("*", "") for name in _labels(plain, atom)]
     if f"cos({labels[0]})" not in plain.named:
         plain.named |= {f"{f}({label})": v for f, v in (("cos", c), ("sin", s)) for label in labels}
