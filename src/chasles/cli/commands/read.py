@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import replace
 from pathlib import Path
 from time import sleep
 from typing import TYPE_CHECKING
@@ -14,19 +12,17 @@ import click
 
 from chasles.cli.book import as_data, print_data
 from chasles.cli.failures import BAD_INPUT, FAILED, Failure, complain
-from chasles.cli.files import replace_whole, text_of_file, write_whole
+from chasles.cli.files import text_of_file, write_whole
 from chasles.cli.quiet import is_quiet
 
 if TYPE_CHECKING:
-    from chasles.pages.known_answers import KnownAnswers
+    from chasles.cli.page_reading import PageRead
     from chasles.pages.page import Page
-    from chasles.reading.page_notation import PageNotation
     from chasles.reading.printed import PrintedEquation
 
 MOST_NAMED = 8
 POLLED = 0.5
 """Seconds between two looks at the files that are watched."""
-_Read = tuple["Page", tuple[str, ...], tuple[str, ...]]
 
 
 @click.command(
@@ -72,6 +68,7 @@ def command(
     --strict is given; status 1 means that something is open, ambiguous or unread. With --out, questions.toml asks for
     the role of what is open: fill it in, and run the command again. With --watch, Control-C ends it.
     """
+    from chasles.cli.page_reading import printed_on, read
     from chasles.pages.findings_told import is_fine
     from chasles.pages.folder import QUESTIONS
     from chasles.pages.known_answers import recalled, retained
@@ -79,7 +76,7 @@ def command(
     if html and len(pages) > 1:
         raise Failure("--html writes the findings on one page: name one page", BAD_INPUT)
     if propose:
-        _propose([_printed(page, macros, inline, follow) for page in pages])
+        _propose([printed_on(page, macros, inline, follow) for page in pages])
         return 0
     if notation is None:
         for page in pages:
@@ -93,10 +90,10 @@ def command(
     known = recalled()
 
     def once() -> int:
-        read = [_read(page, _printed(page, macros, inline, follow), notation, out, known) for page in pages]
+        found = [read(page, printed_on(page, macros, inline, follow), notation, out, known) for page in pages]
         retained(known)
-        _tell(read, notation, html, quiet or github or is_quiet(), github, json)
-        equations = [each for page, _, _ in read for each in page.equations]
+        _tell(found, notation, html, quiet or github or is_quiet(), github, json)
+        equations = [each for one in found for each in one.page.equations]
         return 0 if all(is_fine(each) if strict else each.is_decided for each in equations) else FAILED
 
     if not watch:
@@ -122,11 +119,11 @@ def changes(files: Sequence[Path], wait: Callable[[float], None]) -> Iterator[No
             wait(POLLED)
 
 
-def _tell(read: Sequence[_Read], notation: str, html: Path | None, is_short: bool, github: bool, json: bool) -> None:
+def _tell(read: Sequence[PageRead], notation: str, html: Path | None, is_short: bool, github: bool, json: bool) -> None:
     """Tell the findings, and which entries of the notation are of no page."""
-    found = [page for page, _, _ in read]
-    _tell_unmatched(f"{notation}: no letter of the page matches", [entries for _, entries, _ in read])
-    _tell_unmatched(f"{notation}: the page has no equation with the number", [numbers for _, _, numbers in read])
+    found = [each.page for each in read]
+    _tell_unmatched(f"{notation}: no letter of the page matches", [each.entries for each in read])
+    _tell_unmatched(f"{notation}: the page has no equation with the number", [each.numbers for each in read])
     empty = [page.file for page in found if not page.equations]
     if empty and not is_quiet():
         more = "--inline reads those between single dollars, --macros FILE those that macros of a style file open"
@@ -165,100 +162,3 @@ def _propose(printed: Sequence[tuple[PrintedEquation, ...]]) -> None:
     from chasles.reading.proposal import proposed
 
     click.echo(proposed([equation for page in printed for equation in page]), nl=False)
-
-
-def _printed(page: Path, macros: Path | None, inline: bool, follow: bool) -> tuple[PrintedEquation, ...]:
-    """The equations of a page; what is wrong with it in one line."""
-    from chasles.reading.lexemes import BadPage
-    from chasles.reading.pages import displayed, kind_of
-
-    def included(name: str) -> tuple[str, str]:
-        path = page.parent / name
-        path = path if path.suffix else path.with_suffix(".tex")
-        return str(path), text_of_file(path)
-
-    try:
-        kind = kind_of(page.name)
-        text, defined = text_of_file(page), text_of_file(macros) if macros else ""
-        follows = included if follow else None
-        return displayed(text, kind, file=str(page), macros=defined, is_inline=inline, included=follows)
-    except BadPage as error:
-        raise Failure(f"{page}:{error.line}: {error}", BAD_INPUT) from error
-
-
-def _read(page: Path, printed: tuple[PrintedEquation, ...], name: str, out: Path | None, known: KnownAnswers) -> _Read:
-    """The page decided, with what a person has answered, and the letters and numbers of the notation that it lacks.
-
-    What came of it is written to the folder.
-    """
-    from chasles.pages.page import read_page
-    from chasles.reading.letter_table import BadNotation
-    from chasles.reading.notation_file import noted
-
-    try:
-        notation = _notation(name)
-        if out is None:
-            return _with_what_it_lacks(read_page(printed, notation, str(page), known), notation)
-        asked, given = _answered(out)
-        told = noted(given, f"{asked}: ")
-        notes = {each: {**notation.notes.get(each, {}), **told.get(each, {})} for each in {**notation.notes, **told}}
-        found = read_page(printed, replace(notation, notes=notes), str(page), known)
-    except BadNotation as error:
-        raise Failure(str(error) if str(error).startswith(name) else f"{name}: {error}", BAD_INPUT) from error
-    _write(found, given, out)
-    return _with_what_it_lacks(found, notation)
-
-
-def _answered(out: Path) -> tuple[Path, dict[str, dict[str, str]]]:
-    """The file in the folder that asks a person, and what is filled in there."""
-    from chasles.pages.folder import QUESTIONS, answers
-
-    asked = out / QUESTIONS
-    try:
-        return asked, answers(text_of_file(asked)) if asked.exists() else {}
-    except ValueError as error:
-        raise Failure(f"{asked}: {error}", BAD_INPUT) from error
-
-
-def _write(page: Page, given: dict[str, dict[str, str]], out: Path) -> None:
-    """Write the chapter and what is asked to the folder, but for declarations in it that a person has changed."""
-    from chasles.pages.folder import files_of
-    from chasles.pages.kept_declarations import RECORD, BadRecord
-
-    try:
-        out.mkdir(parents=True, exist_ok=True)
-        before = {file.name: text_of_file(file) for file in out.iterdir() if file.suffix in (".py", ".json")}
-        replace_whole({out / file: text for file, text in files_of(page, given, before).items()})
-    except OSError as error:
-        raise Failure(f"cannot write {out}: {error.strerror}", BAD_INPUT) from error
-    except SyntaxError as error:
-        where = f"{out / (error.filename or '')}:{error.lineno}"
-        raise Failure(f"{where}: {error.msg}: correct the module, or remove it", BAD_INPUT) from error
-    except BadRecord as error:
-        raise Failure(f"{out / RECORD}: {error}: correct the file, or remove it", BAD_INPUT) from error
-
-
-def _with_what_it_lacks(page: Page, notation: PageNotation) -> _Read:
-    names = {name for each in page.equations for name in (each.number, f"{each.number}/{each.place}")}
-    return page, notation.unmatched, tuple(name for name in notation.notes if name not in names)
-
-
-def _notation(name: str) -> PageNotation:
-    """The notation in a TOML file, in a Python module by its name, or of a chapter by its package's name or folder."""
-    from chasles.pages.chapter_notation import notation_of_chapter
-    from chasles.reading.notation_file import load_notation
-    from chasles.statements import DeclarationError, load
-    from chasles.statements.packages import imported
-
-    if str(Path.cwd()) not in sys.path:
-        sys.path.append(str(Path.cwd()))
-    if name.endswith(".toml"):
-        return load_notation(Path(name))
-    try:
-        module = imported(name)
-        return notation_of_chapter(load(name)) if hasattr(module, "SECTIONS") else load_notation(module)
-    except DeclarationError as error:
-        raise Failure(str(error), BAD_INPUT) from error
-    except ModuleNotFoundError as error:
-        wanted = "give a TOML file, the name of a module, or a chapter by its name or folder"
-        raise Failure(f"there is no notation {name!r}: {wanted}", BAD_INPUT) from error
