@@ -49,9 +49,9 @@ from sympy import (
 
 from chasles import prove
 from chasles.coq.checking import MISSING, coq_version, verdicts_of_coq
+from chasles.coq.claims import Claimed
 from chasles.coq.folder import chunks
 from chasles.coq.identities import as_theorem
-from chasles.coq.theorems import Claimed
 
 from .sampling import WHOLE
 

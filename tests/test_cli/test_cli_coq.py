@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from chasles.coq.checking import FORBIDDEN, MISSING, CoqVerdict, coq_version, verdicts_of_coq
+from chasles.coq.claims import Claimed
 from chasles.coq.expressions import Unsaid
 from chasles.coq.folder import chunks, files_of
 from chasles.coq.names import THEORIES, identifier, theory
@@ -20,7 +21,7 @@ from chasles.coq.points import refutation
 from chasles.coq.proof import proof_of
 from chasles.coq.sentences import failing
 from chasles.coq.statement import CoqStatement
-from chasles.coq.theorems import Claimed, claims_of
+from chasles.coq.theorems import claims_of
 from chasles.decisions.session import Session
 from chasles.statements import Inverse, Problem, Theorem, load, problem_of
 from chasles.statements.goals import Goal
@@ -200,12 +201,12 @@ def test_a_certificate_of_another_statement_makes_no_proof() -> None:
                 proof_of("mutant", CoqStatement(mutant), certificate)
 
 
-def test_what_there_are_no_words_for_gets_a_reason() -> None:
+def test_functions_are_said_entry_by_entry_and_no_point_with_them_yet() -> None:
     session = Session(book=load("chasles.rotations"))
     for entry in session._chapter.select(("1.42", "10.40")):  # type: ignore[union-attr]
         decision = session.decide(entry.statement)
         assert decision.verdict.true
-        assert [(bool(claim.proof), bool(claim.why_not)) for claim in claims_of([decision])] == [(False, True)]
+        assert [(bool(claim.proof), bool(claim.why_not)) for claim in claims_of([decision])] == [(True, False)]
         problem = problem_of(decision.statement, "printed", decision.accepted)  # type: ignore[arg-type]
         for mutant in mutants(problem):
             verdict = session.verdict_on(mutant)

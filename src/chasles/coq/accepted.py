@@ -8,8 +8,8 @@ from hashlib import sha256
 
 from chasles.cache import folder, keep
 from chasles.coq.checking import CoqVerdict
+from chasles.coq.claims import Claimed
 from chasles.coq.names import hash_of_theories
-from chasles.coq.theorems import Claimed
 
 KEPT = "coq.txt"
 MOST = 10**5

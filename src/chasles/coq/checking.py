@@ -14,9 +14,9 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from chasles import cache
+from chasles.coq.claims import Claimed
 from chasles.coq.folder import Chunk
 from chasles.coq.names import THEORIES, hash_of_theories, theory
-from chasles.coq.theorems import Claimed
 from chasles.decisions.processes import processors
 
 MISSING = "coqc was not found: install the Debian package coq, and Coq checks what is written"

@@ -18,6 +18,7 @@ import sympy
 
 from chasles.checker.expressions.asked import Asked
 from chasles.checker.sparse import Rejected
+from chasles.coq.claims import Claimed
 from chasles.coq.exponentials import exponential, logarithm
 from chasles.coq.expressions import Unsaid
 from chasles.coq.inverses import inverse
@@ -27,7 +28,6 @@ from chasles.coq.proof import theorem
 from chasles.coq.rational import text_of
 from chasles.coq.roots import root, words_named
 from chasles.coq.sentences import holding
-from chasles.coq.theorems import Claimed
 from chasles.coq.turns import turned
 from chasles.verdict import Holds, HoldsUnder, Verdict
 

@@ -11,11 +11,12 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 
 from chasles import vocabulary as w
+from chasles.coq.claims import Claimed
 from chasles.coq.expressions import EntryOf, Unsaid
 from chasles.coq.proof import proof_of
 from chasles.coq.sentences import holding
 from chasles.coq.statement import CoqStatement
-from chasles.coq.theorems import Claimed, named
+from chasles.coq.theorems import named
 from chasles.deciding import decided
 from chasles.decisions.decision import key_of
 from chasles.lowering.declaration import Decide, requested

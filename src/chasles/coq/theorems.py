@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
+from chasles.coq.claims import Claimed
 from chasles.coq.expressions import Unsaid
 from chasles.coq.misfits import misfit
 from chasles.coq.points import existence, refutation
@@ -18,36 +19,9 @@ from chasles.coq.statement import CoqStatement
 from chasles.decisions.decision import HOW, Decision, Sentence, key_of
 from chasles.statements import Inverse, Problem, Statement, Theorem, problem_of
 from chasles.statements.inversion import COVER, problems_of_inverse
-from chasles.verdict import Contradictory, Fails, IllFormed, Verdict
+from chasles.verdict import Contradictory, Fails, HoldsUnder, IllFormed, Verdict
 
 ENDINGS = {"printed": "", "reading": "_as_read", "repair": "_repaired", "corrected": "_corrected"}
-
-
-@dataclass(frozen=True, slots=True)
-class Claimed:
-    """One statement in Coq and its proof: `said` is empty where it cannot be said, `proof` where there is none yet.
-
-    `number` and `form` tell what it is of, `kernel` of which kernel, if of one; `whole` says whether the statement is
-    all that the verdict claims. Of a misfit the proof is a command that succeeds because Coq refuses the equation; a
-    witness says that there is what satisfies the premises of another statement.
-    """
-
-    number: str
-    form: str
-    name: str
-    says: str
-    said: str = ""
-    proof: str = ""
-    why_not: str = ""
-    whole: bool = True
-    is_misfit: bool = False
-    is_witness: bool = False
-    kernel: str = ""
-
-    @property
-    def theorem(self) -> str:
-        """The name of the theorem."""
-        return f"{self.name}_holds"
 
 
 def claims_of(decisions: Iterable[Decision]) -> Iterator[Claimed]:
@@ -110,7 +84,15 @@ def _fault(verdict: Verdict) -> str:
 
 
 def _claimed(claim: Claimed, problem: Problem, certificate: Mapping[str, Any]) -> Iterator[Claimed]:
-    """The statement, and that there is what satisfies all that it assumes."""
+    """The statement, entry by entry where it has functions, and that there is what satisfies all that it assumes."""
+    if "scalars" in certificate:
+        from chasles.checker.expressions.scalars import scalar_question  # loads SymPy
+        from chasles.coq.identities import as_theorem
+
+        asked = scalar_question(problem, proving=not certificate.get("whole")).asked
+        found = as_theorem(HoldsUnder(tuple(certificate["needs"]), certificate["scalars"], {}), *asked, name=claim.name)
+        yield replace(claim, said=found.said, proof=found.proof, why_not=found.why_not)
+        return
     yield _written(claim, problem, holding, lambda said: proof_of(claim.name, said, certificate))
     if "witness" not in certificate:  # of scalars or matrices of any size, which Coq is not told of
         return
