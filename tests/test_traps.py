@@ -156,6 +156,7 @@ FALSE = {
     "a witness outside": Theorem("1", "", (Exists(e, zero, cross(e, a), zero),), assuming=(unit(e),)),
     "a step from a false claim": claim(a - b, zero, Claim("2", a, b)),
     "a condition that is not linear": claim(p, number(1), where(p**2, number(1), p)),
+    "a condition that determines nothing": claim(p, sin(phi), where(p * cos(phi), sin(phi) * cos(phi), p)),
 }
 
 IMPOSSIBLE = {
@@ -173,7 +174,6 @@ IMPOSSIBLE = {
     "a constant that varies": claim(rate(a), rate(b), let(fixed, a)),
     "a definition by itself": claim(a, b, let(a, a + b)),
     "definitions in a circle": claim(a, b, let(a, b), let(b, a)),
-    "a condition that determines nothing": claim(p, sin(phi), where(p * cos(phi), sin(phi) * cos(phi), p)),
 }
 
 
