@@ -7,11 +7,20 @@ from collections.abc import Iterator
 from importlib.util import find_spec
 from pathlib import Path
 
-CHECKERS = {
-    "declared": ("chasles.checker.certificate", "chasles.checker.refutation"),
-    "prove": ("chasles.checker.expressions.proof", "chasles.checker.expressions.counterexample"),
-}
-"""The entrances of the checker: for declared statements, and for questions on SymPy expressions."""
+DECLARED = "chasles.checker.certificate", "chasles.checker.refutation"
+PROVE = "chasles.checker.expressions.proof", "chasles.checker.expressions.counterexample"
+ON_DEMAND = (
+    "chasles.checker.any_size.proof",
+    "chasles.checker.any_size.at_sizes",
+    "chasles.checker.expressions.scalars",
+    "chasles.checker.inequalities.squares",
+    "chasles.statements.bounds",
+    "chasles.statements.expanding",
+    "chasles.statements.field_equations",
+)
+CHECKERS = {"declared": DECLARED, "prove": PROVE, "all": (*DECLARED, *PROVE, *ON_DEMAND)}
+"""The entrances of the checker: for declared statements, for questions on SymPy expressions, and for both with what is
+loaded only where a statement has functions, letters for sizes, fields, inequalities or divisors between bounds."""
 
 
 def closure(*names: str) -> dict[str, Path]:
