@@ -11,6 +11,7 @@ from typing import Any
 from chasles.algebra.work_limit import OutOfTime, remaining, within
 from chasles.checker.any_size.of_sympy import check_at_any_size, has_letters_for_sizes
 from chasles.checker.expressions.counterexample import check_refutation
+from chasles.checker.expressions.induction import at_numbers, check_induction
 from chasles.checker.expressions.proof import check_proof
 from chasles.checker.sparse import Rejected
 from chasles.from_sympy import Question, ask
@@ -19,6 +20,7 @@ from chasles.from_sympy.complex_symbols import by_parts, expressions_in
 from chasles.from_sympy.contradiction import contradiction
 from chasles.from_sympy.decimals import as_decimals
 from chasles.from_sympy.exponents import require_moderate_exponents
+from chasles.from_sympy.induction import by_induction
 from chasles.from_sympy.inequalities import definitions, without_inequalities
 from chasles.from_sympy.splitting import Splitting
 from chasles.problems.variables import Untreatable
@@ -66,7 +68,7 @@ def prove(lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), budget: float 
         of_any_size = has_letters_for_sizes(expressions_in(said))
         asked = said if of_any_size else without_inequalities(said)
         with within(EFFORT, budget):
-            verdict = verdict_at_any_size(*asked) if of_any_size else _verdict(*asked)
+            verdict = verdict_at_any_size(*asked) if of_any_size else _decided_or_by_induction(*asked)
     except OutOfTime as error:
         return Undecided(str(error))
     except Rejected as error:
@@ -79,6 +81,19 @@ def prove(lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), budget: float 
         unused = tuple(text for text in verdict.unused if text not in used)
         verdict = HoldsUnder((*used, *verdict.needs), verdict.certificate, verdict.witness, unused)
     return replace(verdict, asked=asked)
+
+
+def _decided_or_by_induction(*asked: Any) -> Verdict:
+    """The verdict on the question as it stands; else on sums and products up to a letter, by induction on it."""
+    try:
+        verdict = _verdict(*asked)
+    except Untreatable:
+        found = by_induction(asked, _verdict)
+        if found is None:
+            raise
+        return _followed(found, asked)
+    found = by_induction(asked, _verdict) if isinstance(verdict, Undecided) else None
+    return verdict if found is None else _followed(found, asked)
 
 
 def _verdict(*asked: Any) -> Verdict:
@@ -109,16 +124,21 @@ def _verdict(*asked: Any) -> Verdict:
 def _followed(verdict: Verdict, asked: tuple[Any, ...]) -> Verdict:
     """The verdict, if it needs no proof or the checker follows it: what it does not follow is undecided."""
     try:
-        match verdict:
-            case Holds() | HoldsUnder():
-                if "unread" in verdict.certificate:
-                    raise Rejected(verdict.certificate["unread"])
-                check_proof(verdict, *asked)
-            case Fails(found):
-                check_refutation(found, *asked)
+        _check(verdict, asked)
     except Rejected as reason:
         return Undecided(f"an answer was found that the checker does not follow: {reason}")
     return verdict
+
+
+def _check(verdict: Verdict, asked: tuple[Any, ...]) -> None:
+    """Raise `Rejected` for a proof or a counterexample that the checker does not follow."""
+    match verdict:
+        case Holds() | HoldsUnder():
+            if "unread" in verdict.certificate:
+                raise Rejected(verdict.certificate["unread"])
+            (check_induction if "induction" in verdict.certificate else check_proof)(verdict, *asked)
+        case Fails(found):
+            check_refutation(*at_numbers(found, *asked))
 
 
 def _said(exact: bool, *said: Any) -> tuple[Any, ...]:
@@ -138,16 +158,12 @@ def recheck(verdict: Verdict, lhs: Any, rhs: Any, given: Any = (), nonzero: Any 
         check_at_any_size(verdict, *said)
         return
     asked = without_inequalities(said)
-    match verdict:
-        case Holds() | HoldsUnder():
-            for text in definitions(said, asked):
-                if text not in verdict.needs:
-                    raise Rejected(f"the verdict is on {text}, and does not say so")
-            check_proof(verdict, *asked)
-        case Fails(found):
-            check_refutation(found, *asked)
-        case _:
-            raise TypeError(f"the verdict is {verdict.name}: only what holds or fails can be checked")
+    if not isinstance(verdict, Holds | HoldsUnder | Fails):
+        raise TypeError(f"the verdict is {verdict.name}: only what holds or fails can be checked")
+    for text in definitions(said, asked):
+        if not isinstance(verdict, Fails) and text not in verdict.needs:
+            raise Rejected(f"the verdict is on {text}, and does not say so")
+    _check(verdict, asked)
 
 
 def _answered(question: Question) -> Verdict:

@@ -41,6 +41,7 @@ OTHERWISE = {
     "frames": "of matrices of any size",
     "equal": "by products of roots",
     "turned": "by the angle of a point",
+    "induction": "by induction",
     "raised": "by the exponentials of both sides",
     "variant": "of squares",
 }

@@ -89,8 +89,10 @@ def _claimed(claim: Claimed, problem: Problem, certificate: Mapping[str, Any]) -
         from chasles.checker.expressions.scalars import scalar_question  # loads SymPy
         from chasles.coq.identities import as_theorem
 
-        asked = scalar_question(problem, proving=not certificate.get("whole")).asked
-        found = as_theorem(HoldsUnder(tuple(certificate["needs"]), certificate["scalars"], {}), *asked, name=claim.name)
+        question = scalar_question(problem, proving=not certificate.get("whole"))
+        verdict = HoldsUnder(tuple(certificate["needs"]), certificate["scalars"], {})
+        sides = question.left, question.right
+        found = as_theorem(verdict, *sides, question.given, question.nonzero, claim.name)
         yield replace(claim, said=found.said, proof=found.proof, why_not=found.why_not)
         return
     yield _written(claim, problem, holding, lambda said: proof_of(claim.name, said, certificate))

@@ -12,6 +12,7 @@ PROVE = "chasles.checker.expressions.proof", "chasles.checker.expressions.counte
 ON_DEMAND = (
     "chasles.checker.any_size.proof",
     "chasles.checker.any_size.at_sizes",
+    "chasles.checker.expressions.induction",
     "chasles.checker.expressions.scalars",
     "chasles.checker.inequalities.squares",
     "chasles.statements.bounds",

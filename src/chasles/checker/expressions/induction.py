@@ -1,0 +1,127 @@
+"""Sums and products up to a letter, by induction: a claim at the least number, and at the next if it holds at one."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import sympy
+
+from chasles.checker.expressions.asked import listed
+from chasles.checker.expressions.proof import check_proof
+from chasles.checker.sparse import Rejected, well_formed
+from chasles.verdict import Counterexample, HoldsUnder
+
+LONG = (sympy.Sum, sympy.Product)
+MOST_MORE = 8
+"""By fewer terms than these a sum may grow where its letter grows by one."""
+Question = tuple[Any, Any, Any, Any]
+"""Both sides, the list of what is given, the list of what does not vanish."""
+
+
+def scalar_question(lhs: Any, rhs: Any, given: Any, nonzero: Any) -> Question:
+    """A question on scalars with its conditions in lists; raises `Rejected` for others."""
+    sides = [sympy.sympify(side) for side in (lhs, rhs)]
+    if not all(isinstance(side, sympy.Expr) for side in sides):
+        raise Rejected("only of scalars something is shown by induction")
+    conditions = ([item for _, item in listed(each, name)] for each, name in ((given, "given"), (nonzero, "nonzero")))
+    return (*sides, *conditions)
+
+
+def letters_of(question: Sequence[Any]) -> list[Any]:
+    """The integers up to which a question adds or multiplies, by name."""
+    parts = sympy.Tuple(*question[:2]).atoms(*LONG)
+    letters = {letter for part in parts for letter in part.limits[0][-1].free_symbols}
+    return sorted((letter for letter in letters if letter.is_integer), key=str)
+
+
+def least_of(letter: Any) -> int:
+    """The least number that a letter may be, by its assumptions; one if they leave it open."""
+    return 0 if letter.is_nonnegative and not letter.is_positive else 1
+
+
+def steps(question: Question, letter: Any, name: str) -> tuple[int, Question, Question]:
+    """The least value of a letter, the question there, and the question at the next number, given that it holds at one.
+
+    In the latter, the sums and products up to the letter are new symbols, called by a name and a number. Raises
+    `Rejected` where nothing says from where the letter counts, or something else depends on it.
+    """
+    left, right, given, nonzero = question
+    if letter.is_positive is not True and letter.is_nonnegative is not True:
+        raise Rejected(f"nothing says from where {letter} counts: it is neither positive nor nonnegative")
+    if any(item.has(letter) for item in (*given, *nonzero)):
+        raise Rejected(f"what is given depends on {letter}")
+    least = least_of(letter)
+    parts = [part for part in sympy.Tuple(left, right).atoms(*LONG) if part.has(letter)]
+    now, then = dict[Any, Any](), dict[Any, Any]()
+    for count, part in enumerate(sorted(parts, key=str)):
+        ((index, low, high), *others) = part.limits
+        more = sympy.expand(high.xreplace({letter: letter + 1}) - high)
+        if others or more not in range(1, MOST_MORE) or part.function.has(letter) or low.has(letter):
+            raise Rejected(f"{part} does not grow by a few terms where {letter} grows by one")
+        now[part] = symbol = sympy.Symbol(f"{name}_{count + 1}", real=True)
+        terms = (part.function.xreplace({index: high + k}) for k in range(1, int(more) + 1))
+        then[symbol] = (sympy.Add if isinstance(part, sympy.Sum) else sympy.Mul)(symbol, *terms)
+    if {str(symbol) for symbol in then} & {str(s) for e in (left, right, *given) for s in e.free_symbols}:
+        raise Rejected(f"the symbols {name}_1 and so on are not new")
+    if not then:
+        raise Rejected(f"nothing is added or multiplied up to {letter}")
+    hypothesis = sympy.Eq(left.xreplace(now), right.xreplace(now), evaluate=False)
+    after = (side.xreplace(now).xreplace({letter: letter + 1}).xreplace(then) for side in (left, right))
+    first = (side.xreplace({letter: sympy.Integer(least)}) for side in (left, right))
+    return least, (*first, given, nonzero), (*after, [*given, hypothesis], nonzero)
+
+
+def check_induction(verdict: Any, *asked: Any) -> None:
+    """Both parts of a proof by induction prove their questions, and the verdict says what they need.
+
+    Raises `Rejected` if not.
+    """
+    with well_formed("certificate"):
+        question, said = scalar_question(*asked), verdict.certificate["induction"]
+        letter = next((each for each in letters_of(question) if str(each) == said["on"]), None)
+        if letter is None or verdict.certificate.keys() != {"induction"}:
+            raise Rejected(f"nothing is added or multiplied up to {said['on']}")
+        least, *questions = steps(question, letter, said["name"])
+        parts = [HoldsUnder(tuple(part["needs"]), part["proof"], part["witness"]) for part in said["parts"]]
+        for part, each in zip(parts, questions, strict=True):
+            check_proof(part, *each)
+        needs, witness = joined(parts, questions, letter, least)
+        if set(verdict.needs) != needs or verdict.witness != witness:
+            raise Rejected("the verdict needs something else than the parts of the proof do")
+
+
+def joined(
+    parts: Sequence[HoldsUnder], questions: Sequence[Question], letter: Any, least: int
+) -> tuple[set[str], Mapping[str, Any]]:
+    """What both parts of a proof by induction need, which holds for all numbers, and where that is so."""
+    hypothesis = questions[1][2][-1]
+    base, step = set(parts[0].needs), set(parts[1].needs) - {f"{hypothesis.lhs} = {hypothesis.rhs}"}
+    if not (base <= step or step <= base):
+        raise Rejected("nothing shows that the first step and the others need nothing that excludes each other")
+    known = {str(s) for e in (*questions[0][:2], *questions[0][2]) for s in e.free_symbols} - {str(letter)}
+    for name in {str(letter), *(str(s) for s in hypothesis.free_symbols if str(s) not in known)}:
+        if any(re.search(rf"(?<!\w){re.escape(name)}(?!\w)", text) for text in base | step):
+            raise Rejected(f"what is needed depends on {name}")
+    more = parts[base <= step]
+    witness = {name: value for name, value in more.witness.items() if name in known}
+    return base | step, {**witness, str(letter): least}
+
+
+def at_numbers(found: Counterexample, *asked: Any) -> tuple[Any, ...]:
+    """The rest of a point, and the question with its values of the letters up to which it adds or multiplies.
+
+    Raises `Rejected` for a value that a letter cannot have.
+    """
+    if not any(isinstance(side, sympy.Expr) and side.has(*LONG) for side in asked[:2]):
+        return found, *asked
+    left, right, given, nonzero = question = scalar_question(*asked)
+    letters = {each: sympy.sympify(found.at[str(each)]) for each in letters_of(question) if str(each) in found.at}
+    for letter, value in letters.items():
+        if not value.is_Integer or (letter.is_positive and value < 1) or (letter.is_nonnegative and value < 0):
+            raise Rejected(f"{letter} is not {value}")
+    rest = {name: value for name, value in found.at.items() if name not in map(str, letters)}
+    put = ([item.xreplace(letters) for item in items] for items in (given, nonzero))
+    return replace(found, at=rest), left.xreplace(letters), right.xreplace(letters), *put

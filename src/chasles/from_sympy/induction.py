@@ -1,0 +1,63 @@
+"""Sums and products up to a letter: refuted at its least values, or proved by induction on it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+import sympy
+
+from chasles.checker.expressions.induction import Question, joined, least_of, letters_of, scalar_question, steps
+from chasles.checker.sparse import Rejected
+from chasles.problems.variables import Untreatable
+from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Verdict
+
+MOST_TRIED = 3
+"""So many values of a letter are tried."""
+
+
+def by_induction(asked: tuple[Any, ...], answer: Callable[..., Verdict]) -> Verdict | None:
+    """The verdict on a question that adds or multiplies up to a letter; None where induction decides nothing."""
+    try:
+        question = scalar_question(*asked)
+        letters = letters_of(question)
+    except Rejected:
+        return None
+    for letter in letters:
+        try:
+            found = _decided(question, letter, answer)
+        except (Rejected, Untreatable):
+            continue
+        if found is not None:
+            return found
+    return None
+
+
+def _decided(question: Question, letter: Any, answer: Callable[..., Verdict]) -> Verdict | None:
+    """The verdict by one letter; raises `Rejected` or `Untreatable` where something is in the way."""
+    least = least_of(letter)
+    for value in range(least, least + MOST_TRIED):
+        at = [side.xreplace({letter: sympy.Integer(value)}) for side in question[:2]]
+        if not any(item.has(letter) for item in (*question[2], *question[3])):
+            verdict = answer(*at, *question[2:])
+            if isinstance(verdict, Contradictory):
+                return verdict
+            if isinstance(verdict, Fails):
+                point = {**verdict.counterexample.at, str(letter): Fraction(value)}
+                return Fails(replace(verdict.counterexample, at=point))
+    name = "s"
+    while any(str(symbol).startswith(name) for side in question[:2] for symbol in side.free_symbols):
+        name += "_"
+    _, base, step = steps(question, letter, name)
+    parts = [answer(*base), answer(*step)]
+    proved = [
+        HoldsUnder(part.needs, part.certificate, part.witness) for part in parts if isinstance(part, Holds | HoldsUnder)
+    ]
+    if len(proved) < len(parts):
+        return None
+    needs, witness = joined(proved, (base, step), letter, least)
+    said = [{"needs": list(part.needs), "proof": part.certificate, "witness": dict(part.witness)} for part in proved]
+    certificate = {"induction": {"on": str(letter), "name": name, "parts": said}}
+    return HoldsUnder(tuple(sorted(needs)), certificate, witness) if needs else Holds(certificate, witness)

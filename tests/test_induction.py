@@ -1,0 +1,98 @@
+"""Sums and products up to a letter: proved by induction, refuted at a number, and no forged proof is accepted."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import pytest
+from sympy import Eq, Product, Sum, binomial, cos, exp, factorial, log, sin, sqrt, symbols
+
+from chasles import prove
+from chasles.prove import Rejected, Untreatable, recheck
+from chasles.verdict import Fails, Holds, HoldsUnder
+
+i, n = symbols("i n", integer=True, positive=True)
+m, z = symbols("m", integer=True, nonnegative=True), symbols("z", integer=True)
+x, y, q = symbols("x y q", real=True)
+p = symbols("p", positive=True)
+TRUE: dict[str, tuple[Any, ...]] = {
+    "telescoping": (Sum(1 / (i * (i + 1)), (i, 1, n)), n / (n + 1)),
+    "geometric": (Sum(p**i, (i, 0, m)), (p ** (m + 1) - 1) / (p - 1)),
+    "its derivative": (Sum(i * p**i, (i, 0, n)), p * (1 - (n + 1) * p**n + n * p ** (n + 1)) / (1 - p) ** 2),
+    "exponentials": (Sum(exp(i * x), (i, 0, n)), (exp((n + 1) * x) - 1) / (exp(x) - 1)),
+    "cosines": (Sum(cos(i * x), (i, 1, n)), sin(n * x / 2) * cos((n + 1) * x / 2) / sin(x / 2)),
+    "products": (Product(1 - 1 / (i + 1) ** 2, (i, 1, n)), (n + 2) / (2 * (n + 1))),
+    "logarithms": (Sum(log(1 + 1 / i), (i, 1, n)), log(n + 1)),
+    "roots": (Sum(1 / (sqrt(i) + sqrt(i + 1)), (i, 1, n)), sqrt(n + 1) - 1),
+    "factorials": (Sum(i * factorial(i), (i, 1, n)), factorial(n + 1) - 1),
+    "two at once": (Sum(i, (i, 1, n)) + Sum(1 / (i * (i + 1)), (i, 1, n)), n * (n + 1) / 2 + n / (n + 1)),
+    "by two": (Sum((-1) ** i * i, (i, 1, 2 * n)), n),
+    "with what is given": (Sum(q / (i * (i + 1)), (i, 1, n)), n / (n + 1), [Eq(q, 1)]),
+}
+FALSE: dict[str, tuple[Any, ...]] = {
+    "at the first": (Sum(p**i, (i, 0, m)), (p**m - 1) / (p - 1)),
+    "at a later one": (Sum(1 / (i * (i + 1)), (i, 1, n)), n**2 / (2 * (2 * n - 1))),
+    "terms with the letter": (Sum(binomial(n, i), (i, 0, n)), 2**n + 1),
+    "everywhere": (Sum(1 / sqrt(i), (i, 1, n)), 2 * sqrt(n)),
+}
+OPEN: dict[str, tuple[Any, ...]] = {
+    "a letter that is no count": (Sum(1 / (i * (i + 1)), (i, 1, z)), z / (z + 1)),
+    "terms with the letter": (Sum(binomial(n, i), (i, 0, n)), 2**n),
+    "what is undefined": (Sum(1 / i, (i, 0, n)), Sum(1 / i, (i, 1, n))),
+    "true at the first numbers": (Sum(p**0 / i, (i, 1, n)), Sum(1 / i, (i, 1, n)) + (n - 1) * (n - 2) * (n - 3) * x),
+    "a divisor that vanishes at a number": (Sum(1 / (i - 9), (i, 1, n)), Sum(1 / (i - 9), (i, 1, n)) * (y + 1)),
+}
+
+
+@pytest.mark.parametrize("question", [pytest.param(each, id=name) for name, each in TRUE.items()])
+def test_what_holds_for_all_numbers_is_proved(question: tuple[Any, ...]) -> None:
+    verdict = prove(*question)
+    assert isinstance(verdict, Holds | HoldsUnder)
+    assert not any("n" in need.split(" ") or "s_1" in need for need in verdict.needs)
+    recheck(verdict, *question)
+
+
+@pytest.mark.parametrize("question", [pytest.param(each, id=name) for name, each in FALSE.items()])
+def test_what_fails_at_a_number_is_refuted(question: tuple[Any, ...]) -> None:
+    verdict = prove(*question)
+    assert isinstance(verdict, Fails)
+    recheck(verdict, *question)
+    for name in {"n", "m"} & verdict.counterexample.at.keys():
+        forged = replace(verdict.counterexample, at={**verdict.counterexample.at, name: -1})
+        with pytest.raises(Rejected):
+            recheck(Fails(forged), *question)
+
+
+@pytest.mark.parametrize("question", [pytest.param(each, id=name) for name, each in OPEN.items()])
+def test_what_induction_does_not_show_is_open(question: tuple[Any, ...]) -> None:
+    try:
+        verdict = prove(*question)
+    except Untreatable:
+        return
+    assert not isinstance(verdict, Holds | HoldsUnder)
+
+
+def test_no_forged_proof_is_accepted() -> None:
+    question = TRUE["geometric"]
+    verdict = prove(*question)
+    assert isinstance(verdict, HoldsUnder)
+    said = verdict.certificate["induction"]
+    base, step = said["parts"]
+    forged = [
+        {**said, "parts": [step, base]},
+        {**said, "parts": [base, base]},
+        {**said, "parts": [base]},
+        {**said, "on": "p"},
+        {**said, "name": "p"},
+        {**said, "parts": [base, {**step, "needs": step["needs"][1:]}]},
+        {**said, "parts": [base, {**step, "needs": [*step["needs"], "m + 1 != 0"]}]},
+    ]
+    others = [replace(verdict, certificate={"induction": each}) for each in forged]
+    others += [replace(verdict, needs=()), replace(verdict, needs=(*verdict.needs, "p > 0"))]
+    others += [replace(verdict, witness={**verdict.witness, "p": 1})]
+    for other in others:
+        with pytest.raises(Rejected):
+            recheck(other, *question)
+    with pytest.raises(Rejected):
+        recheck(verdict, question[0], question[1] + m)
