@@ -24,12 +24,11 @@ ENTRY = next(entry for entry in load() if entry.number == "3.13")
 
 NOTHING_CLAIMED = ("definition", "condition", "postulate")
 IN_PART = "a theorem of which Coq has the equations that prove it, not its quantifiers"
-NO_WORD = "a function that is no word of the theories"
 NOT_RECORDED = {
     "chasles.derivations": dict.fromkeys(
         ("text 3.8 l/1", "text 3.8 m/2", "text 3.8 t/1", "text 3.8 y/1", "text 3.8 z/2"), IN_PART
     ),
-    "chasles.rotations": dict.fromkeys(("1.40/1", "1.41/1", "1.42/1", "5.35/1", "10.40/1"), NO_WORD),
+    "chasles.rotations": {},
 }
 """The statements that claim something, of which no record is kept, and why."""
 
