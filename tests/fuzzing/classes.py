@@ -176,6 +176,27 @@ def derivatives_in_any_order(draw: Random) -> Judgement:
     return f"{order}, {other}", Judged(answer, wrong)
 
 
+def sums_up_to_a_letter(draw: Random) -> Judgement:
+    """What telescopes to a known value, and a value that is another one from some number on."""
+    i, n = sp.symbols("i n", integer=True, positive=True)
+    a, b, c = draw.randint(1, 4), draw.randint(-3, 3), draw.choice((1, x, p, z + 1))
+    makes: tuple[Callable[[Any], Any], ...] = (
+        lambda k: c * k**2 / (2 * k + a),
+        lambda k: p**k * (k + b) + c,
+        lambda k: 2**k * c / (k + a),
+        lambda k: c * sin(k * x),
+        lambda k: c * sqrt(k + a) + sp.log(k + a),
+        lambda k: sp.factorial(k) * (k + b),
+        lambda k: (-1) ** k * c / (k + a),
+    )
+    value = draw.choice(makes)
+    left, right = sp.Sum(value(i) - value(i - 1), (i, 1, n)), value(n) - value(sp.Integer(0))
+    more = draw.choice((0, 0, y, (n - 1) * y, (n - 1) * (n - 2), (n - 1) * (n - 2) * (n - 3) * y))
+    answer = answer_of(lambda: prove(left, right + more))
+    names = ("fails", "undecided", "untreatable") if more else ("holds", "holds-under")
+    return f"{left} = {right + more}", Judged(answer, None if answer.name in names else Alarm("wrong", answer.name))
+
+
 CLASSES: dict[str, Callable[[Random], Judgement]] = {
     make.__name__.replace("_", " "): make
     for make in (
@@ -189,5 +210,6 @@ CLASSES: dict[str, Callable[[Random], Judgement]] = {
         pi_in_a_witness,
         divisors_that_are_seen_not_to_vanish,
         derivatives_in_any_order,
+        sums_up_to_a_letter,
     )
 }
