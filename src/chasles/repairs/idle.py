@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Container
-from itertools import combinations, pairwise
+from itertools import pairwise
 
 from chasles import vocabulary as w
-from chasles.rewriting.coefficients import negated
+from chasles.rewriting.coefficients import negated, split
 from chasles.vocabulary import Node
 from chasles.vocabulary.functions import FunctionOf
 
@@ -15,7 +15,7 @@ ORTHOGONAL = ("rotation", "half_turn", "orthogonal")
 
 
 def idle_parts(node: Node, orthogonal: Container[Node] = ()) -> int:
-    """How many parts of an expression have no effect: a x a, t - t, c (1/c), and R R^T of what is `orthogonal`."""
+    """How many parts of an expression have no effect: a x a, t - 2 t, c (1/c), and R R^T of what is `orthogonal`."""
     return sum(1 for part in w.walk(node) if _is_idle(part, orthogonal))
 
 
@@ -24,9 +24,8 @@ def _is_idle(part: Node, orthogonal: Container[Node]) -> bool:
         case w.Cross(one, other):
             return one == other
         case w.Sum():
-            return any(
-                w.Negative(one) == other or w.Negative(other) == one for one, other in combinations(_terms(part), 2)
-            )
+            cores = [split(term, lambda scalar: isinstance(scalar, w.Number)).core for term in _terms(part)]
+            return len(set(cores)) < len(cores)
         case w.Quotient(w.Scale(w.Number(), _), w.Number()):
             return True
         case w.Scale(w.Number(), w.Scale(w.Number()) | w.Number()) | FunctionOf("sqrt", (w.Number(),)):

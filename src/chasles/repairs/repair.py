@@ -185,7 +185,7 @@ def _proved(near: Nearest, changes: Iterable[Change]) -> Iterator[Repair]:
     for change in sorted(changes, key=rank):
         if best is not None and (len(change.words) > len(best.words) or change.effort > best.effort + MORE_EFFORT):
             return
-        if not change.words or (change.left, change.right) in seen or len(seen) == MOST:
+        if not change.words or (change.left, change.right) in seen or len(seen) == MOST or rank.is_in_vain(change):
             continue
         seen.add((change.left, change.right))
         verdict = _verdict(near, statement.saying(change.left, change.right))
