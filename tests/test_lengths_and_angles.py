@@ -165,10 +165,13 @@ def test_an_angle_that_a_condition_determines(left: Node, right: Node | int, giv
     assert true or isinstance(verdict, Fails)
 
 
-def test_a_condition_that_says_more_of_an_angle_is_refused_in_words() -> None:
-    verdict = verdict_on(sin(phi), 0, given=(Condition("1", k * phi, theta, on=(phi,)),))
+def test_a_condition_that_says_more_of_an_angle_is_refused_in_words_unless_it_leaves_the_angle_free() -> None:
+    more = Condition("1", k * phi, theta, on=(phi,))
+    verdict = verdict_on(theta * sin(phi), 0, given=(more,))
     assert isinstance(verdict, Undecided)
     assert "is to determine the angle phi" in verdict.reason
+    assert isinstance(verdict_on(sin(phi), 0, given=(more,)), Fails)
+    assert not isinstance(verdict_on(sin(phi), 0, given=(Condition("1", phi * phi, number(0), on=(phi,)),)), Fails)
 
 
 def test_a_condition_on_the_cosine_of_an_angle_is_assumed() -> None:

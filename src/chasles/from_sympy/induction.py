@@ -9,7 +9,7 @@ from typing import Any
 
 import sympy
 
-from chasles.checker.expressions.induction import Question, joined, least_of, letters_of, scalar_question, steps
+from chasles.checker.expressions.induction import LONG, Question, joined, least_of, letters_of, scalar_question, steps
 from chasles.checker.sparse import Rejected
 from chasles.problems.variables import Untreatable
 from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Verdict
@@ -20,12 +20,13 @@ MOST_TRIED = 3
 
 def by_induction(asked: tuple[Any, ...], answer: Callable[..., Verdict]) -> Verdict | None:
     """The verdict on a question that adds or multiplies up to a letter; None where induction decides nothing."""
+    if not any(isinstance(side, sympy.Expr) and side.has(*LONG) for side in asked[:2]):
+        return None
     try:
         question = scalar_question(*asked)
-        letters = letters_of(question)
-    except Rejected:
+    except (Rejected, TypeError, ValueError):  # of conditions that are none
         return None
-    for letter in letters:
+    for letter in letters_of(question):
         try:
             found = _decided(question, letter, answer)
         except (Rejected, Untreatable):
