@@ -194,6 +194,8 @@ def _bracketed(atom: Atom, rest: Glyph, ctx: FittingContext) -> list[Fit]:
         if (makes := brackets.get((text, sub, sups))) and not spelled:
             left = replace(rest, sub="" if sub else rest.sub, sups=() if sups else rest.sups)
             spelled = with_marks(applied(makes, ctx.terms(inside), ctx, rest, text), left, ctx)
+            if spelled and (sub or sups):
+                return spelled
     if text not in ("()", "[]", r"\{\}"):
         ctx.note(f"{text} has no meaning in the notation", atom.place)
         return spelled or (with_marks(ctx.of_its_own(latex_of(atom)), rest, ctx) if text in WITHOUT_BARS else [])
