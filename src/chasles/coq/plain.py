@@ -15,8 +15,9 @@ import sympy
 
 from chasles.checker.sparse import Rejected, exponents, parsed
 from chasles.coq.expressions import ATOM, Unsaid
-from chasles.coq.of_sympy import IN_OTHER_WORDS, QUOTIENTS, SIGNS, ScalarStatement
+from chasles.coq.of_sympy import SIGNS, ScalarStatement
 from chasles.coq.rational import divisors_of, polynomial, rank, text_of
+from chasles.coq.sympy_words import IN_OTHER_WORDS, QUOTIENTS
 
 Reader = Callable[["PlainExpressions", Any], Any]
 """What functions of a kind are; None for other expressions."""
