@@ -12,7 +12,8 @@ from chasles.algebra.rings import Polynomial
 from chasles.from_sympy.constants import is_algebraic, vanishes
 from chasles.from_sympy.polynomials import as_sympy
 from chasles.from_sympy.question import Question
-from chasles.problems.context import Context, build, difference, entries
+from chasles.problems.context import Context, build, difference
+from chasles.problems.generators import entries
 
 
 def relations(question: Question, meanings: Mapping[Any, Any]) -> list[Any]:

@@ -15,7 +15,8 @@ from random import Random
 from chasles.algebra.values import is_zero
 from chasles.checker.witness import root_of
 from chasles.points.evaluation import Point, evaluate, terms_of
-from chasles.problems.context import Context, Generator
+from chasles.problems.context import Context
+from chasles.problems.generators import Generator
 from chasles.vocabulary import PI, Symbol
 
 Terms = Sequence[tuple[Fraction, Mapping[int, int]]]

@@ -6,27 +6,23 @@ at the witness and at every counterexample.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
-from fractions import Fraction
 from typing import Any
 
 from chasles.algebra.groebner import Basis, stated
-from chasles.algebra.localization import Localization, Ratio
-from chasles.algebra.rings import Polynomial, Ring, make_ring
-from chasles.evaluation.matrices import Matrix, each
+from chasles.algebra.localization import Localization
+from chasles.algebra.rings import Polynomial, make_ring
+from chasles.evaluation.matrices import Matrix
 from chasles.problems.divisors import UndeclaredDivisor
-from chasles.problems.relevance import complete_subjects, free_symbols, is_turned, relevant_hypotheses
+from chasles.problems.generators import Generator, generators_of, generators_of_hypothesis, minus
+from chasles.problems.relevance import complete_subjects, free_symbols, relevant_hypotheses
 from chasles.problems.scanning import scan
 from chasles.problems.unfold import Unfolder
-from chasles.problems.variables import Unlisted, Untreatable, Variable, Variables
+from chasles.problems.variables import Untreatable, Variable, Variables
 from chasles.statements import Goal, Hypothesis, Problem
 from chasles.statements.conditions import ASSUMED
-from chasles.vocabulary import PI, Norm, Symbol, plain
-
-MOST_ORDERS = 8
-"""So often a hypothesis is differentiated at most, to see where its rates say nothing new."""
+from chasles.vocabulary import PI, Symbol, plain
 
 
 class Vanishing(Untreatable):
@@ -35,19 +31,6 @@ class Vanishing(Untreatable):
     def __init__(self, hypothesis: Hypothesis) -> None:
         super().__init__(f"{hypothesis.text} cannot be: the left side is zero")
         self.hypothesis = hypothesis
-
-
-@dataclass(frozen=True, slots=True)
-class Generator:
-    """A polynomial that vanishes, and why: a hypothesis, an identity of cosine and sine, a norm, a condition.
-
-    `order` is how often the hypothesis was differentiated.
-    """
-
-    label: str
-    polynomial: Polynomial
-    hypothesis: Hypothesis | None = None
-    order: int = 0
 
 
 @dataclass(slots=True)
@@ -89,7 +72,7 @@ def build(problem: Problem) -> Context:
     order = "grevlex" if any(h.kind in ("rotation", "half_turn", "orthonormal") for h in active) else "lex"
     unfold, nonzero = _unfolder(problem, found, active, order)
     variables, ring = unfold.variables, unfold.field.ring
-    generators = tuple(_generators(unfold, variables, active))
+    generators = tuple(generators_of(unfold, variables, active))
     # In a lexicographic order, equations that give a variable are used so by themselves.
     free = order == "grevlex" and all(h.free for h in active)
     # What a rotation satisfies is a Groebner basis as it stands, and is no value of its entries.
@@ -152,7 +135,7 @@ def _refuse_restrictions(
         symbols = {s for node in hypothesis.subjects for s in free_symbols(node, dict(problem.rules))}
         if hypothesis in active or not symbols or not symbols <= occurring:
             continue
-        for generator in _hypothesis_generators(unfold, hypothesis, 0):
+        for generator in generators_of_hypothesis(unfold, hypothesis, 0):
             if basis.reduce(generator.polynomial)[1] != 0:
                 raise Untreatable(
                     f"{hypothesis.text} is assumed of what a given statement defines, and does not follow from it: "
@@ -184,78 +167,9 @@ def _declare_nonzero(
     return tuple(declared)
 
 
-def _generators(
-    unfold: Unfolder, variables: tuple[Variable, ...], active: tuple[Hypothesis, ...]
-) -> Iterator[Generator]:
-    ring = unfold.field.ring
-    place = {variable.name: k for k, variable in enumerate(variables)}
-    for hypothesis in active:
-        yield from _hypothesis_generators(unfold, hypothesis, 0 if is_turned(hypothesis, unfold.rules) else MOST_ORDERS)
-    for variable in variables:
-        if variable.kind == "cos":
-            name = variable.name.removeprefix("cos")
-            c, s = (ring.generators[place[f + name]] for f in ("cos", "sin"))
-            yield Generator(f"circle {name[1:-1]}", s * s + c * c - ring.constant(Fraction(1)))
-    for variable in variables:
-        if variable.kind == "norm":
-            assert variable.node is not None
-            size = unfold(Norm(variable.node))[0][0]
-            square = unfold(variable.node)
-            total = size * size
-            for (entry,) in square:
-                total = total - entry * entry
-            if not total.is_zero:
-                yield Generator(f"norm {variable.name}", total.numerator)
-
-
-def _hypothesis_generators(unfold: Unfolder, hypothesis: Hypothesis, most: int) -> Iterator[Generator]:
-    """What its equations say, and their rates, until there is no variable for a rate or they say nothing new."""
-    for number, (left, right) in enumerate(hypothesis.equations):
-        matrix = _minus(unfold(left), unfold(right))
-        known: list[Polynomial] = []
-        for dots in range(most + 1):
-            label = hypothesis.text + (f" ({'d' * dots}ot)" if dots else "")
-            new: dict[str, Polynomial] = {}
-            for i, j, entry in entries(matrix):
-                numerator = entry.numerator
-                if numerator != 0 and not any(numerator == old or numerator == -old for old in new.values()):
-                    new[f"{label} [{number}: {i + 1}, {j + 1}]"] = numerator
-            if dots and _follow(unfold.field.ring, new.values(), known):
-                break
-            yield from (Generator(name, polynomial, hypothesis, dots) for name, polynomial in new.items())
-            known += new.values()
-            try:
-                matrix = each(matrix, unfold.rate)
-            except Unlisted:
-                break
-
-
-def _follow(ring: Ring, new: Collection[Polynomial], known: Sequence[Polynomial]) -> bool:
-    """Whether division by what is known leaves nothing of what is new, which speaks of nothing else."""
-
-    def occurring(polynomials: Iterable[Polynomial]) -> set[int]:
-        return {k for p in polynomials for k, power in enumerate(ring.degrees(p)) if power}
-
-    if not occurring(new) <= occurring(known):
-        return False
-    basis = stated(ring, tuple(known), complete=False)
-    return all(basis.reduce(polynomial)[1] == 0 for polynomial in new)
-
-
-def _minus(left: Matrix, right: Matrix) -> Matrix:
-    return [[a - b for a, b in zip(one, other, strict=True)] for one, other in zip(left, right, strict=True)]
-
-
-def entries(matrix: Matrix) -> Iterator[tuple[int, int, Ratio]]:
-    """The entries with their places, row by row."""
-    for i, row in enumerate(matrix):
-        for j, entry in enumerate(row):
-            yield i, j, entry
-
-
 def difference(context: Context, goal: Goal) -> Matrix:
     """What must vanish for the goal to hold: left - right."""
-    return _minus(context.unfold(goal.left), context.unfold(goal.right))
+    return minus(context.unfold(goal.left), context.unfold(goal.right))
 
 
 def describe(symbols: tuple[Symbol, ...]) -> str:

@@ -11,7 +11,8 @@ from chasles.algebra.localization import Ratio
 from chasles.algebra.polynomial_text import factors_text, written
 from chasles.algebra.rings import Polynomial
 from chasles.points.evaluation import measured
-from chasles.problems.context import Context, Generator
+from chasles.problems.context import Context
+from chasles.problems.generators import Generator
 from chasles.prover.conditions import Solved
 from chasles.statements import Goal, Hypothesis
 from chasles.statements.conditions import ASSUMED

@@ -19,7 +19,8 @@ from chasles.algebra.localization import Ratio
 from chasles.algebra.rings import Polynomial
 from chasles.points.adjustment import solution
 from chasles.points.evaluation import Point, evaluate
-from chasles.problems.context import Context, Generator, describe, difference, entries
+from chasles.problems.context import Context, describe, difference
+from chasles.problems.generators import Generator, entries
 from chasles.problems.variables import Untreatable
 
 LARGEST_POWER = 16

@@ -14,7 +14,8 @@ from chasles.checker.sparse import Rejected
 from chasles.points import sampling as points
 from chasles.points.evaluation import Point, measured, ratio_at
 from chasles.points.search import UnreducedEntry
-from chasles.problems.context import Context, entries
+from chasles.problems.context import Context
+from chasles.problems.generators import entries
 from chasles.prover.conditions import Solved
 from chasles.prover.consistency import point_of_the_rest
 from chasles.verdict import Counterexample

@@ -13,8 +13,9 @@ from chasles.algebra.work_limit import OutOfTime, remaining, within
 from chasles.checker.any_size.at_sizes import sizes_in
 from chasles.points import sampling as points
 from chasles.points.evaluation import measured
-from chasles.problems.context import Context, build, difference, entries
+from chasles.problems.context import Context, build, difference
 from chasles.problems.divisors import UndeclaredDivisor
+from chasles.problems.generators import entries
 from chasles.problems.variables import NoForm, Untreatable
 from chasles.prover.certifying import ProvedEntry, certified
 from chasles.prover.conditions import Solved, Underdetermined, satisfying_point, solve_conditions

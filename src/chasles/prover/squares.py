@@ -9,8 +9,9 @@ from chasles.algebra.polynomial_text import written
 from chasles.algebra.squares import Square, sum_of_squares
 from chasles.checker.certificate import check
 from chasles.checker.sparse import Rejected
-from chasles.problems.context import Context, build, difference, entries
+from chasles.problems.context import Context, build, difference
 from chasles.problems.divisors import UndeclaredDivisor
+from chasles.problems.generators import entries
 from chasles.problems.variables import Untreatable
 from chasles.prover.certifying import ProvedEntry, certified
 from chasles.prover.conditions import solve_conditions
