@@ -69,7 +69,8 @@ def _lines(found: Mapping[str, Any]) -> Lines:
     checker = found["checker"]
     yield (
         "checker",
-        f"{checker['declared']:,} lines for declared statements and {checker['prove']:,} for chasles.prove, all told",
+        f"{checker['declared']:,} lines for declared statements, {checker['prove']:,} for chasles.prove, "
+        f"{checker['all']:,} with what few questions ask for",
     )
     cache = found["cache"]
     yield (
