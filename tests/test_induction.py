@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
-from sympy import Eq, Product, Sum, binomial, cos, exp, factorial, log, sin, sqrt, symbols
+from sympy import Eq, I, Product, Sum, binomial, cos, exp, factorial, log, sin, sqrt, symbols
 
 from chasles import prove
 from chasles.prove import Rejected, Untreatable, recheck
@@ -39,6 +39,7 @@ FALSE: dict[str, tuple[Any, ...]] = {
 OPEN: dict[str, tuple[Any, ...]] = {
     "a letter that is no count": (Sum(1 / (i * (i + 1)), (i, 1, z)), z / (z + 1)),
     "terms with the letter": (Sum(binomial(n, i), (i, 0, n)), 2**n),
+    "what may not be real": (Sum(I / (i * (i + 1)), (i, 1, n)), I * n / (n + 1)),
     "what is undefined": (Sum(1 / i, (i, 0, n)), Sum(1 / i, (i, 1, n))),
     "true at the first numbers": (Sum(p**0 / i, (i, 1, n)), Sum(1 / i, (i, 1, n)) + (n - 1) * (n - 2) * (n - 3) * x),
     "a divisor that vanishes at a number": (Sum(1 / (i - 9), (i, 1, n)), Sum(1 / (i - 9), (i, 1, n)) * (y + 1)),

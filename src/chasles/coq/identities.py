@@ -41,7 +41,6 @@ OTHERWISE = {
     "frames": "of matrices of any size",
     "equal": "by products of roots",
     "turned": "by the angle of a point",
-    "induction": "by induction",
     "raised": "by the exponentials of both sides",
     "variant": "of squares",
 }
@@ -64,16 +63,15 @@ def as_theorem(
     claim = Claimed(name, "asked", name, f"{lhs} = {rhs}")
     said = ""
     try:
+        if "induction" in verdict.certificate:
+            raise Unsaid("no proof is written of what is shown by induction")
         statement = ScalarStatement(in_parts(Asked(*map(in_entries, (lhs, rhs, given, nonzero)))), verdict.needs)
         said = holding(name, statement)
         if all(left == right for left, right in statement.goals) and not statement.timed:
             steps: Iterable[str] = AS_SPELLED
         else:
-            steps = (
-                BY_CASES
-                if statement.is_of_cases(verdict.certificate)
-                else _ScalarProof(statement, verdict.certificate).steps()
-            )
+            by_cases = statement.is_of_cases(verdict.certificate)
+            steps = BY_CASES if by_cases else _ScalarProof(statement, verdict.certificate).steps()
         proof = theorem(name, steps)
     except (Rejected, Unsaid) as reason:
         return replace(claim, said=said, why_not=str(reason))

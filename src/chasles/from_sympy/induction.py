@@ -38,16 +38,17 @@ def by_induction(asked: tuple[Any, ...], answer: Callable[..., Verdict]) -> Verd
 
 def _decided(question: Question, letter: Any, answer: Callable[..., Verdict]) -> Verdict | None:
     """The verdict by one letter; raises `Rejected` or `Untreatable` where something is in the way."""
+    if any(item.has(letter) for item in (*question[2], *question[3])):
+        raise Rejected(f"what is given depends on {letter}")
     least = least_of(letter)
     for value in range(least, least + MOST_TRIED):
         at = [side.xreplace({letter: sympy.Integer(value)}) for side in question[:2]]
-        if not any(item.has(letter) for item in (*question[2], *question[3])):
-            verdict = answer(*at, *question[2:])
-            if isinstance(verdict, Contradictory):
-                return verdict
-            if isinstance(verdict, Fails):
-                point = {**verdict.counterexample.at, str(letter): Fraction(value)}
-                return Fails(replace(verdict.counterexample, at=point))
+        verdict = answer(*at, *question[2:])
+        if isinstance(verdict, Contradictory):
+            return verdict
+        if isinstance(verdict, Fails):
+            point = {**verdict.counterexample.at, str(letter): Fraction(value)}
+            return Fails(replace(verdict.counterexample, at=point))
     name = "s"
     while any(str(symbol).startswith(name) for side in question[:2] for symbol in side.free_symbols):
         name += "_"

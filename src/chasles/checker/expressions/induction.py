@@ -53,6 +53,8 @@ def steps(question: Question, letter: Any, name: str) -> tuple[int, Question, Qu
         raise Rejected(f"nothing says from where {letter} counts: it is neither positive nor nonnegative")
     if any(item.has(letter) for item in (*given, *nonzero)):
         raise Rejected(f"what is given depends on {letter}")
+    if left.has(sympy.I) or right.has(sympy.I):
+        raise Rejected("sums and products are read as real numbers")
     least = least_of(letter)
     parts = [part for part in sympy.Tuple(left, right).atoms(*LONG) if part.has(letter)]
     now, then = dict[Any, Any](), dict[Any, Any]()
