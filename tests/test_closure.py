@@ -9,7 +9,7 @@ import pytest
 
 from chasles.report.closure import CHECKERS, closure, lines
 
-MOST = {"declared": 6_205, "prove": 5_369, "all": 15_348}
+MOST = {"declared": 6_205, "prove": 5_369, "all": 15_345}
 """It may become less."""
 
 

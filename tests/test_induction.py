@@ -39,6 +39,7 @@ FALSE: dict[str, tuple[Any, ...]] = {
 OPEN: dict[str, tuple[Any, ...]] = {
     "a letter that is no count": (Sum(1 / (i * (i + 1)), (i, 1, z)), z / (z + 1)),
     "terms with the letter": (Sum(binomial(n, i), (i, 0, n)), 2**n),
+    "what is given of the letter": (Sum(q / (i * (i + 1)), (i, 1, n)), n / (n + 1), [Eq(q, n)]),
     "what may not be real": (Sum(I / (i * (i + 1)), (i, 1, n)), I * n / (n + 1)),
     "what is undefined": (Sum(1 / i, (i, 0, n)), Sum(1 / i, (i, 1, n))),
     "true at the first numbers": (Sum(p**0 / i, (i, 1, n)), Sum(1 / i, (i, 1, n)) + (n - 1) * (n - 2) * (n - 3) * x),

@@ -27,19 +27,20 @@ class Ranking:
         self.sides, self.orthogonal = sides, orthogonal
         self.known = {part for side in sides for part in walk(side)}
         self.elsewhere = {part for side in others for part in walk(side)}
+        self._own = self._idle(*sides)
 
     def is_in_vain(self, change: Change) -> bool:
         """Whether more is without effect after a change than before: nobody prints what cancels."""
-        return self.idle(change.left, change.right) > self.idle(*self.sides)
+        return self._idle(change.left, change.right) > self._own
 
-    def idle(self, *sides: Node) -> int:
+    def _idle(self, *sides: Node) -> int:
         """How many parts of both sides have no effect."""
         return sum(idle_parts(side, self.orthogonal) for side in sides)
 
     def __call__(self, change: Change) -> tuple[int | str, ...]:
         new = change.left, change.right
         parts = [part for side in new for part in walk(side)]
-        effort = change.effort + IDLE * self.idle(*new)
+        effort = change.effort + IDLE * self._idle(*new)
         effort += _is_letter(self.sides[0]) and not _is_letter(change.left)
         unseen = len({part for part in parts if part not in self.elsewhere}) if self.elsewhere else 0
         marks = sum(_changed_marks(plain(one), plain(other)) for one, other in zip(self.sides, new, strict=True))

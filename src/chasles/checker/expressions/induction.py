@@ -30,11 +30,11 @@ def scalar_question(lhs: Any, rhs: Any, given: Any, nonzero: Any) -> Question:
     return (*sides, *conditions)
 
 
-def letters_of(question: Sequence[Any]) -> list[Any]:
-    """The integers up to which a question adds or multiplies, by name."""
+def letters_of(question: Question) -> list[Any]:
+    """The integers up to which a question adds or multiplies, and on which nothing depends that is given, by name."""
     parts = sympy.Tuple(*question[:2]).atoms(*LONG)
-    letters = {letter for part in parts for letter in part.limits[0][-1].free_symbols}
-    return sorted((letter for letter in letters if letter.is_integer), key=str)
+    letters = {letter for part in parts for letter in part.limits[0][-1].free_symbols if letter.is_integer}
+    return sorted(letters - {each for item in (*question[2], *question[3]) for each in item.free_symbols}, key=str)
 
 
 def least_of(letter: Any) -> int:
@@ -46,13 +46,11 @@ def steps(question: Question, letter: Any, name: str) -> tuple[int, Question, Qu
     """The least value of a letter, the question there, and the question at the next number, given that it holds at one.
 
     In the latter, the sums and products up to the letter are new symbols, called by a name and a number. Raises
-    `Rejected` where nothing says from where the letter counts, or something else depends on it.
+    `Rejected` where nothing says from where the letter counts, or terms depend on it.
     """
     left, right, given, nonzero = question
     if letter.is_positive is not True and letter.is_nonnegative is not True:
         raise Rejected(f"nothing says from where {letter} counts: it is neither positive nor nonnegative")
-    if any(item.has(letter) for item in (*given, *nonzero)):
-        raise Rejected(f"what is given depends on {letter}")
     if left.has(sympy.I) or right.has(sympy.I):
         raise Rejected("sums and products are read as real numbers")
     least = least_of(letter)
@@ -125,5 +123,4 @@ def at_numbers(found: Counterexample, *asked: Any) -> tuple[Any, ...]:
         if not value.is_Integer or (letter.is_positive and value < 1) or (letter.is_nonnegative and value < 0):
             raise Rejected(f"{letter} is not {value}")
     rest = {name: value for name, value in found.at.items() if name not in map(str, letters)}
-    put = ([item.xreplace(letters) for item in items] for items in (given, nonzero))
-    return replace(found, at=rest), left.xreplace(letters), right.xreplace(letters), *put
+    return replace(found, at=rest), left.xreplace(letters), right.xreplace(letters), given, nonzero
