@@ -18,9 +18,8 @@ from chasles.coq.statement import CoqStatement
 from chasles.decisions.decision import Decision
 from chasles.statements import Inverse, Theorem, load, problem_of
 from chasles.statements.forms import Always, Form, Iff, Minimum
-from chasles.statements.goals import Goal
 from chasles.statements.inversion import COVER, problems_of_inverse
-from chasles.statements.problem import Problem
+from chasles.statements.problem import Goal, Problem
 from chasles.verdict import Holds, HoldsUnder
 
 from .decided import chapter_session

@@ -15,7 +15,7 @@ from chasles.decisions.session import Session
 from chasles.numerics.reference import evaluate
 from chasles.statements import Claim, Definition, nonzero, symmetric, unit
 from chasles.statements.matrices import invertible, orthogonal, skew_symmetric
-from chasles.statements.problem import problem_of
+from chasles.statements.posing import problem_of
 from chasles.verdict import Fails, Holds, HoldsUnder
 from chasles.vocabulary import (
     CPM,

@@ -107,7 +107,7 @@ from chasles.checker.certificate import check
 from chasles.lowering.lower import lower
 from chasles.numerics.reference import evaluate
 from chasles.statements import Claim, Definition, Kernel
-from chasles.statements.problem import problem_of
+from chasles.statements.posing import problem_of
 from chasles.vocabulary import latex, plain, square, tr, Rate
 from chasles.vocabulary.symmetric_part import SymmetricPart
 

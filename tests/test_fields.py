@@ -11,7 +11,7 @@ from chasles.checker.refutation import check_counterexample
 from chasles.decisions.session import Session
 from chasles.repairs.repair import repair
 from chasles.statements import Claim, Condition, Definition, Statement, nonzero, perpendicular, rotation, unit
-from chasles.statements.problem import problem_of
+from chasles.statements.posing import problem_of
 from chasles.verdict import Fails, Holds, HoldsUnder, Undecided
 from chasles.vocabulary import (
     Misfit,

@@ -17,7 +17,7 @@ from chasles.decisions.memory import Memory
 from chasles.decisions.session import Session
 from chasles.numerics.reference import evaluate
 from chasles.statements import Claim, Definition, definite, nonzero, positive, rotation, unit
-from chasles.statements.problem import problem_of
+from chasles.statements.posing import problem_of
 from chasles.verdict import Fails, HoldsUnder, Undecided
 from chasles.vocabulary import (
     CPM,

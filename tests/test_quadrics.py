@@ -10,7 +10,7 @@ from chasles.pages.named_hypotheses import as_hypothesis
 from chasles.points.sampling import sample, satisfies
 from chasles.problems.context import build
 from chasles.statements import Claim, problem_of
-from chasles.statements.problem import default_sides
+from chasles.statements.posing import default_sides
 from chasles.vocabulary import Node, Transpose, dot, norm, number, scalar, square, vector
 
 x, y, z, w = (scalar(name, name, "a scalar") for name in "xyzw")

@@ -14,7 +14,7 @@ from chasles.evaluation.matrices import Matrix
 from chasles.statements import Claim, Condition, Goal, Inverse, Problem, Statement, Theorem, problem_of
 from chasles.statements.goals import AcceptedSides
 from chasles.statements.inversion import problems_of_inverse
-from chasles.statements.problem import default_sides
+from chasles.statements.posing import default_sides
 from chasles.statements.statement import bare
 from chasles.vocabulary import Node, Rate
 

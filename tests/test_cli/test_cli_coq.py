@@ -24,7 +24,7 @@ from chasles.coq.statement import CoqStatement
 from chasles.coq.theorems import claims_of
 from chasles.decisions.session import Session
 from chasles.statements import Inverse, Problem, Theorem, load, problem_of
-from chasles.statements.goals import Goal
+from chasles.statements.problem import Goal
 from chasles.verdict import Fails
 from chasles.vocabulary import Negative, paren
 

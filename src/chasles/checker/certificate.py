@@ -18,7 +18,7 @@ from chasles.statements import Inverse, Problem, Statement, Theorem, problem_of
 from chasles.statements.conditions import freed
 from chasles.statements.goals import AcceptedSides
 from chasles.statements.inversion import problems_of_inverse
-from chasles.statements.problem import default_sides
+from chasles.statements.posing import default_sides
 from chasles.statements.spins import with_spins
 
 
@@ -74,9 +74,7 @@ def _check(problem: Problem, certificate: Mapping[str, Any]) -> None:
         occurring |= _follows(reading, divisions, variable(place) - values[place], said, f"the value of {name}")
     reading.settle(values)
     for count, goal in enumerate(problem.goals):
-        occurring = occurring.union(
-            *(x.places for side in (goal.left, goal.right) for row in reading(side) for x in row)
-        )
+        occurring = occurring.union(*(x.places for side in goal.sides for row in reading(side) for x in row))
         for i, j, difference in reading.difference(goal.left, goal.right):
             said = certificate.get("entries", {}).get(f"{count}:{i},{j}", {})
             what = f"entry {i + 1}, {j + 1} of equation {count + 1}"

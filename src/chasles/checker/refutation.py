@@ -67,7 +67,7 @@ def _objection(reading: Reading, goal: Goal, shown: Counterexample) -> str:
     rows, columns = goal.left.shape
     if not (1 <= row <= rows and 1 <= column <= columns):
         return f"the equation has no entry {row}, {column}"
-    sides = [reading(side)[row - 1][column - 1] for side in (goal.left, goal.right)]
+    sides = [reading(side)[row - 1][column - 1] for side in goal.sides]
     relevant = bound_in(reading, sides[0].places | sides[1].places)
     try:
         point = completed(reading, shown.at, relevant)

@@ -194,7 +194,7 @@ class _CoqPoint:
         i, j = (place - 1 for place in found.entry)
         for count, goal in enumerate(self.said.problem.goals):
             if goal.label == found.goal:
-                left, right = (self.values.at_once(side)[i][j] for side in (goal.left, goal.right))
+                left, right = (self.values.at_once(side)[i][j] for side in goal.sides)
                 if left != right:
                     return count, self.values.number(left), self.values.number(right)
         raise Unsaid("both sides are the same at the point")

@@ -12,8 +12,7 @@ from chasles import vocabulary as w
 from chasles.checker.reading import Reading
 from chasles.checker.sparse import ZERO, Polynomial, cleared, exponents
 from chasles.coq.expressions import Unsaid
-from chasles.statements import Hypothesis, Problem
-from chasles.statements.goals import Goal
+from chasles.statements import Goal, Hypothesis, Problem
 
 PLACED = re.compile(
     r"(?P<text>.*?)(?: \((?P<dots>d*)ot\))? \[(?:(?P<equation>\d+): )?(?P<i>\d+), (?P<j>\d+)\]", re.DOTALL

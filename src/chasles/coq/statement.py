@@ -61,7 +61,7 @@ class CoqStatement:
 
     def _nodes(self) -> Iterator[w.Node]:
         problem = self.problem
-        goals = chain.from_iterable((goal.left, goal.right) for goal in (*problem.goals, *problem.conditions))
+        goals = problem.sides
         said = [h for h in problem.hypotheses if h.kind != "given"]
         pairs = (*problem.rules, *(equation for h in said for equation in h.equations))
         parts = chain(goals, chain.from_iterable(pairs), *(h.subjects for h in said))

@@ -10,7 +10,7 @@ from chasles.repairs.repair import Repair
 from chasles.several import Several
 from chasles.statements import Inverse, Statement, Theorem
 from chasles.statements.elsewhere import chapter_of, other_chapter
-from chasles.statements.problem import default_sides
+from chasles.statements.posing import default_sides
 from chasles.statements.statement import Equation
 from chasles.verdict import (
     Assumed,

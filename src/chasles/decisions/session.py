@@ -32,7 +32,7 @@ from chasles.statements import (
 from chasles.statements.chapter import bases
 from chasles.statements.elsewhere import chapter_of
 from chasles.statements.inversion import problems_of_inverse
-from chasles.statements.problem import default_form, default_sides
+from chasles.statements.posing import default_form, default_sides
 from chasles.statements.statement import Equation
 from chasles.verdict import Assumed, Defined, Holds, HoldsUnder, IllFormed, Undecided, Verdict
 from chasles.vocabulary import Misfit

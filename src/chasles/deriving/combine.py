@@ -81,7 +81,7 @@ def _independent(functions: Sequence[AngleFunction], sampled: Sampled) -> Iterat
 def _stages(node: Node, terms: list[Node], problem: Problem) -> Iterator[list[AngleFunction]]:
     """Numbers; functions of angles; products of two; all of these over what may be divided by."""
     sources = [node, *terms, *(side for rule in problem.rules for side in rule)]
-    sources += [side for goal in problem.conditions for side in (goal.left, goal.right)]
+    sources += [side for goal in problem.conditions for side in goal.sides]
     parts = [part for source in sources for part in walk(source)]
     calls: list[Node] = list(dict.fromkeys(part for part in parts if isinstance(part, Call)))
     known = {symbol for call in calls for symbol in walk(call)} | set(problem.unknowns)

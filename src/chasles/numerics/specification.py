@@ -15,7 +15,7 @@ from chasles.statements import Hypothesis, Kernel, Packed, Statement, problem_of
 from chasles.statements.arrays import argument_name, core_shape
 from chasles.statements.goals import AcceptedSides
 from chasles.statements.kernel import Argument, nodes_of, places_of
-from chasles.statements.problem import default_sides
+from chasles.statements.posing import default_sides
 from chasles.statements.statement import bare
 from chasles.vocabulary import Block, Call, Node, Symbol, children, plain
 from chasles.vocabulary.fitting import measured

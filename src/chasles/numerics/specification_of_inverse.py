@@ -12,7 +12,7 @@ from chasles.numerics.specification import ROUNDINGS, Specification, Values, exp
 from chasles.problems.variables import angle_multiples
 from chasles.statements import Branch, Inverse, Kernel, Statement
 from chasles.statements.goals import AcceptedSides
-from chasles.statements.problem import default_sides
+from chasles.statements.posing import default_sides
 from chasles.statements.statement import bare, is_rule
 from chasles.vocabulary import Call, Negative, Node, Sum, plain
 

@@ -190,6 +190,6 @@ def _words_in(problem: Problem) -> int:
             known[node] += node.exponent // 10 if isinstance(node, Power) and isinstance(node.exponent, int) else 0
         return known[node]
 
-    goals = [side for goal in (*problem.goals, *problem.conditions) for side in (goal.left, goal.right)]
-    assumed = [side for hypothesis in problem.hypotheses for pair in hypothesis.equations for side in pair]
+    goals = problem.sides
+    assumed = problem.assumed_sides
     return sum(count(side) * side.shape[0] * side.shape[1] for side in (*goals, *assumed))

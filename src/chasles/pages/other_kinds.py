@@ -84,7 +84,7 @@ def _told(kinds: Kinds) -> str:
 def _sides(claim: Claim) -> tuple[Node, ...]:
     """The sides of a claim and of its premises."""
     sides = (*claim.printed, *(side for each in claim.given for side in each.printed))
-    return sides + tuple(side for each in claim.assuming for pair in each.equations for side in pair)
+    return sides + tuple(side for each in claim.assuming for side in each.sides)
 
 
 def _in_doubt(claim: Claim) -> dict[Symbol, Symbol]:

@@ -72,7 +72,7 @@ def _determined(problem: Problem, at: dict[str, Fraction]) -> dict[str, Fraction
 
 def _symbols(problem: Problem) -> list[Symbol]:
     """The symbols that occur and are given by no rule."""
-    sides = [side for goal in (*problem.goals, *problem.conditions) for side in (goal.left, goal.right)]
+    sides = problem.sides
     sides += [side for _, side in problem.rules]
     sides += [node for h in problem.hypotheses for node in (*h.subjects, *h.nonvanishing)]
     ruled = {left for left, _ in problem.rules}

@@ -120,7 +120,7 @@ def _unfold_all(problem: Problem, active: tuple[Hypothesis, ...], unfold: Unfold
     """Unfold everything, to see which moments of the body occur; what cannot be unfolded is reported later."""
     goals = (*problem.goals, *problem.conditions)
     assumed = (pair for h in active if h.kind in ("of all members", *ASSUMED) for pair in h.equations)
-    for pair in (*((goal.left, goal.right) for goal in goals), *assumed):
+    for pair in (*(goal.sides for goal in goals), *assumed):
         for side in pair:
             with suppress(UndeclaredDivisor):
                 unfold(side)

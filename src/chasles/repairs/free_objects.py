@@ -21,7 +21,7 @@ from chasles.rewriting.places import Place, put, separate_sums
 from chasles.rewriting.term_basis import TermBasis, fit
 from chasles.statements import Claim, Statement, problem_of
 from chasles.statements.goals import AcceptedSides
-from chasles.statements.problem import default_sides
+from chasles.statements.posing import default_sides
 from chasles.vocabulary import Block, Contract, Dot, Misfit, Node, Rate, Symbol, Transpose, Zero, plain, replace
 
 MOST_RESCALED = 2

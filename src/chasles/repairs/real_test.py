@@ -45,7 +45,7 @@ class RealTest:
         self.posed, self.sides = posed, sides
         problem = posed(*sides)
         self.rules = dict(problem.rules)
-        stated = [(goal.left, goal.right) for goal in (*problem.goals, *problem.conditions)]
+        stated = [goal.sides for goal in (*problem.goals, *problem.conditions)]
         self.given = stated[len(problem.goals) :]
         self.positive: list[Node] = list(problem.nonnegative)
         for h in problem.hypotheses:
@@ -103,7 +103,7 @@ class RealTest:
         """The sides; what is expanded, or differentiated in a way that points do not show, is carried out once."""
         if self.is_direct or not any(side.expands or differentiates(side) for side in (left, right)):
             return [(left, right)]
-        return [(goal.left, goal.right) for goal in self.posed(left, right).goals]
+        return [goal.sides for goal in self.posed(left, right).goals]
 
     def _drawn(self) -> Iterator[RealPoint]:
         random = Random(1)

@@ -24,7 +24,7 @@ from chasles.repairs.without_form import edits_of
 from chasles.rewriting.term_basis import fit, term_basis
 from chasles.statements import Claim, Definition, Statement, problem_of
 from chasles.statements.goals import AcceptedSides
-from chasles.statements.problem import default_sides
+from chasles.statements.posing import default_sides
 from chasles.verdict import Holds, HoldsUnder, Verdict
 from chasles.vocabulary import Misfit, Node, plain
 from chasles.vocabulary.families import indices_of

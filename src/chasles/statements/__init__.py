@@ -6,7 +6,6 @@ How a chapter is read is imported on first use: who checks a statement has nothi
 from typing import TYPE_CHECKING
 
 from chasles.statements.forms import Always, Definite, Exists, Iff, Minimum, OnlyWhere, Unique
-from chasles.statements.goals import Goal
 from chasles.statements.hypotheses import (
     Hypothesis,
     definite,
@@ -22,7 +21,8 @@ from chasles.statements.hypotheses import (
 )
 from chasles.statements.inversion import Branch, Inverse
 from chasles.statements.kernel import Kernel, Packed, Stack
-from chasles.statements.problem import Problem, problem_of
+from chasles.statements.posing import problem_of
+from chasles.statements.problem import Goal, Problem
 from chasles.statements.statement import Claim, Condition, Definition, Postulate, Statement, Theorem
 
 if TYPE_CHECKING:

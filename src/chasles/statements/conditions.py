@@ -5,20 +5,16 @@ from __future__ import annotations
 from collections.abc import Collection, Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace as with_fields
 from math import prod
-from typing import TYPE_CHECKING
 
 from chasles import vocabulary as w
-from chasles.statements.goals import Goal
 from chasles.statements.hypotheses import Hypothesis
+from chasles.statements.problem import Goal, Problem
 from chasles.statements.rules import refuse_circles
 from chasles.statements.statement import Equation
 from chasles.statements.varied import opened_parts
 from chasles.vocabulary import Node
 from chasles.vocabulary.shorthand import Shorthand
 from chasles.vocabulary.sizes import sizes_of
-
-if TYPE_CHECKING:
-    from chasles.statements.problem import Problem
 
 ASSUMED = ("condition", "field equation")
 """The kinds of hypotheses that conditions are: of what is where it is, and of fields, wherever they are taken."""
@@ -27,7 +23,7 @@ ASSUMED = ("condition", "field equation")
 def solvable(conditions: Sequence[Goal], unknowns: Iterable[w.Symbol], rules: Mapping[Node, Node]) -> bool:
     """Whether there are as many equations as unknown entries, at least, and each of them is linear in the unknowns."""
     wanted = [*unknowns]
-    sides = [side for goal in conditions for side in (goal.left, goal.right)]
+    sides = [side for goal in conditions for side in goal.sides]
     if sizes_of([*sides, *wanted]):
         return True
     enough = sum(prod(goal.left.shape) for goal in conditions) >= sum(prod(symbol.shape) for symbol in wanted)
@@ -38,7 +34,7 @@ def assumed(conditions: Iterable[Goal], kind: str = ASSUMED[0]) -> Iterator[Hypo
     """Conditions as hypotheses, which determine nothing."""
     for goal in conditions:
         difference = w.Sum((goal.left, w.Negative(goal.right)))
-        yield Hypothesis(kind, (difference,), ((goal.left, goal.right),), (), "", goal.label, free=True)
+        yield Hypothesis(kind, (difference,), (goal.sides,), (), "", goal.label, free=True)
 
 
 def freed(problem: Problem) -> Problem:

@@ -11,16 +11,11 @@ from collections.abc import Iterator
 from dataclasses import replace as with_fields
 from fractions import Fraction
 from functools import partial
-from itertools import chain
-from typing import TYPE_CHECKING
 
 from chasles.statements.hypotheses import Hypothesis, nonzero
-from chasles.statements.simpler_words import said_otherwise
+from chasles.statements.problem import Problem
 from chasles.statements.varied import opened_parts
 from chasles.vocabulary import Call, Dot, Integral, Node, Norm, Number, Rate, Scale, Symbol, replace, undotted, uniform
-
-if TYPE_CHECKING:
-    from chasles.statements.problem import Problem
 
 
 def with_directions(problem: Problem) -> Problem:
@@ -74,7 +69,7 @@ def _with_direction(problem: Problem, vector: Symbol) -> Problem:
     moves = any(isinstance(part, Rate) for node in _sides(problem) for part in opened_parts(node))
     if moves and not vector.constant and not any(Norm(vector) in h.nonvanishing for h in problem.hypotheses):
         hypotheses.append(said(nonzero(Norm(vector))))
-    found = said_otherwise(problem, lambda side: replace(side, values), said)
+    found = problem.said_otherwise(lambda side: replace(side, values), said)
     return with_fields(
         found,
         hypotheses=(*hypotheses, *found.hypotheses),
@@ -85,7 +80,6 @@ def _with_direction(problem: Problem, vector: Symbol) -> Problem:
 
 def _sides(problem: Problem) -> Iterator[Node]:
     """All that is said to be equal."""
-    for goal in (*problem.goals, *problem.conditions, *problem.cases):
-        yield from (goal.left, goal.right)
-    yield from chain.from_iterable(problem.rules)
-    yield from (side for h in problem.hypotheses for equation in h.equations for side in equation)
+    yield from problem.sides_and_rules
+    yield from (side for goal in problem.cases for side in goal.sides)
+    yield from problem.assumed_sides

@@ -72,7 +72,7 @@ def presupposed(left: Node, right: Node, assumed: Iterable[Hypothesis]) -> Itera
     """
     small, _ = _order_of(left, right)
     for hypothesis in assumed:
-        if any(part == small for equation in hypothesis.equations for side in equation for part in w.walk(side)):
+        if any(part == small for side in hypothesis.sides for part in w.walk(side)):
             raise TypeError(f"{small} goes to zero, and it is assumed that {hypothesis.text}")
     if not small.is_scalar:
         yield nonzero(w.Norm(small))

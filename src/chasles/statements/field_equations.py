@@ -7,10 +7,8 @@ from dataclasses import replace as with_fields
 
 from chasles import vocabulary as w
 from chasles.statements.conditions import ASSUMED, assumed, degree
-from chasles.statements.goals import Goal
 from chasles.statements.hypotheses import Hypothesis
-from chasles.statements.problem import Problem
-from chasles.statements.simpler_words import said_otherwise, sides_of
+from chasles.statements.problem import Goal, Problem
 from chasles.statements.statement import Equation
 from chasles.statements.varied import opened_parts
 from chasles.vocabulary import Node, Rate
@@ -61,19 +59,19 @@ def carried_out(problem: Problem) -> Problem:
     def found(side: Node) -> Node:
         return with_derivatives(side, rules)
 
-    told = said_otherwise(problem, found, lambda said: said.rewritten(found))
+    told = problem.said_otherwise(found, lambda said: said.rewritten(found))
     return with_fields(told, hypotheses=(*told.hypotheses, *_everywhere(told)))
 
 
 def _everywhere(problem: Problem) -> Iterator[Hypothesis]:
     """What is assumed of fields alone, differentiated by what they depend on as often as they are elsewhere."""
-    rules, said = dict(problem.rules), sides_of(problem)
+    rules, said = dict(problem.rules), problem.sides
     defined = {left: right for left, right in rules.items() if not isinstance(left, Rate)}
     wanted = _orders(said, defined)
     reach = [*said, *(defined[part] for side in said for part in opened_parts(side) if part in defined)]
     places = dict.fromkeys(place for each in fields_of(reach) for place in each.taken)
     told = [hypothesis for hypothesis in problem.hypotheses if _is_of_fields(hypothesis, rules)]
-    known = {each: _orders((side for pair in each.equations for side in pair), defined) for each in told}
+    known = {each: _orders(each.sides, defined) for each in told}
     times = dict.fromkeys(told, 0)
     for link in range(LINKS):
         for each in told if not link else filter(_is_linear, told):
@@ -95,13 +93,13 @@ def _everywhere(problem: Problem) -> Iterator[Hypothesis]:
 
 
 def _is_linear(hypothesis: Hypothesis) -> bool:
-    parts = [side for pair in hypothesis.equations for side in pair]
+    parts = hypothesis.sides
     return all(degree(side, {*fields_of(parts)}, {}) < 2 for side in parts)
 
 
 def _is_of_fields(hypothesis: Hypothesis, rules: Mapping[Node, Node]) -> bool:
     """Whether it is said of fields, wherever they are taken, and not of something that moves."""
-    parts = {part for pair in hypothesis.equations for side in pair for part in opened_parts(side)}
+    parts = {part for side in hypothesis.sides for part in opened_parts(side)}
     still = not any(isinstance(part, Rate) and part not in rules for part in parts)
     return hypothesis.kind != ASSUMED[0] and still and bool(fields_of(parts))
 
@@ -118,7 +116,7 @@ def freely_assumed(
         return tuple(assumed(conditions, ASSUMED[1]))
     parts = [part for side in sides for part in opened_parts(side)]
     taken = [part.of for part in parts if isinstance(part, PartialDerivative | Nabla | Convection)]
-    said = [side for goal in conditions for side in (goal.left, goal.right)]
+    said = [side for goal in conditions for side in goal.sides]
 
     def highest(nodes: Iterable[Node], symbol: w.Symbol) -> int:
         return max((_rates_of(symbol, node, rules) for node in nodes), default=-1)

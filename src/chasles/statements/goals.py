@@ -3,38 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING
 
 from chasles import vocabulary as w
 from chasles.statements.forms import Definite, Iff, OnlyWhere
 from chasles.statements.hypotheses import Hypothesis
+from chasles.statements.problem import Goal, Problem
 from chasles.statements.squares import relied_on
 from chasles.statements.statement import Claim, Condition, Definition, Equation, Statement, Theorem
 from chasles.statements.varied import demands, visible
 from chasles.vocabulary import Node
 from chasles.vocabulary.nodes import lifted
 
-if TYPE_CHECKING:
-    from chasles.statements.problem import Problem
-
 AcceptedSides = Callable[[Statement], Equation]
 """Gives the sides with which a given statement is used; raises TypeError for one that cannot be."""
 
 
-@dataclass(frozen=True, slots=True)
-class Goal:
-    """Two sides to be proved equal, entry by entry."""
-
-    label: str
-    left: Node
-    right: Node
-
-
 def goals_of_theorem(statement: Theorem, problem: Problem) -> Iterator[Goal]:
     """What proves a theorem, by the rules of the problem; raises TypeError for one that varies what they fix."""
-    restricted = tuple(side for goal in problem.conditions for side in (goal.left, goal.right)) + problem.unknowns
+    restricted = tuple(side for goal in problem.conditions for side in goal.sides) + problem.unknowns
     for part in statement.forms:
         try:
             shown = visible(part, dict(problem.rules), restricted)

@@ -39,6 +39,11 @@ class Hypothesis(Declared):
         for left, right in self.equations:
             added(measured(left), measured(right), (left, right), f"assume {self.kind}: cannot equate")
 
+    @property
+    def sides(self) -> list[Node]:
+        """The sides of its equations."""
+        return [side for equation in self.equations for side in equation]
+
     def rewritten(self, change: Callable[[Node], Node]) -> Hypothesis:
         """The same said of changed expressions."""
         equations = tuple((change(left), change(right)) for left, right in self.equations)

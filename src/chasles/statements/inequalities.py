@@ -8,9 +8,8 @@ from dataclasses import replace as with_fields
 from fractions import Fraction
 
 from chasles import vocabulary as w
-from chasles.statements.goals import Goal
 from chasles.statements.hypotheses import Hypothesis
-from chasles.statements.problem import Problem
+from chasles.statements.problem import Goal, Problem
 from chasles.statements.statement import Equation
 from chasles.vocabulary import Node
 from chasles.vocabulary.arguments import Declared, declaring

@@ -16,10 +16,11 @@ from typing import ClassVar
 
 from chasles import vocabulary as w
 from chasles.display import Displayed
-from chasles.statements.goals import AcceptedSides, Goal
+from chasles.statements.goals import AcceptedSides
 from chasles.statements.hypotheses import Hypothesis, nonzero
 from chasles.statements.kernel import Kernel
-from chasles.statements.problem import Problem, default_sides
+from chasles.statements.posing import default_sides
+from chasles.statements.problem import Goal, Problem
 from chasles.statements.statement import Statement
 from chasles.vocabulary import Node
 from chasles.vocabulary.arguments import Declared

@@ -18,7 +18,7 @@ from chasles.statements.chapter import Entry, Section, place_of
 from chasles.statements.elsewhere import is_of_another
 from chasles.statements.inversion import Inverse
 from chasles.statements.packages import DeclarationError
-from chasles.statements.problem import default_form, problem_of
+from chasles.statements.posing import default_form, problem_of
 from chasles.statements.statement import Claim, Condition, Definition, Statement, Theorem, bare, is_rule
 from chasles.statements.varied import opened_parts
 from chasles.vocabulary import Node, Symbol

@@ -2,34 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace as with_fields
-from typing import TYPE_CHECKING
 
 from chasles.statements.conditions import ASSUMED, as_rules
 from chasles.statements.evident import evident_divisors
-from chasles.statements.goals import Goal
 from chasles.statements.hypotheses import Hypothesis
 from chasles.statements.inverses import Inverses, reached
 from chasles.statements.lengths import Lengths
+from chasles.statements.problem import Problem
 from chasles.statements.varied import opened_parts
 from chasles.vocabulary import Integral, Node, Rate, Scale, Symbol, walk
 from chasles.vocabulary.shorthand import opened
 from chasles.vocabulary.sizes import sizes_of
 
-if TYPE_CHECKING:
-    from chasles.statements.problem import Problem
-
 
 def in_simpler_words(problem: Problem) -> Problem:
     """The same problem without defined words and inverses, under the hypotheses that there are such inverses."""
-    if problem.has_functions:
-        problem = _differentiated(problem)
-    problem = said_otherwise(problem, opened, lambda said: said.rewritten(opened))
-    sides = [*sides_of(problem), *(side for rule in problem.rules for side in rule)]
+    problem = _differentiated(problem).said_otherwise(opened, lambda said: said.rewritten(opened))
+    sides = problem.sides_and_rules
     inverses = Inverses(problem.hypotheses, dict(problem.rules), any_size=bool(sizes_of(sides)))
-    at_work = reached(sides_of(problem), dict(problem.rules))
-    found = said_otherwise(problem, inverses, inverses.hypothesis, at_work)
+    at_work = reached(problem.sides, dict(problem.rules))
+    found = problem.said_otherwise(inverses, inverses.hypothesis, at_work)
     presupposed = tuple(dict.fromkeys((*problem.presupposed, *inverses.used)))
     return with_fields(found, hypotheses=(*inverses.needed, *found.hypotheses), presupposed=presupposed)
 
@@ -38,27 +32,22 @@ def with_what_is_seen(problem: Problem) -> Problem:
     """The same problem, with what is seen about divisors, and about all that sums are taken over."""
     if problem.has_functions:
         return problem
-    told = (side for h in problem.hypotheses if h.kind in ASSUMED for pair in h.equations for side in pair)
-    sides = (*sides_of(problem), *(side for _, side in problem.rules), *told)
-    found = (
-        *evident_divisors(sides, problem.hypotheses, dict(problem.rules)),
-        *_summed(sides, problem.hypotheses),
-    )
+    told = (side for h in problem.hypotheses if h.kind in ASSUMED for side in h.sides)
+    sides = (*problem.sides, *(side for _, side in problem.rules), *told)
+    found = (*evident_divisors(sides, problem.hypotheses, dict(problem.rules)), *_summed(sides, problem.hypotheses))
     return with_fields(problem, hypotheses=(*problem.hypotheses, *found)) if found else problem
 
 
 def with_rates_said(problem: Problem) -> Problem:
     """The same problem, if it is about matrices of any size, with letters for the rates of symbols."""
-    sides = [*sides_of(problem), *(side for rule in problem.rules for side in rule)]
+    sides = problem.sides_and_rules
     if not any(isinstance(part, Rate) for side in sides for part in walk(side)) or not sizes_of(sides):
         return problem
     from chasles.statements.sized_rates import SizedRates  # few chapters have such
 
-    problem = _without_conditions(problem, "a rate of a matrix of any size")
-    if problem.has_functions:
-        problem = _differentiated(problem)
+    problem = _differentiated(_without_conditions(problem, "a rate of a matrix of any size"))
     carried_out = SizedRates({left: opened(right) for left, right in problem.rules})
-    found = said_otherwise(problem, lambda side: carried_out(opened(side)), lambda said: said)
+    found = problem.said_otherwise(lambda side: carried_out(opened(side)), lambda said: said)
     return with_fields(
         found,
         rules=tuple((carried_out(left) if isinstance(left, Rate) else left, right) for left, right in found.rules),
@@ -68,16 +57,17 @@ def with_rates_said(problem: Problem) -> Problem:
 
 def _differentiated(problem: Problem) -> Problem:
     """The same problem with partial derivatives carried out; TypeError where conditions do not say what symbols are."""
+    if not problem.has_functions or not _takes_derivatives(problem):
+        return problem
     from chasles.statements.field_equations import carried_out  # of no use to most claims
 
-    return carried_out(_without_conditions(problem, "a derivative")) if _takes_derivatives(problem) else problem
+    return carried_out(_without_conditions(problem, "a derivative"))
 
 
 def _takes_derivatives(problem: Problem) -> bool:
     from chasles.vocabulary.partial import differentiates  # of no use to most claims
 
-    said = (side for hypothesis in problem.hypotheses for pair in hypothesis.equations for side in pair)
-    return any(map(differentiates, (*sides_of(problem), *said, *(side for rule in problem.rules for side in rule))))
+    return any(map(differentiates, (*problem.sides_and_rules, *problem.assumed_sides)))
 
 
 def _without_conditions(problem: Problem, taken: str) -> Problem:
@@ -87,7 +77,7 @@ def _without_conditions(problem: Problem, taken: str) -> Problem:
     """
     if not problem.conditions:
         return problem
-    bound = {part for h in problem.hypotheses for pair in h.equations for side in pair for part in opened_parts(side)}
+    bound = {part for side in problem.assumed_sides for part in opened_parts(side)}
     bound |= {subject for hypothesis in problem.hypotheses for subject in hypothesis.subjects}
     found = as_rules(problem.conditions, problem.unknowns, problem.rules, bound)
     open_choice = len(problem.unknowns) > len(problem.conditions) and _takes_derivatives(problem)
@@ -99,37 +89,10 @@ def _without_conditions(problem: Problem, taken: str) -> Problem:
     return with_fields(problem, rules=found, conditions=(), unknowns=())
 
 
-def sides_of(problem: Problem) -> list[Node]:
-    """The sides of what is to be proved and of the conditions."""
-    return [side for goal in (*problem.goals, *problem.conditions) for side in (goal.left, goal.right)]
-
-
-def said_otherwise(
-    problem: Problem,
-    side: Callable[[Node], Node],
-    hypothesis: Callable[[Hypothesis], Hypothesis],
-    at_work: Container[Node] | None = None,
-) -> Problem:
-    """The same problem with each side said otherwise; of rules only those `at_work`, if these are named."""
-
-    def rewritten(goal: Goal) -> Goal:
-        return Goal(goal.label, side(goal.left), side(goal.right))
-
-    rules = tuple((left, side(right) if at_work is None or left in at_work else right) for left, right in problem.rules)
-    return with_fields(
-        problem,
-        goals=tuple(map(rewritten, problem.goals)),
-        rules=rules,
-        conditions=tuple(map(rewritten, problem.conditions)),
-        hypotheses=tuple(map(hypothesis, problem.hypotheses)),
-        cases=tuple(map(rewritten, problem.cases)),
-    )
-
-
 def with_simple_lengths(problem: Problem) -> Problem:
     """The same problem with every length said of as simple a vector as is known."""
     lengths = Lengths(problem.hypotheses, dict(problem.rules))
-    found = said_otherwise(problem, lengths, lengths.hypothesis)
+    found = problem.said_otherwise(lengths, lengths.hypothesis)
     return with_fields(found, presupposed=tuple(dict.fromkeys((*problem.presupposed, *lengths.used))))
 
 
@@ -144,7 +107,7 @@ def _summed(sides: Iterable[Node], hypotheses: tuple[Hypothesis, ...]) -> Iterat
         if isinstance(part, Symbol) and part.is_scalar and part in first.running
     ]  # fmt: skip
     for hypothesis in hypotheses:
-        about = {part for pair in hypothesis.equations for side in pair for part in opened_parts(side)}
+        about = {part for side in hypothesis.sides for part in opened_parts(side)}
         if not about & first.running:
             continue
         pairs = [*hypothesis.equations]

@@ -86,7 +86,7 @@ class SizedRates:
         for base, order in ((base, order) for base, most in highest.items() for order in range(1, most + 1)):
             letter = self._lettered(rated(base, order))
             for hypothesis in hypotheses:
-                if not any(base in w.walk(side) for equation in hypothesis.equations for side in equation):
+                if not any(base in w.walk(side) for side in hypothesis.sides):
                     continue
                 if hypothesis.kind in ("symmetric", "definite"):
                     yield with_fields(symmetric(letter), text=hypothesis.text)

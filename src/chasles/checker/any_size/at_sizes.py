@@ -32,7 +32,7 @@ SAYING_ALL = (
 def sizes_in(problem: Problem) -> tuple[str, ...]:
     """The names of the letters for sizes."""
     goals = (*problem.goals, *problem.conditions)
-    sides = [side for goal in goals for side in (goal.left, goal.right)]
+    sides = [side for goal in goals for side in goal.sides]
     sides += [side for rule in problem.rules for side in rule]
     sides += [side for h in problem.hypotheses for pair in (*h.equations, h.nonvanishing) for side in pair]
     return tuple(size.name for size in sizes_of(sides))

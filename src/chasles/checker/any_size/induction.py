@@ -15,9 +15,9 @@ from chasles.vocabulary.sizes import Size, at_exponent, sizes_of
 def first_and_next(problem: Problem, name: str) -> tuple[Problem, Problem]:
     """The problem for 1 and for n + 1; `Rejected` if n is no exponent, or something is assumed of it."""
     letter = Size(name)
-    said = [node for goal in problem.conditions for node in (goal.left, goal.right)]
+    said = [node for goal in problem.conditions for node in goal.sides]
     said += [node for h in problem.hypotheses for node in (*h.subjects, *h.nonvanishing, *sum(h.equations, ()))]
-    sides = [node for goal in problem.goals for node in (goal.left, goal.right)]
+    sides = [node for goal in problem.goals for node in goal.sides]
     parts = {part for node in (*said, *sides) for part in walk(node)}
     # What is defined by n is something else for n + 1, and has one name.
     if letter in sizes_of(said) or (

@@ -59,7 +59,7 @@ def scalar_question(problem: Problem, proving: bool = True) -> ScalarQuestion:
     assumed of the angle and they leave it room: a proof does without them, and a witness need not be looked for.
     """
     entries = EntriesOfWords(problem)
-    sides = [[entries(side) for side in (goal.left, goal.right)] for goal in problem.goals]
+    sides = [[entries(side) for side in goal.sides] for goal in problem.goals]
     left, right = (sp.Matrix([entry for pair in sides for entry in pair[k]]) for k in (0, 1))
     settled = entries.by_sign | (entries.settled if proving else frozenset())
     given: list[Any] = []

@@ -33,7 +33,7 @@ class EntriesOfWords:
 
     def __init__(self, problem: Problem) -> None:
         self.rules = dict(problem.rules)
-        stated = [(goal.left, goal.right) for goal in (*problem.goals, *problem.conditions)]
+        stated = [goal.sides for goal in (*problem.goals, *problem.conditions)]
         stated += [*problem.rules, *(equation for h in problem.hypotheses for equation in h.equations)]
         self.moving = any(isinstance(part, w.Rate) for pair in stated for side in pair for part in w.walk(side))
         self.known: dict[w.Node, Any] = {}
@@ -42,7 +42,7 @@ class EntriesOfWords:
         self.applied: dict[Any, Any] = {}
         self.used: dict[str, None] = {}
         assumed = [h for h in problem.hypotheses if h.kind != "inequality"]
-        self.stated = [(goal.left, goal.right) for goal in problem.conditions]
+        self.stated = [goal.sides for goal in problem.conditions]
         self.stated += [pair for h in assumed for pair in h.equations]
         self.stated += [(node, node) for h in assumed for node in h.nonvanishing]
         self.signs = {str(s): {"nonnegative": True} for s in problem.nonnegative}

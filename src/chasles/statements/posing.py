@@ -1,0 +1,201 @@
+"""How a statement is posed as a problem, in one of its forms; the prover and the checker both start here."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace as with_fields
+from weakref import WeakKeyDictionary
+
+from chasles.statements.angles import determined_angle, turning
+from chasles.statements.conditions import solvable
+from chasles.statements.directions import with_directions
+from chasles.statements.goals import (
+    AcceptedSides,
+    cases_of,
+    equations_of,
+    goals_of,
+    goals_of_theorem,
+    presupposed_by,
+)
+from chasles.statements.hypotheses import Hypothesis
+from chasles.statements.problem import Goal, Problem
+from chasles.statements.rules import behind, passed_on, rated, refuse_circles
+from chasles.statements.simpler_words import (
+    in_simpler_words,
+    with_rates_said,
+    with_simple_lengths,
+    with_what_is_seen,
+)
+from chasles.statements.statement import (
+    Claim,
+    Condition,
+    Equation,
+    Statement,
+    Theorem,
+    bare,
+    is_rule,
+    with_their_definitions,
+)
+from chasles.statements.varied import opened_parts
+from chasles.vocabulary import Negative, Node, Rate, Sum, Symbol, members_of, plain, undotted
+from chasles.vocabulary.families import indices_of
+from chasles.vocabulary.fitting import measured
+from chasles.vocabulary.measure import added
+from chasles.vocabulary.totals import Total
+
+Decidable = Statement | Theorem
+
+
+def default_form(statement: Statement) -> str:
+    """The form in which a statement is used before it is decided: as read where it does not fit as printed."""
+    if not statement.fault:
+        return "printed"
+    for form in ("reading", "corrected"):
+        if statement.form_exists(form):
+            return form
+    raise TypeError(f"({statement.number}) does not fit as printed, and no other form of it is declared")
+
+
+def default_sides(statement: Statement) -> Equation:
+    """The sides with which a statement is used before it is decided; raises TypeError if none fit."""
+    return statement.form(default_form(statement))
+
+
+def problem_of(statement: Decidable, form: str = "printed", standing: AcceptedSides = default_sides) -> Problem:
+    """The problem that decides a statement in one of its forms; `standing` gives the sides used of a given one.
+
+    Raises `Misfit` if that form does not fit together, and TypeError if a given statement cannot be used.
+    """
+    relied_on = statement.relied_on if isinstance(statement, Statement) else ()
+    sides = [standing(each) for each in dict.fromkeys((*with_their_definitions(statement.given), *relied_on))]
+    known = _posed.setdefault(statement, {})
+    if form not in known or known[form][0] != sides:
+        known[form] = sides, _problem_of(statement, form, standing)
+    return known[form][1]
+
+
+_posed: WeakKeyDictionary[Decidable, dict[str, tuple[list[Equation], Problem]]] = WeakKeyDictionary()
+"""The problems that were asked for, by statement and form, with the sides of what it relies on."""
+
+
+def _problem_of(statement: Decidable, form: str, standing: AcceptedSides) -> Problem:
+    rules, conditions, unknowns = _given(statement, standing)
+    rules = passed_on([*rules, *_angle_rules(statement, form, rules, conditions, unknowns)])
+    refuse_circles(statement.number, rules, unknowns)
+    rules += _counted(_said(statement, form, rules), rules)
+    said = [*_said(statement, form, rules), *(side for goal in conditions for side in goal.sides)]
+    if any(part.is_field for side in said for part in opened_parts(side)):
+        from chasles.statements.field_equations import moving  # few chapters have fields
+
+        rules += moving(said, rules)
+    hypotheses = tuple(dict.fromkeys((*_hypotheses(statement), *_agreeing(dict(rules)))))
+    free = conditions and (any(each.is_field for each in unknowns) or not solvable(conditions, unknowns, dict(rules)))
+    if free:
+        from chasles.statements.field_equations import freely_assumed  # of no use to most claims
+
+        if told := freely_assumed(conditions, unknowns, _said(statement, form, rules), dict(rules)):
+            hypotheses, conditions, unknowns = (*hypotheses, *told), [], {}
+    problem = Problem((), tuple(rules), tuple(conditions), tuple(unknowns), hypotheses)
+    if isinstance(statement, Theorem):
+        goals = tuple(goals_of_theorem(statement, problem))
+        presupposed = tuple(dict.fromkeys(presupposed_by(statement, problem)))
+        problem = with_fields(problem, presupposed=presupposed, cases=tuple(cases_of(statement)))
+    else:
+        goals = tuple(goals_of(statement, form, standing, problem))
+    for goal in goals:
+        added(measured(goal.left), measured(goal.right), goal.sides, "equate")
+    problem = in_simpler_words(with_rates_said(with_fields(problem, goals=goals)))
+    return with_directions(with_simple_lengths(with_what_is_seen(problem)))
+
+
+def _given(statement: Decidable, accepted: AcceptedSides) -> tuple[list[Equation], list[Goal], dict[Symbol, None]]:
+    """Rules by what is given, conditions, and the symbols that these determine."""
+    rules: list[Equation] = []
+    conditions: list[Goal] = []
+    unknowns: dict[Symbol, None] = {}
+    known = with_their_definitions(statement.given)
+    posed = [each.on for each in known if isinstance(each, Condition)]
+    for given in known:
+        left, right = accepted(given)
+        if isinstance(given, Condition) and given.solution is not None:
+            raise TypeError(
+                f"({statement.number}) is given ({given.number}), which leaves {given.on[0]} free: let it restate that"
+            )
+        if isinstance(given, Condition) and posed.count(given.on) == 1 and _is_motion(given.on, bare(left), right):
+            rules.append((bare(left), right))
+        elif isinstance(given, Condition) and given.on:
+            conditions += equations_of(f"({given.number})", left, right)
+            unknowns |= dict.fromkeys(given.on)
+        elif isinstance(given, Condition) and given.assuming:
+            continue
+        elif isinstance(given, Condition):
+            raise TypeError(
+                f"({statement.number}) is given ({given.number}), a condition on nothing: say `on` what it is"
+            )
+        elif is_rule(given):
+            rules.append((bare(left), right))
+        elif indices_of(left):
+            rules += [(one, other) for one, other in members_of(left, right)]
+        else:
+            raise TypeError(
+                f"({statement.number}) is given ({given.number}), whose left side {left} is no symbol: "
+                "state it as a Condition on what it determines"
+            )
+    return rules, conditions, unknowns
+
+
+def _is_motion(on: tuple[Symbol, ...], left: Node, right: Node) -> bool:
+    """Whether it says what the rate of the one symbol is that it is posed on, by the symbol and lower rates."""
+    return isinstance(left, Rate) and (undotted(left)[0],) == on and not {left, Rate(left)} & {*opened_parts(right)}
+
+
+def _angle_rules(
+    statement: Decidable, form: str, rules: list[Equation], conditions: list[Goal], unknowns: dict[Symbol, None]
+) -> Iterator[Equation]:
+    """What conditions say that angles are, whose cosines and sines are taken; these conditions are left out."""
+    if not conditions:
+        return
+    angles = turning(_said(statement, form, rules))
+    for goal in tuple(conditions):
+        found = determined_angle(goal.left, goal.right, unknowns)
+        if found is not None and found[0] in angles:
+            conditions.remove(goal)
+            del unknowns[found[0]]
+            yield found
+
+
+def _said(statement: Decidable, form: str, rules: list[Equation]) -> list[Node]:
+    """The sides of what is claimed and of the rules."""
+    if isinstance(statement, Theorem):
+        sides = [side for part in statement.forms for each in part.equations() for side in each[1:]]
+    else:
+        sides = list(statement.form(form))
+    return [*sides, *(side for rule in rules for side in rule)]
+
+
+def _counted(sides: list[Node], rules: list[Equation]) -> Iterator[Equation]:
+    """That the number of members over which sums are taken is the sum of ones, where nothing else is given of it."""
+    found = dict.fromkeys(part.index for side in sides for part in opened_parts(side) if isinstance(part, Total))
+    known = {left for left, _ in rules}
+    yield from ((index.number, index.counted) for index in found if index.number not in known)
+
+
+def _agreeing(rules: Mapping[Node, Node]) -> Iterator[Hypothesis]:
+    """Where both a quantity and its rate are given, the rate of what is given for the other."""
+    for left, right in rules.items():
+        base, dots = behind(left, rules)
+        if dots and base in rules:
+            rate = rated(rules[base], dots)
+            text = f"{plain(left)} is the rate of {plain(base)}"
+            yield Hypothesis("given", (Sum((rate, Negative(right))),), ((rate, right),), (), "", text)
+
+
+def _hypotheses(statement: Decidable) -> Iterator[Hypothesis]:
+    """What the statement and all that it rests on assume, its own first."""
+    yield from statement.assuming
+    if isinstance(statement, Claim) and (statement.left.expands or statement.right.expands):
+        from chasles.statements.expanding import presupposed  # of no use to most claims
+
+        yield from presupposed(statement.left, statement.right, statement.assuming)
+    for given in statement.given:
+        yield from _hypotheses(given)
