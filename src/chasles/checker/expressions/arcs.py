@@ -3,22 +3,19 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import TYPE_CHECKING
 
 from chasles.checker.expressions.algebra import constant
 from chasles.checker.expressions.factoring import Terms
+from chasles.checker.expressions.functions import Functions
+from chasles.checker.expressions.known_roots import KnownRoots
 from chasles.checker.expressions.signs import is_nonnegative, is_positive
 from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, exponents, number, variable
-
-if TYPE_CHECKING:
-    from chasles.checker.expressions.functions import Functions
-    from chasles.checker.expressions.reading_of_proof import Proven
 
 
 class Arcs:
     """The angles of points in a reading, each a variable; `points` are their coordinates, y first."""
 
-    def __init__(self, reading: Proven, functions: Functions) -> None:
+    def __init__(self, reading: KnownRoots, functions: Functions) -> None:
         self.reading, self.functions = reading, functions
         self.places: dict[tuple[Terms, ...], int] = {}
         self.points: dict[int, tuple[Polynomial, Polynomial]] = {}

@@ -10,16 +10,13 @@ from collections.abc import Iterable
 from fractions import Fraction
 from functools import reduce
 from operator import and_
-from typing import TYPE_CHECKING
 
 from chasles.checker.expressions.algebra import constant, primitive
 from chasles.checker.expressions.elementary import FUNCTIONS
 from chasles.checker.expressions.factoring import Terms, quotient, terms_of
+from chasles.checker.expressions.known_roots import KnownRoots
 from chasles.checker.expressions.signs import is_positive
 from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, exponents, number, variable
-
-if TYPE_CHECKING:
-    from chasles.checker.expressions.reading_of_proof import Proven
 
 LARGEST_FACTOR = 100
 Positive = tuple[Polynomial, frozenset[Terms], int]
@@ -29,7 +26,7 @@ Positive = tuple[Polynomial, frozenset[Terms], int]
 class Functions:
     """The functions in a reading; `positives` are what logarithms are taken of, `pending` is the name to be given."""
 
-    def __init__(self, reading: Proven) -> None:
+    def __init__(self, reading: KnownRoots) -> None:
         self.reading = reading
         self.pending: str | None = None
         self.exponentials: dict[int, tuple[Fraction, int]] = {}

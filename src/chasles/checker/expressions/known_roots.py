@@ -10,25 +10,22 @@ from operator import and_, mul
 
 from chasles.checker.expressions.algebra import constant, primitive
 from chasles.checker.expressions.factoring import Terms, quotient, root_of_square
-from chasles.checker.expressions.signs import is_nonnegative
-from chasles.checker.expressions.symbolic import Symbolic
+from chasles.checker.expressions.signs import SignedReading, is_nonnegative
 from chasles.checker.sparse import ONE, Polynomial, Rejected, exponents, number, variable
 
 
-class KnownRoots(Symbolic):
+class KnownRoots(SignedReading):
     """Reads expressions, each root as what is known to be it.
 
-    `domains` must not be negative for the roots to be real, `numeric` are the roots of numbers. It is `complete` once
-    all is read that the certificate says: from then on, roots of which it does not speak are variables of their own.
+    `domains` must not be negative for the roots to be real. It is `complete` once all is read that the certificate
+    says: from then on, roots of which it does not speak are variables of their own.
     """
 
     def __init__(self, names: dict[str, str], units: dict[str, Fraction]) -> None:
         super().__init__(names, units)
         self.domains: list[Polynomial] = []
-        self.numeric: set[int] = set()
         self.complete = False
         self._roots: dict[Terms, tuple[Fraction, Polynomial]] = {}
-        self._nonnegative: set[Terms] = set()
 
     @property
     def adds_roots(self) -> bool:
@@ -39,11 +36,7 @@ class KnownRoots(Symbolic):
         """Something is visibly not negative, or has to be said to be."""
         if not is_nonnegative(self, value):
             self.domains.append(value)
-            self._nonnegative.add(_signed(value))
-
-    def know(self, value: Polynomial) -> None:
-        """Something is not negative where the question is meant."""
-        self._nonnegative.add(_signed(value))
+            self.know(value)
 
     def state_word(self, name: str, square: Polynomial, visible: bool) -> None:
         """A new variable is the root of what has to be not negative, where that is not `visible`."""
@@ -66,23 +59,6 @@ class KnownRoots(Symbolic):
             raise Rejected("a root is said to be what does not have the right square")
         scale, key = _key(self.normal(square))
         self._roots[key] = scale, root
-
-    def is_seen(self, polynomial: Polynomial) -> bool:
-        """Whether something is not negative, visibly or where the roots are real."""
-        return self.is_known(polynomial) or is_nonnegative(self, polynomial)
-
-    def is_known(self, polynomial: Polynomial) -> bool:
-        """Whether something is not negative where the roots are real."""
-        return _signed(polynomial) in self._nonnegative
-
-    def is_number(self, polynomial: Polynomial) -> bool:
-        """Whether something is made of numbers alone."""
-        return all(map(self.is_numeric, polynomial.places))
-
-    def is_numeric(self, place: int) -> bool:
-        """Whether a variable is a number."""
-        parts = (self.inverses[place],) if place in self.inverses else self.calls.get(place, (None, None))[1]
-        return place in self.numeric or (parts is not None and all(map(self.is_number, parts)))
 
     def equal(self, one: list[Polynomial], other: list[Polynomial]) -> Polynomial:
         """The difference of two products, which is zero: no factor is negative, and the squares are the same."""
@@ -190,9 +166,3 @@ def _powers(monomial: int, places: Iterable[int]) -> frozenset[tuple[int, int]]:
 def _key(polynomial: Polynomial) -> tuple[Fraction, Terms]:
     scale, base = primitive(polynomial)
     return scale, frozenset(base.terms.items())
-
-
-def _signed(polynomial: Polynomial) -> Terms:
-    """The same for all positive multiples."""
-    scale, base = primitive(polynomial)
-    return frozenset((base if scale > 0 else -base).terms.items())

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
-from typing import TYPE_CHECKING
 
+from chasles.checker.expressions.algebra import primitive
+from chasles.checker.expressions.factoring import Terms
+from chasles.checker.expressions.symbolic import Symbolic
 from chasles.checker.sparse import ZERO, Polynomial, exponents, number, variable
-
-if TYPE_CHECKING:
-    from chasles.checker.expressions.known_roots import KnownRoots
 
 MOST_SQUARES, MOST_TERMS = 3, 8
 """So many squares are completed, each with fewer terms."""
@@ -17,17 +16,47 @@ Sign = tuple[int, bool]
 """1 or -1, and whether it cannot be zero."""
 
 
-def is_nonnegative(reading: KnownRoots, polynomial: Polynomial) -> bool:
+class SignedReading(Symbolic):
+    """Reads expressions, with what is known not to be negative; `numeric` are the variables that are numbers."""
+
+    def __init__(self, names: dict[str, str], units: dict[str, Fraction]) -> None:
+        super().__init__(names, units)
+        self.numeric: set[int] = set()
+        self._nonnegative: set[Terms] = set()
+
+    def know(self, value: Polynomial) -> None:
+        """Something is not negative where the question is meant."""
+        self._nonnegative.add(_signed(value))
+
+    def is_seen(self, polynomial: Polynomial) -> bool:
+        """Whether something is not negative, visibly or where the roots are real."""
+        return self.is_known(polynomial) or is_nonnegative(self, polynomial)
+
+    def is_known(self, polynomial: Polynomial) -> bool:
+        """Whether something is not negative where the roots are real."""
+        return _signed(polynomial) in self._nonnegative
+
+    def is_number(self, polynomial: Polynomial) -> bool:
+        """Whether something is made of numbers alone."""
+        return all(map(self.is_numeric, polynomial.places))
+
+    def is_numeric(self, place: int) -> bool:
+        """Whether a variable is a number."""
+        parts = (self.inverses[place],) if place in self.inverses else self.calls.get(place, (None, None))[1]
+        return place in self.numeric or (parts is not None and all(map(self.is_number, parts)))
+
+
+def is_nonnegative(reading: SignedReading, polynomial: Polynomial) -> bool:
     """Whether a polynomial is visibly not negative: a sum of what is not, a cosine or sine being at least -1."""
     return _strictly(reading, polynomial) is not None
 
 
-def is_positive(reading: KnownRoots, polynomial: Polynomial) -> bool:
+def is_positive(reading: SignedReading, polynomial: Polynomial) -> bool:
     """Whether a polynomial is visibly positive."""
     return _strictly(reading, polynomial) is True
 
 
-def _strictly(reading: KnownRoots, polynomial: Polynomial, squares: int = MOST_SQUARES) -> bool | None:
+def _strictly(reading: SignedReading, polynomial: Polynomial, squares: int = MOST_SQUARES) -> bool | None:
     """Whether a polynomial is visibly positive rather than not negative; None where neither is visible.
 
     It is more by a square than what is left when that is completed.
@@ -62,7 +91,7 @@ def _divides(half: list[tuple[int, int]], monomial: int) -> bool:
     return all(pairs.get(place, 0) >= power for place, power in half)
 
 
-def _by_terms(reading: KnownRoots, polynomial: Polynomial) -> bool | None:
+def _by_terms(reading: SignedReading, polynomial: Polynomial) -> bool | None:
     """The same, because no term is negative."""
     circular = {place for _, c, s in reading.circles.values() for place in c.places | s.places}
     groups: dict[int, dict[int, Polynomial]] = {}
@@ -83,7 +112,7 @@ def _by_terms(reading: KnownRoots, polynomial: Polynomial) -> bool | None:
     return positive
 
 
-def _least(reading: KnownRoots, group: dict[int, Polynomial], orientation: int) -> Polynomial:
+def _least(reading: SignedReading, group: dict[int, Polynomial], orientation: int) -> Polynomial:
     """The least that a sum of numbers times products of cosines and sines can be, up to the sign given."""
     total = ZERO
     for monomial, coefficient in group.items():
@@ -97,7 +126,7 @@ def _least(reading: KnownRoots, group: dict[int, Polynomial], orientation: int) 
     return total
 
 
-def _of_product(reading: KnownRoots, monomial: int) -> Sign | None:
+def _of_product(reading: SignedReading, monomial: int) -> Sign | None:
     """The sign of a product of powers."""
     sign, strict = 1, True
     for place, power in exponents(monomial):
@@ -109,7 +138,7 @@ def _of_product(reading: KnownRoots, monomial: int) -> Sign | None:
     return sign, strict
 
 
-def _of_variable(reading: KnownRoots, place: int) -> Sign | None:
+def _of_variable(reading: SignedReading, place: int) -> Sign | None:
     if place in reading.positive:
         return 1, True
     if place in reading.words:
@@ -123,3 +152,9 @@ def _of_variable(reading: KnownRoots, place: int) -> Sign | None:
     if e.is_nonnegative:
         return 1, bool(e.is_positive)
     return (-1, bool(e.is_negative)) if e.is_nonpositive else None
+
+
+def _signed(polynomial: Polynomial) -> Terms:
+    """The same for all positive multiples."""
+    scale, base = primitive(polynomial)
+    return frozenset((base if scale > 0 else -base).terms.items())
