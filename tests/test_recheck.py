@@ -19,7 +19,7 @@ from chasles.from_sympy import given as given_equations
 from chasles.from_sympy import reader as readers
 from chasles.from_sympy import roots
 from chasles.from_sympy.divisors import DivisorText
-from chasles.from_sympy.given import Equations, SideConditions
+from chasles.from_sympy.given_equations import Equations, SideConditions
 from chasles.prove import Rejected, prove, recheck
 from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder
 

@@ -15,7 +15,8 @@ from pathlib import Path
 
 from chasles.decisions.session import Session
 from chasles.pages.chapter_notation import notation_of_chapter
-from chasles.pages.page import Page, PageEquation, read_page
+from chasles.pages.page import Page, read_page
+from chasles.pages.page_equation import PageEquation
 from chasles.reading.notation_file import load_notation
 from chasles.reading.pages import displayed, kind_of
 from chasles.statements import Chapter, Statement, load

@@ -10,7 +10,7 @@ import sys
 import pytest
 from click.testing import CliRunner, Result
 
-from chasles.cli import book, main
+from chasles.cli import chosen_chapter, main
 from chasles.statements import Chapter, Entry, Section
 
 
@@ -65,6 +65,6 @@ def chapter_is(monkeypatch: pytest.MonkeyPatch):
     """Puts a chapter with the given statements in the book's place."""
 
     def replace(**statements: object) -> None:
-        monkeypatch.setattr(book, "load", lambda package: toy(**statements))
+        monkeypatch.setattr(chosen_chapter, "load", lambda package: toy(**statements))
 
     return replace

@@ -9,7 +9,7 @@ import sys
 
 import pytest
 
-from chasles.cli import COMMANDS, book
+from chasles.cli import COMMANDS, chosen_chapter
 from chasles.statements import load
 from chasles.statements.exercises import exercise_numbers
 
@@ -65,7 +65,7 @@ def test_declarations_that_do_not_stand_are_no_message_on_the_line(offered, monk
     def fail(package: str) -> None:
         raise RuntimeError
 
-    monkeypatch.setattr(book, "load", fail)
+    monkeypatch.setattr(chosen_chapter, "load", fail)
     assert offered("show", "3.1") == []
 
 

@@ -16,7 +16,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 from chasles import derivations
-from chasles.cli import answers, book, main
+from chasles.cli import answers, chosen_chapter, main
 from chasles.cli.derivations import all_derivations
 from chasles.decisions import processes as spreading
 from chasles.statements import Chapter, load
@@ -38,7 +38,7 @@ def _short_book(monkeypatch: pytest.MonkeyPatch) -> None:
     whole = load()
     end = next(k for k, entry in enumerate(whole.entries) if entry.name == KERNELS[-1]) + 1
     beginning = Chapter(whole.title, whole.entries[:end])
-    monkeypatch.setattr(book, "load", lambda package: beginning)
+    monkeypatch.setattr(chosen_chapter, "load", lambda package: beginning)
     first = dict(islice(all_derivations(beginning).items(), 2))
     monkeypatch.setattr(answers, "all_derivations", lambda chapter: first)
     monkeypatch.setattr(answers, "sentences_of_exercises", lambda chapter: {})

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 import chasles
-from chasles.cli import COMMANDS, book
+from chasles.cli import COMMANDS, chosen_chapter
 from chasles.statements import Chapter, Definition
 from chasles.vocabulary import scalar, vector
 
@@ -87,7 +87,7 @@ def test_a_declaration_that_does_not_fit_is_named_with_its_place(
     broken = package / "s01.py"
     words = "from chasles.vocabulary import scalar, vector\n\nwrong = vector('a', 'a', '') + scalar('x', 'x', '')\n"
     monkeypatch.syspath_prepend(tmp_path)
-    monkeypatch.setattr(book, "BOOK", "a_broken_book")
+    monkeypatch.setattr(chosen_chapter, "BOOK", "a_broken_book")
     for text, line, said in [
         (words, 3, "cannot add"),
         ("x = = 1\n", 1, "invalid syntax"),
@@ -114,7 +114,7 @@ def test_what_nobody_expected_is_one_line_and_a_traceback_on_request(run, monkey
     def fail(package: str) -> Chapter:
         raise RuntimeError("a\nsurprise")
 
-    monkeypatch.setattr(book, "load", fail)
+    monkeypatch.setattr(chosen_chapter, "load", fail)
     done = run("decide")
     assert done.exit_code == 1
     assert done.stderr.startswith("chasles: this is a defect of chasles: RuntimeError: a surprise. Please report it")
@@ -126,7 +126,7 @@ def test_interruption_is_not_a_traceback(run, monkeypatch: pytest.MonkeyPatch) -
     def interrupt(package: str) -> Chapter:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(book, "load", interrupt)
+    monkeypatch.setattr(chosen_chapter, "load", interrupt)
     done = run("decide")
     assert (done.exit_code, done.stderr.strip()) == (130, "chasles: stopped")
 

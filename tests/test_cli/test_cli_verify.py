@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from click.testing import CliRunner, Result
 
-from chasles.cli import book, comparison, main
+from chasles.cli import chosen_chapter, comparison, main
 from chasles.statements import Chapter, load
 
 from ..sampling import sample
@@ -51,7 +51,7 @@ def installed(monkeypatch: pytest.MonkeyPatch):
     """The beginning of the book, and kernels for it."""
     whole = load()
     end = next(k for k, entry in enumerate(whole.entries) if entry.name == NAMES[-1]) + 1
-    monkeypatch.setattr(book, "load", lambda package: Chapter(whole.title, whole.entries[:end]))
+    monkeypatch.setattr(chosen_chapter, "load", lambda package: Chapter(whole.title, whole.entries[:end]))
 
     def install(**others: object) -> None:
         kernels = {"cross_product_matrix": cross_product_matrix, "rotation_from_axis_angle": rotation_from_axis_angle}

@@ -5,7 +5,7 @@ from __future__ import annotations
 import click
 
 from chasles import __version__
-from chasles.cli.failures import Guarded
+from chasles.cli.guarded import Guarded
 
 __all__ = ["main"]
 

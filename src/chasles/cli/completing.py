@@ -40,7 +40,7 @@ def _offering(find: Callable[[Sequence[str]], Offered]) -> Offer:
 @_offering
 def numbers(before: Sequence[str]) -> Offered:
     """The numbers of the book, word by word: after `Thm` come those of the theorems."""
-    from chasles.cli.book import chapter
+    from chasles.cli.chosen_chapter import chapter
 
     book = chapter()
     says: dict[str, str] = {}
@@ -59,7 +59,7 @@ def numbers(before: Sequence[str]) -> Offered:
 @_offering
 def sections(before: Sequence[str]) -> Offered:
     """The sections of the book."""
-    from chasles.cli.book import chapter
+    from chasles.cli.chosen_chapter import chapter
 
     return [(section.number, section.title) for section in chapter().sections]
 
@@ -67,7 +67,7 @@ def sections(before: Sequence[str]) -> Offered:
 @_offering
 def kernels(before: Sequence[str]) -> Offered:
     """The names of the kernels that are not there yet."""
-    from chasles.cli.book import chapter
+    from chasles.cli.chosen_chapter import chapter
 
     named = [(kernel.name, entry.statement.says) for entry in chapter() for kernel in entry.kernels]
     return [(name, says) for name, says in named if name not in before]
@@ -76,7 +76,7 @@ def kernels(before: Sequence[str]) -> Offered:
 @_offering
 def exercises(before: Sequence[str]) -> Offered:
     """The numbers of the exercises."""
-    from chasles.cli.book import package_chosen
+    from chasles.cli.chosen_chapter import package_chosen
     from chasles.statements.exercises import exercise_numbers
 
     return [(number, "") for number in exercise_numbers(package_chosen())]

@@ -20,7 +20,8 @@ from chasles.from_sympy.complex_symbols import taken_as_real
 from chasles.from_sympy.complexes import RealParts
 from chasles.from_sympy.divisors import DivisorText, divisor_of
 from chasles.from_sympy.elementary import Elementary
-from chasles.from_sympy.given import Equations, SideConditions, collected, evident, impossible, orders_of
+from chasles.from_sympy.given import collected, evident, impossible, orders_of
+from chasles.from_sympy.given_equations import Equations, SideConditions
 from chasles.from_sympy.opening import Entries, opened
 from chasles.from_sympy.question import Question, matrix_of
 from chasles.from_sympy.reader import Reader

@@ -18,7 +18,7 @@ from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.expressions.reading_of_proof import Proven
 from chasles.checker.sparse import ZERO, Polynomial, Rejected, limited, parsed
 from chasles.from_sympy.elementary import Elementary
-from chasles.from_sympy.given import SideConditions
+from chasles.from_sympy.given_equations import SideConditions
 from chasles.from_sympy.naming import spelled, written
 from chasles.from_sympy.opening import FunctionSymbol
 from chasles.from_sympy.reader import Reader

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 import sympy
@@ -13,59 +12,16 @@ from chasles.from_sympy.atoms import nonzero_by_sign, real_copy
 from chasles.from_sympy.complexes import RealParts
 from chasles.from_sympy.exponents import may_be_factored
 from chasles.from_sympy.given_angles import without_given_angles
+from chasles.from_sympy.given_equations import Equations, Moving, SideConditions
 from chasles.from_sympy.opening import parts_of, sides
 from chasles.from_sympy.pantelides import offsets
-from chasles.from_sympy.real_zeros import SquaresGiven, squares_in
+from chasles.from_sympy.real_zeros import squares_in
 from chasles.from_sympy.side_conditions import listed
-from chasles.from_sympy.triads import Triad, triads_of
+from chasles.from_sympy.triads import triads_of
 from chasles.problems.variables import Untreatable
 
-Pair = tuple[Any, Any]
 MOST_TERMS = 30
 """Longer polynomials are not factored."""
-
-
-@dataclass(slots=True)
-class Moving:
-    """An equation between functions: how often it differentiates them, and is differentiated to determine rates."""
-
-    orders: dict[Any, int]
-    times: int = 0
-
-
-@dataclass(slots=True)
-class Equations:
-    """Equations under one name, of which the `sources` are what the user gave.
-
-    They are `derived` if they follow from these. A single one of scalars has the `label` that the checker gives it.
-    """
-
-    text: str
-    pairs: list[Pair]
-    sources: tuple[str, ...]
-    triad: Triad | None = None
-    derived: bool = False
-    moving: list[Moving] = field(default_factory=list)
-    label: str = ""
-
-    @property
-    def sides(self) -> list[Any]:
-        """Both sides of all of them."""
-        return [side for pair in self.pairs for side in pair]
-
-
-@dataclass(slots=True)
-class SideConditions:
-    """The given equations, what they say of angles (used by substitution), and the triads among them.
-
-    `stated` are the pairs of sides as they were given, `highest` the rates of functions that they determine.
-    """
-
-    equations: list[Equations] = field(default_factory=list)
-    substitutions: list[tuple[str, Any, Any]] = field(default_factory=list)
-    stated: list[Pair] = field(default_factory=list)
-    squares: list[SquaresGiven] = field(default_factory=list)
-    highest: Mapping[Any, int] = field(default_factory=dict)
 
 
 def collected(given: Any, spoken_of: Sequence[Any], parts: RealParts) -> tuple[SideConditions, list[Any]]:

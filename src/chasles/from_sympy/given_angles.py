@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import sympy
 
 from chasles.checker.expressions.elementary import FUNCTIONS
 from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.expressions.readings import CIRCULAR
+from chasles.from_sympy.given_equations import SideConditions
 from chasles.from_sympy.opening import parts_of
-
-if TYPE_CHECKING:
-    from chasles.from_sympy.given import SideConditions
-
 
 ELEMENTARY = tuple(getattr(sympy, name) for name in FUNCTIONS)
 

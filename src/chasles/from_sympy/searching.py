@@ -11,7 +11,8 @@ from sympy.core.function import AppliedUndef
 
 from chasles.algebra.surds import SurdSum
 from chasles.from_sympy.atoms import assumed_of
-from chasles.from_sympy.given import Equations, SideConditions, orders_of
+from chasles.from_sympy.given import orders_of
+from chasles.from_sympy.given_equations import Equations, SideConditions
 from chasles.from_sympy.reader import Reader
 from chasles.from_sympy.triads import Triad
 from chasles.points.search import Frame, Search

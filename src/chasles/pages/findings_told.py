@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
-from chasles.pages.page import Page, PageEquation
+from chasles.pages.page import Page
+from chasles.pages.page_equation import PageEquation
 from chasles.statements import Definition
 from chasles.verdict import Counterexample, Fails, HoldsUnder, IllFormed, Undecided
 from chasles.vocabulary import latex, plain

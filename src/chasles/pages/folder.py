@@ -10,8 +10,9 @@ from typing import Any
 from chasles.pages.findings_told import told
 from chasles.pages.kept_declarations import merged
 from chasles.pages.package import package_of
-from chasles.pages.page import Page, PageEquation
+from chasles.pages.page import Page
 from chasles.pages.page_chapter import chapter_of
+from chasles.pages.page_equation import PageEquation
 
 QUESTIONS = "questions.toml"
 ASKED = """\

@@ -21,6 +21,7 @@ from chasles.pages.known_answers import KnownAnswers
 from chasles.pages.notes import DEFINING, NOTHING, EquationNote, notes_of, parts_of
 from chasles.pages.other_kinds import imaginary_unit
 from chasles.pages.page_chapter import chapter_of
+from chasles.pages.page_equation import PageEquation
 from chasles.pages.premises import Premises
 from chasles.reading.equations import read_equations
 from chasles.reading.notation_file import load_notation
@@ -41,45 +42,6 @@ UNDECIDED = frozenset({"defined", "open"})
 Notes = Mapping[tuple[str, int], EquationNote]
 """What a person says of a relation, by the name of its equation and its part."""
 DISPLAYS = ("$$", "\\[", "\\begin{", "```", ".. math::")
-
-
-@dataclass(frozen=True, slots=True)
-class PageEquation(Displayed):
-    """One relation of a displayed equation; an equation that is not read has one, without `part` and `finding`.
-
-    `others` are the verdicts of other readings, each with the reading in LaTeX, where they differ.
-    """
-
-    read: ReadEquation
-    number: str
-    place: int = 1
-    part: Part | None = None
-    finding: PageFinding | None = None
-    others: tuple[tuple[str, str], ...] = ()
-
-    @property
-    def printed(self) -> PrintedEquation:
-        """The equation of the page."""
-        return self.read.printed
-
-    @property
-    def line(self) -> int:
-        """The line of the page on which the relation stands."""
-        return (self.part.line if self.part else 0) or self.printed.line
-
-    @property
-    def verdict(self) -> str:
-        """The verdict in one word: what was not decided is "open", "ambiguous" or "unread"."""
-        if self.finding is None:
-            return "unread"
-        if self.others or self.finding.doubt:
-            return "ambiguous"
-        return "open" if self.finding.open else self.finding.verdict.name
-
-    @property
-    def is_decided(self) -> bool:
-        """Whether nothing is left to ask of a person."""
-        return self.verdict not in ("open", "ambiguous", "unread", "undecided", "contradictory")
 
 
 @dataclass(frozen=True, repr=False)

@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace as with_fields
-from typing import TYPE_CHECKING
 
 from chasles.pages.notes import EQUAL
 from chasles.pages.package import free_name, identifier
+from chasles.pages.page_equation import PageEquation
 from chasles.statements import Chapter, Entry, Postulate, Section, Statement
-
-if TYPE_CHECKING:
-    from chasles.pages.page import PageEquation
 
 Key = tuple[str, int]
 

@@ -5,13 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING
 
 from chasles.reading import commands
 from chasles.reading.lexemes import Token, cut
-
-if TYPE_CHECKING:
-    from chasles.reading.grammar import Terms
 
 TYPEFACES = frozenset(commands.STYLES)
 BOLD = {r"\boldsymbol": r"\mathbf"}
@@ -40,6 +36,14 @@ class Unread(ValueError):
     def __init__(self, why: str, place: Token | None = None) -> None:
         super().__init__(why)
         self.place = place
+
+
+@dataclass(frozen=True, slots=True)
+class Terms:
+    """Rows of atoms side by side with their signs, "+" or "-"; the first sign is "" where none is printed."""
+
+    signs: tuple[str, ...]
+    rows: tuple[Atoms, ...]
 
 
 @dataclass(frozen=True, slots=True)

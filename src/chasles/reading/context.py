@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from chasles.reading.atoms import Atoms, Unread
+from chasles.reading.atoms import Atoms, Terms, Unread
 from chasles.reading.fits import Fit, Shape, made, own_quantity
-from chasles.reading.grammar import Terms
 from chasles.reading.lexemes import Token
 from chasles.reading.page_notation import PageNotation
 from chasles.vocabulary import NO_DIMENSION, Group, Node, uniform

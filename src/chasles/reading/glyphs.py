@@ -8,9 +8,9 @@ from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from itertools import pairwise
 
-from chasles.reading.atoms import BOLD, TYPEFACES, Atom, Atoms, Unread, in_braces, said_of
+from chasles.reading.atoms import BOLD, TYPEFACES, Atom, Atoms, Terms, Unread, in_braces, said_of
 from chasles.reading.commands import MARKS
-from chasles.reading.grammar import Chain, Terms, formula
+from chasles.reading.grammar import Chain, formula
 from chasles.reading.lexemes import Token
 from chasles.reading.respelling import atoms_in
 

@@ -16,7 +16,7 @@ from lark import Token as Terminal
 from lark.exceptions import UnexpectedInput, VisitError
 from lark.lexer import Lexer
 
-from chasles.reading.atoms import CLOSING, OPENING, Atom, Atoms, Unread, in_braces
+from chasles.reading.atoms import CLOSING, OPENING, Atom, Atoms, Terms, Unread, in_braces
 from chasles.reading.lexemes import Token
 
 GRAMMAR = r"""
@@ -28,14 +28,6 @@ bracket: OPEN (terms (COMMA terms)*)? CLOSE
 """
 DEEPEST = 40
 WITHOUT_SCRIPTS = ("OPEN", "SIGN", "INFIX", "RELATION", "COMMA")
-
-
-@dataclass(frozen=True, slots=True)
-class Terms:
-    """Rows of atoms side by side with their signs, "+" or "-"; the first sign is "" where none is printed."""
-
-    signs: tuple[str, ...]
-    rows: tuple[Atoms, ...]
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from functools import lru_cache, reduce
 
-from chasles.reading.atoms import Atom, Atoms, Unread
+from chasles.reading.atoms import Atom, Atoms, Terms, Unread
 from chasles.reading.derivatives import Derivative, derivative
 from chasles.reading.glyphs import Glyph, letter_of, with_arguments
-from chasles.reading.grammar import Chain, Terms, formula
+from chasles.reading.grammar import Chain, formula
 from chasles.reading.page_functions import lists_letters
 from chasles.reading.spellings import called
 

@@ -7,11 +7,11 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations
 
-from chasles.reading.atoms import TYPEFACES, Atom, Atoms, said_of
+from chasles.reading.atoms import TYPEFACES, Atom, Atoms, Terms, said_of
 from chasles.reading.commands import MARKS
 from chasles.reading.derivatives import differential
 from chasles.reading.glyphs import ARROWS, Glyph, joined, letter_of, pieces_of, spelled, text_of
-from chasles.reading.grammar import Chain, Terms, terms_in
+from chasles.reading.grammar import Chain, terms_in
 from chasles.reading.letter_names import INVERSES, TRANSPOSES, NameMarks, is_declared, parted, stem_of
 from chasles.reading.notation_file import usual_names
 from chasles.reading.page_functions import DIFFERENCES, makes_difference, shown_alone

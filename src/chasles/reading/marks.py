@@ -8,12 +8,11 @@ from fractions import Fraction
 from itertools import product
 
 from chasles.reading.applying import applied, made_of, with_marks
-from chasles.reading.atoms import Atom, said_of
+from chasles.reading.atoms import Atom, Terms, said_of
 from chasles.reading.case_grids import ENVIRONMENTS, case_fits
 from chasles.reading.context import KINDS, FittingContext
 from chasles.reading.fits import UNUSUAL, Fit, Shape, kept
 from chasles.reading.glyphs import Glyph, in_latex, latex_of, letter_of, spelled
-from chasles.reading.grammar import Terms
 from chasles.reading.matrices import block_fits, grid_fits, row_of_blocks
 from chasles.reading.quotients import exponential_fits, fraction_fits, of_atoms
 from chasles.reading.spellings import signed

@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from itertools import islice, product
 
-from chasles.reading.atoms import Atom, Atoms, single
+from chasles.reading.atoms import Atom, Atoms, Terms, single
 from chasles.reading.context import FittingContext
 from chasles.reading.fits import MOST, Fit, Shape
-from chasles.reading.grammar import Terms
 from chasles.vocabulary import Block, Determinant, Symbol, symbols_of
 from chasles.vocabulary.measure import Extent
 from chasles.vocabulary.pieces import Precedence

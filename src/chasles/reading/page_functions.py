@@ -6,11 +6,11 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import pairwise
 
-from chasles.reading.atoms import TYPEFACES, Atom
+from chasles.reading.atoms import TYPEFACES, Atom, Terms
 from chasles.reading.commands import MARKS
 from chasles.reading.derivatives import derivative
 from chasles.reading.glyphs import Glyph, is_operator, letter_of, text_of_atom, with_arguments
-from chasles.reading.grammar import Chain, Terms, terms_in
+from chasles.reading.grammar import Chain, terms_in
 
 
 def functions_in(chains: Iterable[Chain]) -> dict[Glyph, bool]:

@@ -7,8 +7,9 @@ from dataclasses import replace
 from functools import lru_cache, partial
 from itertools import combinations, islice, product
 
+from chasles.reading.atoms import Terms
 from chasles.reading.glyphs import ARROWS, Glyph, letter_of, spelled
-from chasles.reading.grammar import Chain, Terms
+from chasles.reading.grammar import Chain
 from chasles.reading.letter_names import NameMarks, is_declared, parted, stem_of
 from chasles.reading.letter_shapes import Misshapen, Shape, shape_of_chain
 from chasles.reading.letter_uses import SKEW, LetterUse, letter_uses, looks

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from chasles.reading.atoms import TYPEFACES, Atom, Atoms, Unread, said_of
+from chasles.reading.atoms import TYPEFACES, Atom, Atoms, Terms, Unread, said_of
 from chasles.reading.glyphs import letter_of, only_atom, text_of
-from chasles.reading.grammar import Terms, formula
+from chasles.reading.grammar import formula
 from chasles.reading.respelling import atoms_in
 from chasles.vocabulary import Contract, Group, Misfit, Negative, Node, Scale, Skew
 from chasles.vocabulary.functions import FunctionOf

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable
 
-from chasles.reading.atoms import Atom, Atoms
+from chasles.reading.atoms import Atom, Atoms, Terms
 from chasles.reading.glyphs import letter_of
-from chasles.reading.grammar import Chain, Terms, terms_in
+from chasles.reading.grammar import Chain, terms_in
 from chasles.reading.page_functions import neighbours
 
 INDICES = frozenset("ijkl") | {r"\mu", r"\nu", r"\alpha", r"\beta", r"\rho", r"\sigma", r"\lambda", r"\kappa"}

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from chasles.reading.atoms import Atoms, Unread
+from chasles.reading.atoms import Atoms, Terms, Unread
 from chasles.reading.context import FittingContext
 from chasles.reading.expanding import order_of, up_to_order
 from chasles.reading.fits import MOST, Fit, Shape, kept, made
 from chasles.reading.glyphs import in_latex, text_of, text_of_row
-from chasles.reading.grammar import Terms
 from chasles.reading.rows import row_fits
 from chasles.reading.spellings import called
 from chasles.reading.summed_indices import counted

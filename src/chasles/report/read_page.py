@@ -9,7 +9,8 @@ from itertools import groupby
 from latex2mathml.converter import convert
 
 from chasles.pages.findings_told import is_fine, line_of
-from chasles.pages.page import Page, PageEquation
+from chasles.pages.page import Page
+from chasles.pages.page_equation import PageEquation
 
 _STYLE = """
 :root { color-scheme: light dark; }

@@ -26,7 +26,8 @@ from chasles.statements.problem import Goal, Problem
 from chasles.statements.statement import Claim, Condition, Definition, Postulate, Statement, Theorem
 
 if TYPE_CHECKING:
-    from chasles.statements.chapter import Chapter, Entry, Section, load
+    from chasles.statements.chapter import Chapter, Entry, Section
+    from chasles.statements.loading import load
     from chasles.statements.packages import DeclarationError
 
 __all__ = [
@@ -73,6 +74,6 @@ __all__ = [
 def __getattr__(name: str) -> object:
     if name not in ("Chapter", "DeclarationError", "Entry", "Section", "load"):
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    from chasles.statements import chapter
+    from chasles.statements import loading
 
-    return getattr(chapter, name)
+    return getattr(loading, name)

@@ -6,12 +6,11 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from os import PathLike
 
 from chasles.display import Displayed
 from chasles.statements.inversion import Inverse
 from chasles.statements.kernel import Kernel
-from chasles.statements.packages import BOOK, DeclarationError, imported
+from chasles.statements.packages import BOOK, DeclarationError
 from chasles.statements.statement import Statement, Theorem
 from chasles.vocabulary.arguments import Declared
 
@@ -146,19 +145,3 @@ def place_of(number: str) -> tuple[int, list[tuple[int, str]], str]:
     kinds = ("Thm", "Cor", "text", "Ex")
     kind = next((i + 1 for i, word in enumerate(kinds) if number.startswith(word)), 0)
     return kind, [(int(digits), letters) for digits, letters in re.findall(r"(\d+)([a-z]*)", number)], number
-
-
-def load(package: str | PathLike[str] = BOOK) -> Chapter:
-    """The chapter that a package of declarations declares: its `SECTIONS`, module by module.
-
-    `package` is a name that can be imported, or the path of a folder, known by a separator in it ("./planar").
-
-    Raises `DeclarationError` for contradictory declarations, for none at all and for a folder that is no package, and
-    ModuleNotFoundError if there is no package of the name.
-    """
-    # Of no use to the checker, which loads no chapter.
-    from chasles.statements.loading import declared_by
-
-    book = imported(package)
-    title, source = getattr(book, "TITLE", book.__name__), getattr(book, "SOURCE", "")
-    return Chapter(title, declared_by(book), book.__name__, source)

@@ -9,15 +9,16 @@ from difflib import get_close_matches
 from importlib import import_module
 from importlib.util import find_spec
 from itertools import combinations
+from os import PathLike
 from pathlib import Path
 from pkgutil import iter_modules
 from types import ModuleType
 from typing import Any
 
-from chasles.statements.chapter import Entry, Section, place_of
+from chasles.statements.chapter import Chapter, Entry, Section, place_of
 from chasles.statements.elsewhere import is_of_another
 from chasles.statements.inversion import Inverse
-from chasles.statements.packages import DeclarationError
+from chasles.statements.packages import BOOK, DeclarationError, imported
 from chasles.statements.posing import default_form, problem_of
 from chasles.statements.statement import Claim, Condition, Definition, Statement, Theorem, bare, is_rule
 from chasles.statements.varied import opened_parts
@@ -36,6 +37,19 @@ KNOWN: dict[str, tuple[Any, str]] = {
     "NOTATION": (Any, ""),
 }
 """What a package says of itself beside its SECTIONS."""
+
+
+def load(package: str | PathLike[str] = BOOK) -> Chapter:
+    """The chapter that a package of declarations declares: its `SECTIONS`, module by module.
+
+    `package` is a name that can be imported, or the path of a folder, known by a separator in it ("./planar").
+
+    Raises `DeclarationError` for contradictory declarations, for none at all and for a folder that is no package, and
+    ModuleNotFoundError if there is no package of the name.
+    """
+    book = imported(package)
+    title, source = getattr(book, "TITLE", book.__name__), getattr(book, "SOURCE", "")
+    return Chapter(title, declared_by(book), book.__name__, source)
 
 
 def declared_by(book: ModuleType) -> tuple[Entry, ...]:

@@ -7,8 +7,9 @@ from time import perf_counter
 
 import click
 
-from chasles.cli.book import as_data, chapter, print_data
+from chasles.cli.book import as_data, print_data
 from chasles.cli.checkout import generated_folder, remember
+from chasles.cli.chosen_chapter import chapter
 from chasles.cli.failures import BAD_INPUT, Failure
 from chasles.statements.packages import BOOK
 

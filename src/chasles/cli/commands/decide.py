@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from chasles.cli.book import as_data, chapter, chosen, of_numbers, of_sections, print_data
+from chasles.cli.book import as_data, chosen, of_numbers, of_sections, print_data
+from chasles.cli.chosen_chapter import chapter
 from chasles.cli.failures import complain
 
 if TYPE_CHECKING:

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from chasles.cli.book import as_data, chapter, of_numbers, print_data
+from chasles.cli.book import as_data, of_numbers, print_data
+from chasles.cli.chosen_chapter import chapter
 from chasles.cli.failures import complain
 
 if TYPE_CHECKING:

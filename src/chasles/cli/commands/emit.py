@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from chasles.cli.book import as_data, chapter, print_data
+from chasles.cli.book import as_data, print_data
 from chasles.cli.checkout import generated_folder, remember
+from chasles.cli.chosen_chapter import chapter
 from chasles.cli.failures import FAILED, Failure, complain
 
 if TYPE_CHECKING:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import click
 
-from chasles.cli.book import as_data, chapter, chosen, of_sections, print_data
+from chasles.cli.book import as_data, chosen, of_sections, print_data
+from chasles.cli.chosen_chapter import chapter
 
 
 @click.command("list", short_help="List the numbers of the book.", epilog="Example: chasles list --section 3.2")

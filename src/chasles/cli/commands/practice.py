@@ -10,7 +10,8 @@ from typing import Any
 import click
 
 from chasles.cli import completing
-from chasles.cli.book import as_data, package_chosen, print_data
+from chasles.cli.book import as_data, print_data
+from chasles.cli.chosen_chapter import package_chosen
 from chasles.cli.failures import BAD_INPUT, FAILED, Failure
 from chasles.cli.files import text_of_file
 

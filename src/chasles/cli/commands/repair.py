@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import click
 
-from chasles.cli.book import as_data, chapter, chosen, decisions, of_numbers, print_data
+from chasles.cli.book import as_data, chosen, decisions, of_numbers, print_data
+from chasles.cli.chosen_chapter import chapter
 
 
 @click.command(

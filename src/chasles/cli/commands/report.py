@@ -6,7 +6,8 @@ from pathlib import Path
 
 import click
 
-from chasles.cli.book import as_data, chapter, print_data
+from chasles.cli.book import as_data, print_data
+from chasles.cli.chosen_chapter import chapter
 from chasles.cli.failures import complain
 
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 import click
 
 from chasles.cli import completing
-from chasles.cli.book import as_data, chapter, chosen, decisions, print_data
+from chasles.cli.book import as_data, chosen, decisions, print_data
+from chasles.cli.chosen_chapter import chapter
 
 
 @click.command("show", short_help="Show an equation and its verdict.", epilog="Example: chasles show 3.16 --latex")

@@ -7,7 +7,8 @@ from pathlib import Path
 import click
 
 from chasles.cli import completing
-from chasles.cli.book import as_data, package_chosen, print_data
+from chasles.cli.book import as_data, print_data
+from chasles.cli.chosen_chapter import package_chosen
 from chasles.cli.failures import BAD_INPUT, Failure
 from chasles.cli.files import text_of_file, write_whole
 from chasles.cli.quiet import is_quiet

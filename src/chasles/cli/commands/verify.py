@@ -5,7 +5,8 @@ from __future__ import annotations
 import click
 
 from chasles.cli import completing
-from chasles.cli.book import as_data, chapter, print_data
+from chasles.cli.book import as_data, print_data
+from chasles.cli.chosen_chapter import chapter
 from chasles.cli.failures import complain
 
 STRATEGIES = ("generic", "near", "simple")

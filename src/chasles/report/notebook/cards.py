@@ -14,7 +14,8 @@ from chasles.decisions.decision import Certificate, Decision
 from chasles.deriving import CheckedDerivation
 from chasles.emitted import EmittedKernel
 from chasles.pages.findings_told import told
-from chasles.pages.page import Page, PageEquation
+from chasles.pages.page import Page
+from chasles.pages.page_equation import PageEquation
 from chasles.repairs.repair import Repair
 from chasles.report.details import number_in_words
 from chasles.report.equations import signature_in_words

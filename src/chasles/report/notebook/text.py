@@ -17,7 +17,8 @@ from chasles.deriving import CheckedDerivation
 from chasles.emitted import EmittedKernel
 from chasles.exercises.solution import Solution
 from chasles.pages.findings_told import line_of
-from chasles.pages.page import Page, PageEquation
+from chasles.pages.page import Page
+from chasles.pages.page_equation import PageEquation
 from chasles.repairs.repair import Repair
 from chasles.report.derivation_page import derivation_page
 from chasles.report.details import Lines, evidence, indented, number_in_words, objections, printed, refuted
