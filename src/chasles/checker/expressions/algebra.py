@@ -107,6 +107,13 @@ class QuotientRing:
             base = self.normal(base * base) if exponent else base
         return total
 
+    def complex_power(self, x: Polynomial, y: Polynomial, exponent: int) -> tuple[Polynomial, Polynomial]:
+        """The two parts of a power of x + i y with a natural exponent."""
+        real, imaginary = ONE, ZERO
+        for _ in range(exponent):
+            real, imaginary = self.normal(real * x - imaginary * y), self.normal(real * y + imaginary * x)
+        return real, imaginary
+
 
 def constant(polynomial: Polynomial) -> Fraction | None:
     """The number that a polynomial is; None if it is none."""

@@ -53,9 +53,8 @@ class Arcs:
             half = (ONE + cosine) * number(Fraction(1, 2))
             x = read.root(half)
             y, square = read.normal(sine * x * self.functions.inverse(half) * number(Fraction(1, 2))), ONE
-        cosine, sine, power = ONE, ZERO, abs(multiple.numerator)
-        for _ in range(power):
-            cosine, sine = read.normal(cosine * x - sine * y), read.normal(cosine * y + sine * x)
+        power = abs(multiple.numerator)
+        cosine, sine = read.complex_power(x, y, power)
         inverse = read.power(self.functions.inverse(square), (power + 1) // 2) * (
             read.root(square) if power % 2 else ONE
         )

@@ -209,12 +209,8 @@ class AtPoint(Expressions, Reals):
 
     def _times(self, tangent: Fraction, times: int) -> tuple[Polynomial, Polynomial]:
         """Cosine and sine of a multiple of an arctangent."""
-        c, s = ONE, ZERO
-        one = self.root(number(1 / (1 + tangent * tangent)))
-        other = one * number(tangent if times > 0 else -tangent)
-        for _ in range(abs(times)):
-            c, s = self.normal(c * one - s * other), self.normal(c * other + s * one)
-        return c, s
+        cosine = self.root(number(1 / (1 + tangent * tangent)))
+        return self.complex_power(cosine, cosine * number(tangent if times > 0 else -tangent), abs(times))
 
 
 def _exact(point: AtPoint, value: Any) -> Polynomial:

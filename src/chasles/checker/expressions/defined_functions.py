@@ -18,17 +18,25 @@ from chasles.checker.sparse import Rejected
 LARGEST = 200
 """So many factors has a product that a recurrence gives at most."""
 BOUNDED = {
-    sympy.erf: 1, sympy.erfc: 2, sympy.Si: 2, sympy.fresnels: 1, sympy.fresnelc: 1, sympy.airyai: 1, sympy.besselj: 1,
+    sympy.erf: 1, sympy.Si: 2, sympy.fresnels: 1, sympy.fresnelc: 1, sympy.airyai: 1, sympy.besselj: 1,
 }  # fmt: skip
 """Real functions of which no more is known than that they are no larger; of Bessel's, those of integral order."""
-VALUED = (sympy.floor, sympy.Mod, sympy.gamma, sympy.binomial, *BOUNDED)
+VALUED = (sympy.floor, sympy.Mod, sympy.gamma, *BOUNDED)
 """What is a quantity by itself once all others are said by these."""
 
 
-def _falling(e: Any) -> Any:
+def _binomial(e: Any) -> Any:
     n, k = e.args
-    natural = k.is_Integer and 0 <= k <= LARGEST
-    return sympy.Mul(*(n - j for j in range(int(k)))) / factorial(int(k)) if natural else e
+    if k.is_Integer and 0 <= k <= LARGEST:
+        return sympy.Mul(*(n - j for j in range(int(k)))) / factorial(int(k))
+    return sympy.gamma(n + 1) / (sympy.gamma(k + 1) * sympy.gamma(n - k + 1))
+
+
+def _binet(e: Any) -> Any:
+    """By powers of the roots of x^2 = x + 1, if it is one of an integer."""
+    n, root, sign = e.args[0], (1 + sympy.sqrt(5)) / 2, 1 if isinstance(e, sympy.lucas) else -1
+    whole = len(e.args) == 1 and n.is_integer
+    return (root**n + sign * (-1) ** n * root**-n) / sympy.sqrt(3 - 2 * sign) if whole else e
 
 
 def remainder(e: Any) -> Any:
@@ -56,7 +64,12 @@ BY_OTHERS = {
     # Else what divides by zero might cancel.
     sympy.Mod: lambda e: remainder(e) if e.args[1].is_nonzero else e,
     sympy.factorial: lambda e: sympy.gamma(e.args[0] + 1),
-    sympy.binomial: _falling,
+    sympy.binomial: _binomial,
+    sympy.rf: lambda e: sympy.gamma(e.args[0] + e.args[1]) / sympy.gamma(e.args[0]),
+    sympy.ff: lambda e: sympy.gamma(e.args[0] + 1) / sympy.gamma(e.args[0] - e.args[1] + 1),
+    sympy.beta: lambda e: sympy.gamma(e.args[0]) * sympy.gamma(e.args[1]) / sympy.gamma(e.args[0] + e.args[1]),
+    sympy.erfc: lambda e: 1 - sympy.erf(e.args[0]),
+    **dict.fromkeys((sympy.fibonacci, sympy.lucas), _binet),
     sympy.sinc: lambda e: sympy.Piecewise((sympy.sin(e.args[0]) / e.args[0], sympy.Ne(e.args[0], 0)), (1, True)),
     sympy.KroneckerDelta: lambda e: sympy.Piecewise((1, sympy.Eq(*e.args[:2])), (0, True)) if len(e.args) == 2 else e,
     **dict.fromkeys(map(type, (sympy.GoldenRatio, sympy.TribonacciConstant)), lambda e: e.expand(func=True)),
@@ -76,13 +89,19 @@ def by_definition(e: Any) -> Any:
 
 
 class Recurrences:
-    """What the gamma functions of some expressions are multiples of: the lowest of those that differ by integers."""
+    """What the gamma functions of some expressions are multiples of, among those that differ by integers: the lowest.
+
+    It is the highest where one is divided by: what is one over them is then its multiple without being divided.
+    """
 
     def __init__(self, expressions: Iterable[Any]) -> None:
-        self._lowest: dict[Any, Any] = {}
-        for call in {call for e in expressions for call in e.atoms(sympy.gamma)}:
-            rest, shift = _shifted(call)
-            self._lowest[rest] = min(shift, self._lowest.get(rest, shift))
+        self._ends: dict[Any, int] = {}
+        powers = {power for e in expressions for power in e.atoms(sympy.Pow, sympy.gamma)}
+        below = {_shifted(power.base)[0] for power in powers if is_reciprocal_gamma(power)}
+        for call in powers:
+            if isinstance(call, sympy.gamma):
+                rest, shift = _shifted(call)
+                self._ends[rest] = (max if rest in below else min)(shift, self._ends.get(rest, shift))
 
     def __call__(self, call: Any) -> tuple[Any, Any, int]:
         """A factor, and a quantity that has a value everywhere, with the exponent with which it is multiplied by that.
@@ -92,12 +111,16 @@ class Recurrences:
         if not isinstance(call, sympy.gamma):
             return sympy.S.One, call.func(*map(sympy.expand, call.args)), 1
         rest, shift = _shifted(call)
-        lowest = self._lowest[rest]
-        if shift - lowest > LARGEST:
+        end, known = self._ends[rest], sympy.expand(rest)
+        if abs(shift - end) > LARGEST:
             raise Rejected(f"{call} is too many factors away from another one")
-        argument = sympy.expand(rest) + lowest
-        factor = prod((argument + j for j in range(shift - lowest)), start=sympy.S.One)
-        return factor, 1 / sympy.gamma(argument), -1
+        between = prod((known + j for j in range(min(shift, end), max(shift, end))), start=sympy.S.One)
+        return between if shift > end else 1 / between, 1 / sympy.gamma(known + end), -1
+
+
+def is_reciprocal_gamma(e: Any) -> bool:
+    """Whether an expression is a power of one over a gamma function."""
+    return bool(e.is_Pow and isinstance(e.base, sympy.gamma) and e.exp.is_Integer and e.exp < 0)
 
 
 def _shifted(call: Any) -> tuple[Any, int]:
@@ -108,12 +131,9 @@ def _shifted(call: Any) -> tuple[Any, int]:
 
 
 def defined_by(e: Any) -> tuple[Any, ...]:
-    """What has to be defined for a quantity that is the value of a function to be; nothing for any other.
-
-    The first is its first argument.
-    """
+    """What has to be defined for a quantity that is the value of a function to be; nothing for any other."""
     call = 1 / e if e.is_Pow else e
-    return (*call.args, *([call] if e.is_Pow else ())) if isinstance(call, VALUED) else ()
+    return call.args if isinstance(call, VALUED) else ()
 
 
 def assumed_of(e: Any) -> dict[str, bool]:

@@ -63,10 +63,6 @@ def _acos(read: Expressions, u: Polynomial) -> Polynomial:
     return read.half_turn() * HALF - _asin(read, u)
 
 
-def _atan(read: Expressions, u: Polynomial) -> Polynomial:
-    return read.arc(u, ONE)
-
-
 def _inverted(rule: Callable[[Expressions, Polynomial], Polynomial]) -> Callable[[Expressions, Polynomial], Polynomial]:
     return lambda read, u: rule(read, read.over(u, "an inverse function"))
 
@@ -86,10 +82,10 @@ FUNCTIONS: Mapping[str, Callable[..., Polynomial]] = {
     "acsch": _inverted(_asinh),
     "asech": _inverted(_acosh),
     "acoth": _inverted(_atanh),
-    "atan": _atan,
+    "atan": lambda read, u: read.arc(u, ONE),
     "asin": _asin,
     "acos": _acos,
-    "acot": _inverted(_atan),
+    "acot": _inverted(lambda read, u: read.arc(u, ONE)),
     "asec": _inverted(_acos),
     "acsc": _inverted(_asin),
     "atan2": lambda read, y, x: read.arc(y, x),

@@ -17,7 +17,7 @@ import sympy
 from sympy.core.relational import Relational
 
 from chasles.checker.expressions.complexes import QUOTIENTS
-from chasles.checker.expressions.defined_functions import BOUNDED, LARGEST, by_definition, gamma_at, remainder
+from chasles.checker.expressions.defined_functions import BOUNDED, gamma_at, is_reciprocal_gamma, remainder
 from chasles.checker.expressions.intervals import Enclosing, Enclosure, Unbounded
 from chasles.checker.sparse import Rejected
 
@@ -54,7 +54,10 @@ class EnclosedValues:
 
     def sign(self, e: Any) -> int:
         """The sign; raises `Rejected` where it is not clear."""
-        sign = 0 if self.exactly(e) == 0 else self(e).sign
+        exact = self.exactly(e)
+        sign = 0 if exact == 0 else self(e).sign
+        if sign is None and vanishes(exact):
+            return 0
         if sign is None:
             raise Rejected(f"the sign of {e} is not clear at the point")
         return sign
@@ -74,12 +77,14 @@ class EnclosedValues:
         return found
 
     def power(self, e: Any) -> Enclosure:
-        """A power: of a root if the exponent is rational, else by the logarithm."""
+        """A power: of a root if the exponent is rational, else by the logarithm; one over a pole is zero."""
         exponent = e.exp.xreplace(dict(self.point))
         if not exponent.is_Rational:
             return self.at.exp(self.at.times(self(e.exp), self.at.log(self(e.base))))
         if abs(exponent.p) > LARGEST_EXPONENT:
             raise Rejected(f"the exponent {exponent} is very large")
+        if is_reciprocal_gamma(e) and self.exactly(e.base) == sympy.zoo:
+            return self.at.number(0)
         base = self(e.base)
         return self.at.power(base if exponent.q == 1 else self.at.root(base, int(exponent.q)), int(exponent.p))
 
@@ -96,9 +101,9 @@ def _larger(one: Enclosure, other: Enclosure) -> Enclosure:
     return Enclosure(max(one.low, other.low), max(one.high, other.high))
 
 
-def _rewritten(rule: Callable[[Any], Any]) -> Callable[[EnclosedValues, Any], Enclosure]:
+def _rewritten(rule: Callable[[Any], Any], power: int = 1) -> Callable[[EnclosedValues, Any], Enclosure]:
     """By others, as in Abramowitz and Stegun, Handbook of Mathematical Functions, 4.4, 4.5 and 4.6."""
-    return lambda of, e: of(rule(e.args[0]))
+    return lambda of, e: of(rule(e.args[0] ** power))
 
 
 def _heaviside(of: EnclosedValues, e: Any) -> Enclosure:
@@ -116,13 +121,6 @@ def _floor(of: EnclosedValues, e: Any) -> Enclosure:
     if low != high:
         raise Rejected(f"{e} is not clear at the point")
     return of.at.number(low)
-
-
-def _binomial(of: EnclosedValues, e: Any) -> Enclosure:
-    n, k = map(of.exactly, e.args)
-    if not (n.is_Rational and k.is_Integer and 0 <= k <= LARGEST):
-        raise Rejected(f"{e} has no value that is known to the checker")
-    return of(by_definition(sympy.binomial(n, k, evaluate=False)))
 
 
 def _bounded(of: EnclosedValues, e: Any) -> Enclosure:
@@ -156,7 +154,6 @@ ENCLOSED: dict[type, Callable[[EnclosedValues, Any], Enclosure]] = {
     sympy.floor: _floor,
     sympy.Mod: lambda of, e: of(remainder(e)),
     sympy.gamma: lambda of, e: of(gamma_at(of.exactly(e.args[0]))),
-    sympy.binomial: _binomial,
     **dict.fromkeys(BOUNDED, _bounded),
     sympy.Max: lambda of, e: reduce(_larger, map(of, e.args)),
     sympy.Min: lambda of, e: -reduce(_larger, (-of(part) for part in e.args)),
@@ -177,12 +174,10 @@ ENCLOSED: dict[type, Callable[[EnclosedValues, Any], Enclosure]] = {
         sympy.atanh: lambda x: (sympy.log(1 + x) - sympy.log(1 - x)) / 2,
         sympy.asin: lambda x: 2 * sympy.atan(x / (1 + sympy.sqrt(1 - x**2))),
         sympy.acos: lambda x: sympy.pi / 2 - 2 * sympy.atan(x / (1 + sympy.sqrt(1 - x**2))),
-        sympy.acot: lambda x: sympy.atan(1 / x),
-        sympy.asec: lambda x: sympy.acos(1 / x),
-        sympy.acsc: lambda x: sympy.asin(1 / x),
-        sympy.acsch: lambda x: sympy.asinh(1 / x),
-        sympy.asech: lambda x: sympy.acosh(1 / x),
-        sympy.acoth: lambda x: sympy.atanh(1 / x),
+    }.items()},
+    **{function: _rewritten(rule, -1) for function, rule in {
+        sympy.acot: sympy.atan, sympy.asec: sympy.acos, sympy.acsc: sympy.asin,
+        sympy.acoth: sympy.atanh, sympy.asech: sympy.acosh, sympy.acsch: sympy.asinh,
     }.items()},
 }  # fmt: skip
 

@@ -48,7 +48,7 @@ class Expressions(QuotientRing):
         self.positive: set[int] = set()
         self.rooted: set[Any] = set()
         self.calls: dict[int, tuple[str, tuple[Polynomial, ...]]] = {}
-        self.rate = Derivatives(self)
+        self.rate: Derivatives = Derivatives(self)
         self._names, self._units = names, units
         self._known: dict[Any, Polynomial] = {}
 
@@ -70,10 +70,7 @@ class Expressions(QuotientRing):
         """The variable of a real quantity, or its value."""
         function = e.expr if isinstance(e, sympy.Derivative) else e
         if function in self.values and function is not e:
-            total = self.values[function]
-            for time in e.variables:
-                total = self.rate(total, time)
-            return total
+            return reduce(self.rate, e.variables, self.values[function])
         return self.values[e] if e in self.values else variable(self.place(e))
 
     def substitute(self, e: Any, value: Polynomial) -> None:
@@ -125,7 +122,9 @@ class Expressions(QuotientRing):
         if isinstance(e, sympy.Mul):
             return reduce(lambda one, other: one * other, (self.divide(factor) for factor in e.args), ONE)
         if isinstance(e, sympy.Pow):
-            return self.raised(e.base, Fraction(int(-e.exp.p), int(e.exp.q))) if e.exp.is_Rational else self._refuse(e)
+            if not e.exp.is_Rational:
+                raise Rejected(f"{e} has no polynomial form")
+            return self.raised(e.base, Fraction(int(-e.exp.p), int(e.exp.q)))
         if isinstance(e, sympy.Abs):
             return self.absolute(self(e.args[0])) * self.power(self.divide(e.args[0]), 2)
         if type(e) in CIRCULAR and CIRCULAR[type(e)][1]:
@@ -133,9 +132,6 @@ class Expressions(QuotientRing):
             self.over(self.circular(CIRCULAR[type(e)][1], e.args[0]), f"{CIRCULAR[type(e)][1]}({e.args[0]})")
             return below * self.over(above, f"{CIRCULAR[type(e)][0] or 1}({e.args[0]})")
         return self.over(self(e), str(e))
-
-    def _refuse(self, e: Any) -> Polynomial:
-        raise Rejected(f"{e} has no polynomial form")
 
     def over(self, value: Polynomial, spelled: str) -> Polynomial:
         """One over a value; what is divided by is spelled so."""
@@ -181,7 +177,6 @@ class Expressions(QuotientRing):
 
     def require_nonnegative(self, value: Polynomial) -> None:
         """Something has not to be negative."""
-        self.root(value)
 
     def circular(self, function: str, argument: Any) -> Polynomial:
         """The cosine or sine of an angle; one if neither is asked for."""

@@ -12,7 +12,14 @@ from typing import Any
 
 import sympy
 
-from chasles.checker.expressions.defined_functions import VALUED, Recurrences, assumed_of, defined_by, remainder
+from chasles.checker.expressions.defined_functions import (
+    VALUED,
+    Recurrences,
+    assumed_of,
+    defined_by,
+    is_reciprocal_gamma,
+    remainder,
+)
 from chasles.checker.expressions.enclosed import sign_of_number
 from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.expressions.readings import CIRCULAR
@@ -30,6 +37,7 @@ class Generalised:
         self.symbols: dict[Any, Any] = {}
         self.roots: list[tuple[Any, Any]] = []
         self.multiple = Recurrences(expressions)
+        self.finite: dict[Any, None] = {}
         self.rooted = all(is_numeric(power) for e in expressions for power in e.atoms(sympy.Pow))
         if parts:
             self.cosine = self._symbol(sympy.cos(sympy.pi / parts))
@@ -37,7 +45,8 @@ class Generalised:
     @property
     def met(self) -> list[Any]:
         """What has to be defined for the symbols to stand for something."""
-        return [e for known in self.symbols for e in defined_by(known) or (known,) if e.free_symbols]
+        met = [e for known in self.symbols for e in defined_by(known) or (known,) if e.free_symbols]
+        return [*met, *self.finite]
 
     def __call__(self, e: Any) -> Any:
         """The expression in the symbols; raises `Rejected` where something that is divided by would be lost."""
@@ -47,7 +56,11 @@ class Generalised:
             return self._root(e.base, int(e.exp.q)) ** int(e.exp.p)
         if isinstance(e, sympy.Mod):
             return self(remainder(e))
+        if is_reciprocal_gamma(e):
+            factor, quantity, _ = self.multiple(e.base)
+            return (self(1 / factor) * self._symbol(quantity, **assumed_of(quantity))) ** -e.exp
         if isinstance(e, VALUED):
+            self.finite |= dict.fromkeys([e] if isinstance(e, sympy.gamma) and e.free_symbols else ())
             factor, quantity, power = self.multiple(e)
             if not defined_by(quantity):
                 # SymPy takes integers out of an argument that is written out.

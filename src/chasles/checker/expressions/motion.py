@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from fractions import Fraction
+from functools import reduce
 from math import isqrt
+from operator import add
 from typing import Any
 
 import sympy
@@ -16,7 +19,7 @@ from chasles.checker.expressions.complexes import differences
 from chasles.checker.expressions.expressions import Expressions
 from chasles.checker.expressions.rates import MOST_RATES
 from chasles.checker.expressions.valuation import UnknownValue
-from chasles.checker.sparse import ONE, Polynomial, Rejected, exponents, number, variable
+from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, number, product, variable
 
 
 def time_of(given: Iterable[GivenEquation]) -> Any:
@@ -129,14 +132,9 @@ def _follows(point: AtPoint, fact: Polynomial, others: list[Polynomial], time: A
 
 def _put(polynomial: Polynomial, place: int, value: Polynomial) -> Polynomial:
     """The polynomial with a value in the place of a variable."""
-    total = number(0)
-    for monomial, coefficient in polynomial.terms.items():
-        power = dict(exponents(monomial)).get(place, 0)
-        term = Polynomial({monomial - (power << 8 * place): coefficient}, polynomial.below)
-        for _ in range(power):
-            term = term * value
-        total += term
-    return total
+    factors = {k: variable(k) for k in polynomial.places} | {place: value}
+    terms = (product(factors, m) * number(Fraction(c, polynomial.below)) for m, c in polynomial.terms.items())
+    return reduce(add, terms, ZERO)
 
 
 def _is_determinant(read: Expressions, fact: Polynomial, moving: list[GivenEquation]) -> bool:

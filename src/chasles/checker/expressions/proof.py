@@ -62,7 +62,9 @@ def _check(certificate: Data, needs: Sequence[str], asked: Asked, witness: Any) 
     for e in asked.nonzero:
         _declare(reading, e)
     facts = Facts(asked, reading, certificate)
-    granted = _inverses_given(asked, reading)
+    for item in asked.given:
+        differences(reading, item.pairs)
+    granted = set(reading.inverses)  # by which is divided before anything is differentiated
     divisors |= _prove(certificate, reading, facts, claims)
     divisors |= reading.inverses.keys() - granted - divisors
     require_needs(needs, asked, reading, divisors, facts.used)
@@ -102,13 +104,6 @@ def _declare(reading: Proven, e: Any) -> None:
     inverse = reading.over(reading.normal(a * a + b * b), str(e)) if b else reading.divide(e)
     for place in (a.places | b.places | inverse.places) & reading.inverses.keys():
         reading.divided.setdefault(place, set()).add(str(e))
-
-
-def _inverses_given(asked: Asked, reading: Proven) -> set[int]:
-    """What is divided by before anything is differentiated."""
-    for item in asked.given:
-        differences(reading, item.pairs)
-    return set(reading.inverses)
 
 
 def _prove(certificate: Data, reading: Proven, facts: Facts, claims: Mapping[tuple[int, int], Polynomial]) -> set[int]:

@@ -48,13 +48,6 @@ def _sign(reading: Expressions, e: Any) -> Polynomial:
     return reading(e.args[0]) * reading.absolute(reading(e.args[0])) * inverse * inverse
 
 
-def _derivative(reading: Expressions, e: Any) -> Polynomial:
-    total = reading(e.expr)
-    for time in e.variables:
-        total = reading.rate(total, time)
-    return total
-
-
 def _part(reading: Expressions, e: Any) -> Polynomial:
     """A real part, an imaginary part, or a size."""
     if isinstance(e, sympy.Abs) and not e.has(*OF_COMPLEX):
@@ -76,7 +69,7 @@ READINGS: Mapping[type, Callable[[Expressions, Any], Polynomial]] = {
     sympy.Mul: _product,
     sympy.Pow: _power,
     sympy.sign: _sign,
-    sympy.Derivative: _derivative,
+    sympy.Derivative: lambda reading, e: reduce(reading.rate, e.variables, reading(e.expr)),
     **dict.fromkeys((sympy.conjugate, sympy.re, sympy.im, sympy.Abs), _part),
     **dict.fromkeys(CIRCULAR, _of_angle),
     **{getattr(sympy, name): _function(name) for name in FUNCTIONS},

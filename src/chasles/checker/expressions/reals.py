@@ -186,10 +186,7 @@ class Reals(QuotientRing):
         """
         angle, pi = (self._enclosed(self.normal(value), DIGITS[0]) for value in (self._angle(y, x), self.pi))
         multiple = Fraction(angle.low, pi.low).limit_denominator(LARGEST_PART)
-        real, imaginary = ONE, number(0)
-        for _ in range(multiple.denominator):
-            real, imaginary = self.normal(real * x - imaginary * y), self.normal(real * y + imaginary * x)
-        if self.cleared(imaginary)[0]:
+        if not self.vanishes(self.complex_power(x, y, multiple.denominator)[1]):
             return None
         doubt = max(abs(end - multiple * half) for end in (angle.low, angle.high) for half in (pi.low, pi.high))
         return multiple if 2 * doubt * multiple.denominator < pi.low else None

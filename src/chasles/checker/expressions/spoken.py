@@ -27,10 +27,7 @@ class Spoken:
 
     def __call__(self, text: str) -> Polynomial:
         """What a text says; raises `Rejected` for what cannot be read."""
-        try:
-            return self.reading.normal(self._read(ast.parse(self._marked(text), mode="eval").body))
-        except SyntaxError:
-            raise Rejected(f"{text!r} cannot be read") from None
+        return self.reading.normal(self._read(self._parsed(text)))
 
     def _read(self, node: ast.expr) -> Polynomial:
         match node:
@@ -71,11 +68,7 @@ class Spoken:
 
     def call(self, text: str) -> tuple[str, list[Polynomial]]:
         """The function of which a text tells a value, and its arguments: a power is one, too."""
-        try:
-            said = ast.parse(self._marked(text), mode="eval").body
-        except SyntaxError:
-            raise Rejected(f"{text} is no expression") from None
-        match said:
+        match self._parsed(text):
             case ast.Call(ast.Name("log"), [ast.Call(ast.Name("Abs"), [of], [])], []):
                 return "size", [self._read(of)]
             case ast.Call(ast.Name(function), arguments, []):
@@ -86,8 +79,12 @@ class Spoken:
                 return "exp", [ONE]
         raise Rejected(f"{text} is no value of a function")
 
-    def _marked(self, text: str) -> str:
-        return self._names.sub(lambda found: self._marks[found[0]], text) if self._names else text
+    def _parsed(self, text: str) -> ast.expr:
+        marked = self._names.sub(lambda found: self._marks[found[0]], text) if self._names else text
+        try:
+            return ast.parse(marked, mode="eval").body
+        except SyntaxError:
+            raise Rejected(f"{text!r} cannot be read") from None
 
     def _power(self, base: Polynomial, power: Polynomial) -> Polynomial:
         exponent = constant(power)

@@ -32,9 +32,6 @@ class Symbolic(Expressions):
             self.words.add(self._by_square[key])
         return variable(self._by_square[key])
 
-    def require_nonnegative(self, value: Polynomial) -> None:
-        """Nothing is known of it."""
-
     def called(self, function: str, *arguments: Polynomial) -> Polynomial:
         """The value of a function, as a variable."""
         arguments = tuple(map(self.normal, arguments))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import sympy
 
 from chasles.checker.expressions.intervals import Enclosing
-from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, number
+from chasles.checker.sparse import Polynomial, Rejected, number
 
 if TYPE_CHECKING:
     from chasles.checker.expressions.expressions import Expressions
@@ -39,9 +39,7 @@ def is_turn(multiple: Fraction, cosine: Polynomial, sine: Polynomial, reading: E
 
     As a complex number c + i s they are the right root of one, if they are a root and no other is as near.
     """
-    c, s = ONE, ZERO
-    for _ in range(multiple.denominator):
-        c, s = reading.normal(c * cosine - s * sine), reading.normal(c * sine + s * cosine)
+    c, s = reading.complex_power(cosine, sine, multiple.denominator)
     if not reading.vanishes(c - number((-1) ** (multiple.numerator % 2))) or not reading.vanishes(s):
         return False
     near = Fraction(1, multiple.denominator)
