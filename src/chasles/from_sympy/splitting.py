@@ -12,12 +12,13 @@ from sympy.core.function import AppliedUndef
 
 from chasles.checker.expressions.cases import CheckedCase
 from chasles.checker.expressions.defined_functions import VALUED
+from chasles.checker.expressions.enclosed import HOLDING
 from chasles.checker.expressions.generalised import is_numeric, is_root_of_number
-from chasles.checker.expressions.needs import RELATIONS
 from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.expressions.remainders import at_integer
 from chasles.checker.expressions.switches import deciding
-from chasles.checker.expressions.widened import put
+from chasles.checker.expressions.widened import holds_throughout, put, said_need
+from chasles.checker.sparse import Rejected
 from chasles.from_sympy.atoms import QuantityNames
 from chasles.from_sympy.complex_symbols import taken_as_real
 from chasles.from_sympy.complexes import RealParts, in_rows
@@ -218,18 +219,18 @@ class Splitting:
 
     def _need(self, case: CheckedCase, text: str) -> bool:
         """State a need of a case in the symbols of the question, unless it holds throughout the case."""
-        relation = next((relation for relation in RELATIONS if text.endswith(relation)), None)
-        if relation is None:
-            return False
         names = {str(s): s for e in case.spoken for s in e.free_symbols}
         try:
-            said = sympy.sympify(text.removesuffix(relation), locals=names)
-        except (sympy.SympifyError, TypeError):
+            need = said_need(text, names)
+        except (Rejected, sympy.SympifyError, TypeError):
             return False
-        if not is_atom(said) and case.sign(said) in ((1, -1) if relation == " != 0" else (1,)):
+        if need is None:
+            return False
+        said, relation = need
+        if not is_atom(said) and case.sign(said) in HOLDING[relation]:
             return True
         if not said.free_symbols & {symbol for symbol, _ in case.meant}:
             self.needs[text] = None
-        elif case.sign(said) not in (1, -1):
-            self.needs[f"{case.back(said)}{relation}"] = None
+        elif holds_throughout(case, said, relation, self.needs) is None:
+            self.needs[f"{case.back(said)} {relation} 0"] = None
         return True

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,7 +13,8 @@ from sympy.logic.boolalg import Boolean
 from sympy.matrices import MatrixBase, MatrixExpr
 
 from chasles.checker.expressions.complexes import OF_COMPLEX
-from chasles.checker.expressions.defined_functions import by_definition
+from chasles.checker.expressions.defined_functions import BY_OTHERS
+from chasles.checker.expressions.enclosed import EnclosedValues
 from chasles.checker.expressions.quantities import atoms_of, require_real
 from chasles.checker.expressions.unevaluated import explicit, hidden_in, written_out
 from chasles.checker.sparse import Rejected
@@ -59,6 +61,11 @@ class Asked:
         """Everything of which the question speaks."""
         yield from (*self.left.values(), *self.right.values(), *self.nonzero, *self.hidden)
         yield from (side for item in self.given for pair in item.pairs.values() for side in pair)
+
+    @property
+    def columns(self) -> list[list[Any]]:
+        """The entries of both sides in their order, and below them what has to be defined, too."""
+        return [[*map(side.get, sorted(side)), *self.hidden] for side in (self.left, self.right)]
 
     def _entries(self, value: Any) -> Entries:
         """The entries of a scalar or a matrix, by row and column counted from zero."""
@@ -118,3 +125,21 @@ def valued(e: Any) -> Any:
     if any(part.args and part.free_symbols for part in met - value.atoms(sympy.Pow, sympy.Function)):
         raise Rejected(f"{e} is multiplied by zero, and may not be defined")
     return by_definition(written_out(value))
+
+
+def by_definition(e: Any) -> Any:
+    """The expression with what others define said by these, and functions of numbers with the values SymPy knows.
+
+    A value that is seen to be another one is not taken.
+    """
+    if not e.has(*BY_OTHERS, sympy.Function):
+        return e
+    parts, whole = tuple(map(by_definition, e.args)), e
+    if parts != e.args or (e.is_Function and e.is_number):
+        whole = e.func(*parts)
+        if e.is_Function and e.is_number and not isinstance(whole, e.func):
+            plain, values = e.func(*parts, evaluate=False), EnclosedValues({})
+            with suppress(Rejected):
+                whole = whole if values(plain).meets(values(whole)) else plain
+    rule = BY_OTHERS.get(type(whole))
+    return rule(whole) if rule else whole

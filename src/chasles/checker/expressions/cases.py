@@ -13,7 +13,7 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from chasles.checker.expressions.assumptions import NUMBERS
-from chasles.checker.expressions.defined_functions import is_reciprocal_gamma
+from chasles.checker.expressions.defined_functions import is_entire
 from chasles.checker.expressions.enclosed import sign_of_number
 from chasles.checker.expressions.remainders import at_integer
 from chasles.checker.expressions.switches import (
@@ -231,7 +231,7 @@ def _with_value(e: Any, put: Mapping[Any, Any]) -> Any:
 def _requirements(power: Any, sign: int | None) -> list[tuple[str, ...]]:
     """The ways to say what a power with a rational exponent needs of its base, whose sign may be known."""
     base, found = power.base, list[tuple[str, ...]]()
-    if is_reciprocal_gamma(power):
+    if is_entire(power):
         return found  # A gamma function is never zero.
     if power.exp < 0 and sign not in (1, -1):
         found.append((f"{base} != 0", f"{base} > 0"))

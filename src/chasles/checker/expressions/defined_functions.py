@@ -78,16 +78,6 @@ BY_OTHERS = {
 }
 
 
-def by_definition(e: Any) -> Any:
-    """The expression with what others define said by these, and functions of numbers with the values SymPy knows."""
-    if not e.has(*BY_OTHERS, sympy.Function):
-        return e
-    parts = tuple(map(by_definition, e.args))
-    whole = e if parts == e.args and not (e.is_Function and e.is_number) else e.func(*parts)
-    rule = BY_OTHERS.get(type(whole))
-    return rule(whole) if rule else whole
-
-
 class Recurrences:
     """What the gamma functions of some expressions are multiples of, among those that differ by integers: the lowest.
 
@@ -97,7 +87,7 @@ class Recurrences:
     def __init__(self, expressions: Iterable[Any]) -> None:
         self._ends: dict[Any, int] = {}
         powers = {power for e in expressions for power in e.atoms(sympy.Pow, sympy.gamma)}
-        below = {_shifted(power.base)[0] for power in powers if is_reciprocal_gamma(power)}
+        below = {_shifted(power.base)[0] for power in powers if is_entire(power)}
         for call in powers:
             if isinstance(call, sympy.gamma):
                 rest, shift = _shifted(call)
@@ -109,7 +99,8 @@ class Recurrences:
         A gamma function is one over its reciprocal, which has none of the poles.
         """
         if not isinstance(call, sympy.gamma):
-            return sympy.S.One, call.func(*map(sympy.expand, call.args)), 1
+            quantity = call.func(*map(sympy.expand, call.args))
+            return sympy.S.One, remainder(call) if isinstance(call, sympy.Mod) else quantity, 1
         rest, shift = _shifted(call)
         end, known = self._ends[rest], sympy.expand(rest)
         if abs(shift - end) > LARGEST:
@@ -118,8 +109,8 @@ class Recurrences:
         return between if shift > end else 1 / between, 1 / sympy.gamma(known + end), -1
 
 
-def is_reciprocal_gamma(e: Any) -> bool:
-    """Whether an expression is a power of one over a gamma function."""
+def is_entire(e: Any) -> bool:
+    """Whether an expression is a power of one over a gamma function, which has no pole."""
     return bool(e.is_Pow and isinstance(e.base, sympy.gamma) and e.exp.is_Integer and e.exp < 0)
 
 

@@ -17,7 +17,7 @@ import sympy
 from sympy.core.relational import Relational
 
 from chasles.checker.expressions.complexes import QUOTIENTS
-from chasles.checker.expressions.defined_functions import BOUNDED, gamma_at, is_reciprocal_gamma, remainder
+from chasles.checker.expressions.defined_functions import BOUNDED, gamma_at, is_entire, remainder
 from chasles.checker.expressions.intervals import Enclosing, Enclosure, Unbounded
 from chasles.checker.sparse import Rejected
 
@@ -83,7 +83,7 @@ class EnclosedValues:
             return self.at.exp(self.at.times(self(e.exp), self.at.log(self(e.base))))
         if abs(exponent.p) > LARGEST_EXPONENT:
             raise Rejected(f"the exponent {exponent} is very large")
-        if is_reciprocal_gamma(e) and self.exactly(e.base) == sympy.zoo:
+        if is_entire(e) and self.exactly(e.base) == sympy.zoo:
             return self.at.number(0)
         base = self(e.base)
         return self.at.power(base if exponent.q == 1 else self.at.root(base, int(exponent.q)), int(exponent.p))

@@ -12,14 +12,7 @@ from typing import Any
 
 import sympy
 
-from chasles.checker.expressions.defined_functions import (
-    VALUED,
-    Recurrences,
-    assumed_of,
-    defined_by,
-    is_reciprocal_gamma,
-    remainder,
-)
+from chasles.checker.expressions.defined_functions import VALUED, Recurrences, assumed_of, defined_by, is_entire
 from chasles.checker.expressions.enclosed import sign_of_number
 from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.expressions.readings import CIRCULAR
@@ -54,9 +47,7 @@ class Generalised:
             return e
         if self.rooted and is_root_of_number(e):
             return self._root(e.base, int(e.exp.q)) ** int(e.exp.p)
-        if isinstance(e, sympy.Mod):
-            return self(remainder(e))
-        if is_reciprocal_gamma(e):
+        if is_entire(e):
             factor, quantity, _ = self.multiple(e.base)
             return (self(1 / factor) * self._symbol(quantity, **assumed_of(quantity))) ** -e.exp
         if isinstance(e, VALUED):

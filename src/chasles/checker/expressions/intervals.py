@@ -15,8 +15,6 @@ from math import isqrt
 HALVINGS = 8
 LARGEST = 4096
 """Arguments of the exponential function are no larger than this."""
-HIGH_DEGREE = 64
-"""Roots of a higher degree are found by logarithms: integers would have so many times the digits."""
 
 
 class Unbounded(ArithmeticError):
@@ -99,13 +97,12 @@ class Enclosing:
         """The nonnegative root; raises `Unbounded` if the number may be negative."""
         if x.low < 0:
             raise Unbounded("a radicand may be negative")
-        if degree > HIGH_DEGREE:
+        if degree > 2 and x.high:
             return Enclosure(self._by_logarithm(x.low, degree).low, self._by_logarithm(x.high, degree).high)
-        unit = self.one ** (degree - 1)
-        return Enclosure(_root(x.low * unit, degree), _root(x.high * unit, degree) + 1 if x.high else 0)
+        return Enclosure(isqrt(x.low << self.bits), isqrt(x.high << self.bits) + 1 if x.high else 0)
 
     def _by_logarithm(self, x: int, degree: int) -> Enclosure:
-        """A root of high degree: x^(1/n) = exp(log(x) / n)."""
+        """A root: x^(1/n) = exp(log(x) / n)."""
         exponent = self.log(Enclosure(x, x)) if x else Enclosure(-LARGEST * self.one * degree, 0)
         return self.exp(Enclosure(exponent.low // degree, -(-exponent.high // degree)))
 
@@ -236,15 +233,3 @@ def _arctangent(inverse: int, one: int) -> tuple[int, int]:
         power //= inverse * inverse
         count += 1
     return total, count + 1
-
-
-def _root(number: int, degree: int) -> int:
-    """The largest integer whose power is no more than the number, by Newton's method."""
-    if degree == 2 or number < 2:
-        return isqrt(number) if degree == 2 else number
-    guess = 1 << -(-number.bit_length() // degree)
-    while True:
-        better = ((degree - 1) * guess + number // guess ** (degree - 1)) // degree
-        if better >= guess:
-            return guess
-        guess = better

@@ -24,13 +24,6 @@ CIRCULAR = {
 """What each function of an angle has above and below the line: 1, the cosine or the sine."""
 
 
-def _product(reading: Expressions, e: Any) -> Polynomial:
-    total = ONE
-    for factor in e.args:
-        total = reading.normal(total * reading(factor))
-    return total
-
-
 def _power(reading: Expressions, e: Any) -> Polynomial:
     if not e.exp.is_Rational or e.exp.q & (e.exp.q - 1):
         return reading.powered(reading(e.base), reading(e.exp))
@@ -66,7 +59,7 @@ READINGS: Mapping[type, Callable[[Expressions, Any], Polynomial]] = {
     sympy.Rational: lambda reading, e: number(Fraction(int(e.p), int(e.q))),
     type(sympy.pi): lambda reading, e: reading.half_turn(),
     sympy.Add: lambda reading, e: reduce(add, map(reading, e.args)),
-    sympy.Mul: _product,
+    sympy.Mul: lambda reading, e: reduce(lambda total, factor: reading.normal(total * reading(factor)), e.args, ONE),
     sympy.Pow: _power,
     sympy.sign: _sign,
     sympy.Derivative: lambda reading, e: reduce(reading.rate, e.variables, reading(e.expr)),

@@ -39,10 +39,8 @@ class Spoken:
                 return self.reading.half_turn()
             case ast.UnaryOp(ast.USub(), term):
                 return -self._read(term)
-            case ast.BinOp(left, ast.Add(), right):
-                return self._read(left) + self._read(right)
-            case ast.BinOp(left, ast.Sub(), right):
-                return self._read(left) - self._read(right)
+            case ast.BinOp(left, ast.Add() | ast.Sub() as sign, right):
+                return self._read(left).plus(self._read(right), 1 if isinstance(sign, ast.Add) else -1)
             case ast.BinOp(left, ast.Mult(), right):
                 return self.reading.normal(self._read(left) * self._read(right))
             case ast.BinOp(left, ast.Div(), right):

@@ -13,17 +13,12 @@ from chasles.checker.sparse import Polynomial, Rejected, number
 if TYPE_CHECKING:
     from chasles.checker.expressions.expressions import Expressions
 
-QUARTERS = ((1, 0), (0, 1), (-1, 0), (0, -1))
-"""Cosine and sine of none, one, two and three quarter turns."""
 LARGEST_PART = 60
 DIGITS = 64
 
 
 def turned(multiple: Fraction, reading: Expressions) -> tuple[Polynomial, Polynomial]:
     """Cosine and sine of a multiple of pi; raises `Rejected` where they are not known in square roots."""
-    if (2 * multiple).denominator == 1:
-        cosine, sine = QUARTERS[int(2 * multiple) % 4]
-        return number(cosine), number(sine)
     angle = sympy.Rational(multiple.numerator, multiple.denominator) * sympy.pi
     known = sympy.cos(angle), sympy.sin(angle)
     if any(e.has(sympy.cos, sympy.sin) for e in known) or multiple.denominator > LARGEST_PART:

@@ -7,11 +7,11 @@ question, what stands in the arguments of cosines and sines is a symbol, and so 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
-from functools import partial
+from functools import partial, reduce
 from itertools import product
 from typing import Any
 
@@ -21,7 +21,7 @@ from sympy.core.function import AppliedUndef
 from chasles.checker.expressions.assumptions import NUMBERS, SIGNS
 from chasles.checker.expressions.cases import CheckedCase
 from chasles.checker.expressions.complexes import Parts
-from chasles.checker.expressions.enclosed import EnclosedValues, vanishes
+from chasles.checker.expressions.enclosed import HOLDING, EnclosedValues, vanishes
 from chasles.checker.expressions.generalised import Generalised
 from chasles.checker.expressions.intervals import Enclosure
 from chasles.checker.expressions.needs import RELATIONS
@@ -156,10 +156,36 @@ class _Widened:
 
     def _holds(self, case: CheckedCase, text: str) -> bool:
         """Whether something holds throughout a case, or the verdict says it in the symbols of the question."""
-        if (relation := next((end for end in RELATIONS if text.endswith(end)), None)) is None:
+        if (need := said_need(text, case.named)) is None:
             return False
-        e = _parsed(text.removesuffix(relation), case.named)
-        return case.sign(e) in ((1, -1) if relation == " != 0" else (1,)) or f"{case.back(e)}{relation}" in self.needs
+        if f"{case.back(need[0])} {need[1]} 0" in self.needs:
+            return True
+        used = holds_throughout(case, *need, self.needs.texts)
+        self.needs.used |= used or set()
+        return used is not None
+
+
+def said_need(text: str, names: Mapping[str, Any]) -> tuple[Any, str] | None:
+    """What a need speaks of, and whether that is !=, > or >= 0; None for another."""
+    relation = next((end for end in RELATIONS if text.endswith(end)), None)
+    return relation and (_parsed(text.removesuffix(relation), names), relation.split()[0])
+
+
+def holds_throughout(case: CheckedCase, e: Any, relation: str, needs: Iterable[str]) -> set[str] | None:
+    """The needs because of which it does not vanish, or is not negative, throughout a case; None if that is open.
+
+    One is enough that says so of its product with what is positive here.
+    """
+    if case.sign(e) in HOLDING[relation]:
+        return set()
+    names = {str(symbol): symbol for symbol, _ in case.values}
+    for text in sorted(needs):
+        known = said_need(text, {**case.named, **names})
+        if known and known[1] == relation:
+            here = reduce(lambda base, at: base.xreplace(dict([at])), case.values, known[0])
+            if case.sign(sympy.cancel(here / e)) == 1:
+                return {text}
+    return None
 
 
 def without_defined(case: CheckedCase, pair: tuple[Any, Any], side: int) -> CheckedCase:
@@ -213,6 +239,10 @@ def _require_witness(verdict: Any, case: CheckedCase) -> None:
     for one, other in zip(*case.sides, strict=True):
         if not values(one).meets(values(other)):
             raise Rejected("the two sides differ at the witness")
+    for text in verdict.needs:
+        need = said_need(text, case.named)
+        if need and values(need[0]).sign not in (None, *HOLDING[need[1]]):
+            raise Rejected(f"{text} is needed, and not so at the witness")
 
 
 def check_enclosed(
