@@ -298,6 +298,16 @@ def test_a_logarithm_to_a_base_is_not_read_as_the_natural_one() -> None:
     rejected(Fails(Counterexample({}, (1, 1), "log(8)", "3")), sp.log(8, 2, evaluate=False), sp.Integer(3))
 
 
+def test_what_cases_need_follows_from_what_all_need_or_holds_at_the_witness() -> None:
+    real = sp.Symbol("x", real=True)
+    asked = sp.acsc(real), (pi / 2 - sp.atan(sqrt(real**2 - 1))) * sqrt(real**2) / real
+    verdict = prove(*asked)
+    assert set(verdict.needs) == {"x != 0", "x**2 - 1 >= 0"}
+    recheck(verdict, *asked)
+    with pytest.raises(Rejected, match="not so at the witness"):
+        recheck(replace(verdict, needs=(*verdict.needs, "x - 1 >= 0", "-x - 1 >= 0")), *asked)
+
+
 def test_an_integer_is_no_irrational_number() -> None:
     """Where only enclosures tell what the sides are, what SymPy assumes of a symbol holds of its value, too."""
     n = sp.Symbol("n", integer=True)

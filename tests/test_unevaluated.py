@@ -176,3 +176,20 @@ def test_sums_in_sums_are_angles(function: Any, angle: Any, same: Any) -> None:
 )
 def test_what_cancels_when_it_is_written_out_has_to_be_defined_all_the_same(left: Any, right: Any) -> None:
     assert not isinstance(prove(left, right), Holds)
+
+
+def test_a_value_that_sympy_gets_wrong_is_not_taken() -> None:
+    """Of -csc(x) SymPy (1.14) takes asec as of csc(x), where it is not evaluated at once."""
+    for part, angle in ((3, sp.pi * 5 / 6), (6, sp.pi * 2 / 3), (4, sp.pi * 3 / 4)):
+        turn = sp.Mul(Rational(1, part), sp.Mul(1, sp.pi, evaluate=False), evaluate=False)
+        secant = sp.asec(sp.Mul(-1, sp.csc(turn, evaluate=False), evaluate=False), evaluate=False)
+        assert isinstance(same(secant + x, angle + x), Holds)
+        assert isinstance(prove(secant, sp.pi - angle), Fails)
+
+
+@pytest.mark.parametrize(
+    "e", [Adjoint(sp.S(5)), Transpose(sp.S(5)), sp.Integral(sp.cos(x ** Rational(7, 3)), (x, 0, 1))]
+)
+def test_what_is_no_matrix_and_what_is_no_sum_is_refused(e: Any) -> None:
+    with pytest.raises(Untreatable, match=r"not treated|cannot write out"):
+        prove(e, e + 1 if isinstance(e, sp.Integral) else sp.S(5))

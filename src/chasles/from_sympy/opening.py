@@ -113,6 +113,8 @@ def _evaluated(entry: Any) -> Any:
     for inexact in (part for part in parts if isinstance(part, sympy.Float)):
         exact = str(sympy.nsimplify(inexact, rational=True))
         raise Untreatable(f"{inexact} is a floating-point number, which is not exact: write Rational({exact!r})")
+    if integral := next((part for part in parts if isinstance(part, sympy.Integral)), None):
+        raise Untreatable(f"{excerpt(integral)} is not treated: an integral is not")
     for derivative in (part for part in parts if isinstance(part, sympy.Derivative)):
         if not isinstance(derivative.expr, AppliedUndef):
             entry = entry.xreplace({derivative: derivative.doit()})

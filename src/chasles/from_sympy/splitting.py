@@ -12,9 +12,7 @@ from sympy.core.function import AppliedUndef
 
 from chasles.checker.expressions.cases import CheckedCase
 from chasles.checker.expressions.defined_functions import VALUED
-from chasles.checker.expressions.enclosed import HOLDING
 from chasles.checker.expressions.generalised import is_numeric, is_root_of_number
-from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.expressions.remainders import at_integer
 from chasles.checker.expressions.switches import deciding
 from chasles.checker.expressions.widened import holds_throughout, put, said_need
@@ -226,11 +224,8 @@ class Splitting:
             return False
         if need is None:
             return False
-        said, relation = need
-        if not is_atom(said) and case.sign(said) in HOLDING[relation]:
-            return True
-        if not said.free_symbols & {symbol for symbol, _ in case.meant}:
-            self.needs[text] = None
-        elif holds_throughout(case, said, relation, self.needs) is None:
-            self.needs[f"{case.back(said)} {relation} 0"] = None
+        if holds_throughout(case, *need, self.needs) is None:
+            said, relation = need
+            in_question = not said.free_symbols & {symbol for symbol, _ in case.meant}
+            self.needs[text if in_question else f"{case.back(said)} {relation} 0"] = None
         return True

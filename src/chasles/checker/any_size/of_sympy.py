@@ -30,7 +30,7 @@ from chasles.vocabulary.sizes import Size, times, uniform_blocks
 def has_letters_for_sizes(expressions: Iterable[Any]) -> bool:
     """Whether a matrix occurs whose numbers of rows and columns are not both given."""
     parts = (part for e in expressions for part in sympy.preorder_traversal(e) if isinstance(part, MatrixExpr))
-    return any(not sympy.sympify(extent).is_Integer for part in parts for extent in part.shape)
+    return any(not sympy.sympify(extent).is_Integer for part in parts for extent in getattr(part, "shape", ()))
 
 
 def problem_in_words(lhs: Any, rhs: Any, given: Any, nonzero: Any) -> tuple[Problem, tuple[str, ...]]:

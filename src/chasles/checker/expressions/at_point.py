@@ -168,7 +168,9 @@ class AtPoint(Expressions, Reals):
                     self._require_fit(monomial)
                     break
                 if any(e not in others and may_be_any(e) for e in atoms):
-                    self._require_factors(monomial)
+                    known = [self.symbolic.atoms[k] for k, _ in exponents(monomial) if not self._is_free(k)]
+                    if not all(self.sign(self.atom(e)) for e in known):
+                        raise Rejected(f"{self._spelled(monomial)} is zero at the point, whatever the cosine given")
                     break
             else:
                 raise Rejected("it is not seen that the angles can have the cosines and sines that are given")
@@ -176,11 +178,6 @@ class AtPoint(Expressions, Reals):
 
     def _is_free(self, place: int) -> bool:
         return str(self.symbolic.atoms[place]) not in self.numbers
-
-    def _require_factors(self, monomial: int) -> None:
-        for place, _ in exponents(monomial):
-            if not self._is_free(place) and not self.sign(self.atom(self.symbolic.atoms[place])):
-                raise Rejected(f"{self._spelled(monomial)} is zero at the point, whatever the cosine given")
 
     def _require_fit(self, monomial: int) -> None:
         unit, cosine, sine = self.circle_of[monomial]

@@ -106,12 +106,6 @@ class Enclosing:
         exponent = self.log(Enclosure(x, x)) if x else Enclosure(-LARGEST * self.one * degree, 0)
         return self.exp(Enclosure(exponent.low // degree, -(-exponent.high // degree)))
 
-    def value(self, function: str, x: Enclosure) -> Enclosure:
-        """The value of exp, log, atan, cos or sin."""
-        if function in ("cos", "sin"):
-            return self.cosine_and_sine(x)[function == "sin"]
-        return {"exp": self.exp, "log": self.log, "atan": self.atan}[function](x)
-
     def increasing(self, function: Callable[[int], Enclosure], x: Enclosure) -> Enclosure:
         """A function that increases, from what it is at both ends."""
         return Enclosure(function(x.low).low, function(x.high).high)

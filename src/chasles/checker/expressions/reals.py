@@ -214,7 +214,9 @@ class Reals(QuotientRing):
     def _measure(self, place: int, at: Enclosing) -> Enclosure:
         if place in self._called:
             function, argument, sign = self._called[place]
-            value = at.value(function, self._enclosed(argument, at.bits))
+            inside = self._enclosed(argument, at.bits)
+            circular = at.cosine_and_sine(inside)[function == "sin"] if function in ("cos", "sin") else None
+            value: Enclosure = circular or getattr(at, function)(inside)
             return value if sign > 0 else -value
         if place in self.inverses:
             return at.inverse(self._enclosed(self.inverses[place], at.bits))

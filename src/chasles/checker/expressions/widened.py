@@ -168,7 +168,7 @@ class _Widened:
 def said_need(text: str, names: Mapping[str, Any]) -> tuple[Any, str] | None:
     """What a need speaks of, and whether that is !=, > or >= 0; None for another."""
     relation = next((end for end in RELATIONS if text.endswith(end)), None)
-    return relation and (_parsed(text.removesuffix(relation), names), relation.split()[0])
+    return (_parsed(text.removesuffix(relation), names), relation.split()[0]) if relation else None
 
 
 def holds_throughout(case: CheckedCase, e: Any, relation: str, needs: Iterable[str]) -> set[str] | None:
