@@ -11,7 +11,8 @@ import sympy as sp
 
 import chasles
 from chasles.compiling.removable import without_removable
-from chasles.compiling.sums_of_angles import Stumpff
+from chasles.compiling.sums_of_angles import vanishes
+from chasles.compiling.taylor import Stumpff
 
 from .counted import at_most
 
@@ -28,8 +29,15 @@ LIMITS = [
     *(sp.sin(y * sp.sin(x)) / sp.sin(x), (1 - sp.cos(sp.sqrt(2) * x)) / x**2, (1 - sp.cos(sp.sqrt(x))) / x),
     *((x - z - sp.sin(x - z)) / (x - z) ** 3, (2 * x - 2 * z - sp.sin(2 * x - 2 * z)) / (z - x) ** 3),
     (x - x * sp.cos(x)) / (sp.sin(x) ** 2 + (1 - sp.cos(x)) ** 2) + sp.sin(x),
+    *((sp.exp(x) - 1 - x) / x**2, (sp.sinh(x) - x) / x**3, (sp.cosh(r) - 1) / r**2, y * sp.sinh(r) / r, x / sp.tanh(x)),
+    *(x / (sp.exp(x) - 1), 1 / x - 1 / (sp.exp(x) - 1), 1 / x - sp.coth(x), (1 - sp.exp(-x * y)) / x, sp.erf(x) / x),
+    *(sp.log(1 + x * y) / x, (x - sp.log(1 + x)) / x**2, (x - z) / sp.log((1 + x) / (1 + z)), (x - sp.atan(x)) / x**3),
+    *(((sp.exp(2 * x) - 1) / x).diff(x), (sp.log(1 + x) / x).diff(x), (sp.atan(x) / x).diff(x)),
+    *(sp.asin(x / 3) / x, (x - sp.asinh(x)) / x**3, sp.sinh(x * y) * sp.cosh(x * y) / x, x * sp.exp(x) / sp.sinh(x)),
+    *(x * sp.atan2(r, y + 1) / r, (sp.Integer(10) - x) / (sp.exp(1 - x / 10) - 1), (sp.exp(x) - sp.cos(x)) / x),
     sp.Piecewise((sp.sin(x) / x, sp.Ne(x, 0)), (1, True)),
     sp.Piecewise((1, sp.Eq(r, 0)), (sp.sin(r) / r, True)),
+    sp.Piecewise((1, sp.Eq(x, 0)), (x / (1 - sp.exp(-x)), True)),
 ]
 AT = [(1e-8, 0.3, 0.2), (1e-8, 1e-9, 2e-8), (0.3, 0.2, 0.1), (1e-3, 1e-3, 0.0), (2.0, 1.0, 1.5), (1e-5, 1.0, 0.0)]
 UNITS = 64
@@ -66,12 +74,36 @@ def test_at_the_limit_itself_all_have_values(kernel):
 @pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     "expression",
-    [sp.sin(x) / x**2, sp.cos(x) / x, 1 / sp.sin(x), sp.sin(y) / x, sp.sin(x + y) / x, sp.sin(x) / (x + y), 1 / x],
+    [
+        *(sp.sin(x) / x**2, sp.cos(x) / x, 1 / sp.sin(x), sp.sin(y) / x, sp.sin(x + y) / x, sp.sin(x) / (x + y), 1 / x),
+        *(sp.exp(x) / x, sp.sinh(x) / x**2, sp.log(1 + y) / x, sp.coth(x), (sp.exp(x) - 1 - y) / x),
+    ],
     ids=str,
 )
 def test_what_has_no_limit_has_no_value(expression):
     with np.errstate(invalid="ignore"):
         assert math.isnan(chasles.compile(expression, [x, y])(0.0, 0.0))
+
+
+def test_away_from_a_limit_a_formula_is_as_it_stands():
+    """Written for where the angle is small, it would overflow."""
+    kernel = chasles.compile([sp.tanh(x) / x, 1 / x - 1 / (sp.exp(x) - 1), sp.coth(x) - 1 / x], [x])
+    assert kernel(1000.0) == (1 / 1000, 1 / 1000, 1 - 1 / 1000)
+    assert kernel(-1000.0) == (1 / 1000, 1 - 1 / 1000, 1 / 1000 - 1)
+    around = chasles.compile(sp.atan2(x, y) / x, [x, y])
+    assert [around(1e-9, y) for y in (1.0, -1.0)] == [1.0, math.atan2(1e-9, -1.0) / 1e-9]
+
+
+@pytest.mark.parametrize(
+    ("left", "is_zero"),
+    [
+        *(((x + y) ** 2 - x**2 - 2 * x * y - y**2, True), ((x**2 - y**2) / (x + y) - x + y, True)),
+        *((sp.sqrt(x + y) * (1 + sp.sqrt(x + y)) - x - y - sp.sqrt(x + y), True), (x - y, False)),
+        *((sp.sqrt(x**2 + 2 * x * y + y**2) - x - y, False), ((sp.sqrt(2) + x) ** 2 - 2 - x**2, False)),
+    ],
+)
+def test_what_vanishes_is_seen(left, is_zero):
+    assert vanishes(left) == is_zero
 
 
 def test_a_piece_that_is_no_limit_stays():

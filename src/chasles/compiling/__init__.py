@@ -39,7 +39,7 @@ def compile(
 
     What is compiled is the cheapest spelling that is proved equal and loses no digits that another one keeps: a sum is
     nested, 1 - cos(x) is 2 sin(x/2)^2, 1 - exp(x) is -expm1(x). A quotient of functions of one angle that has a limit
-    has that for its value.
+    where the angle is zero has that for its value, and near it all digits.
 
     Symbols are real; those of an expression are the inputs of their names, whatever is assumed of either. Functions of
     anything and their derivatives go in like symbols, each for itself: what is no input is refused, never derived from

@@ -10,7 +10,7 @@ import sympy
 from sympy.codegen import cfunctions
 
 from chasles.compiling.elimination import solved
-from chasles.compiling.sums_of_angles import Stumpff
+from chasles.compiling.taylor import Stumpff, TaylorPolynomial, horner
 from chasles.lowering.builder import Builder
 from chasles.lowering.refusal import LoweringError
 
@@ -79,6 +79,7 @@ def functions_by_class(build: Builder) -> dict[type, Callable[..., int]]:
         sympy.csc: lambda a: over(build.sine(a)),
         sympy.sinc: lambda a: build.function("stumpff", build.one, a),
         Stumpff: partial(build.function, "stumpff"),
+        TaylorPolynomial: lambda a, limit, *coefficients: horner(build, a, *coefficients),
         sympy.atan2: build.arctangent2,
         sympy.atan: lambda a: build.arctangent2(a, build.one),
         sympy.acot: partial(_arccotangent, build),

@@ -1,14 +1,15 @@
 """Quotients of functions of an angle that have a limit where the angle is zero, written so that nothing is divided.
 
-A power of an angle times a sine or cosine of a multiple of it is what its Taylor polynomial leaves: cos(a) is
+A power of an angle times a function of a multiple of it is what its Taylor polynomial leaves: cos(a) is
 1 - a^2/2 + a^4 c_4(a^2), sin(a) is a - a^3 c_3(a^2), with the functions of Stumpff (Himmelsmechanik I, 1959). What is
 divided by cancels, and so do the polynomials, if there is a limit. Derivatives of these functions are sums of them, so
-that a Jacobian is as good as what it is of.
+that a Jacobian is as good as what it is of. What is left of other functions, such as exp, is a polynomial where the
+angle is small; elsewhere a quotient of them stays as it stands.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable, Mapping
 from functools import lru_cache
 from math import factorial
 from typing import Any
@@ -19,7 +20,6 @@ from chasles.compiling.sums_of_angles import (
     KEPT,
     KNOWN,
     QUOTIENTS,
-    Stumpff,
     Sum,
     angle_of,
     angles_in,
@@ -29,17 +29,21 @@ from chasles.compiling.sums_of_angles import (
     parts_of,
     square_of,
     sum_of,
+    with_series,
 )
+from chasles.compiling.taylor import Stumpff, TaylorPolynomial
+from chasles.compiling.variables import Substitution
 from chasles.compiling.whole_angles import ANGLE, WholeAngle
 
 MOST_ORDER = 8
+LEFT = (Stumpff, TaylorPolynomial)
 
 
 def without_removable(expression: sympy.Basic) -> sympy.Basic:
     """The same expression; it has a value where an angle is zero by which it divides, if it has a limit there."""
     parts = parts_of(expression, ())
     divided = _divisors(parts)
-    quotients = {angle_of(part) for part in parts if isinstance(part, QUOTIENTS)}
+    quotients = {angle_of(part) for part in parts if isinstance(part, tuple(QUOTIENTS))}
     below = quotients.union(*map(angles_in, divided))
     by_angle: dict[sympy.Expr, list[sympy.Expr]] = {}
     for part in parts:
@@ -47,24 +51,29 @@ def without_removable(expression: sympy.Basic) -> sympy.Basic:
             by_angle.setdefault(angle_of(part), []).append(part)
     for angle, functions in by_angle.items():
         whole = WholeAngle(angle) if divided and not _is_root(angle) else None
-        if (
-            angle in divided
-            or square_of(angle) in divided
-            or (whole and whole.occurs_in(divided))
-            or (angle in below and angle in parts_of(expression, functions))
-        ):
-            spelled = {f: f.rewrite(sympy.cos) for f in functions if isinstance(f, sympy.sec)}
-            spelled |= {f: f.rewrite(sympy.sin) for f in functions if isinstance(f, sympy.csc)}
-            for f in functions:
-                if isinstance(f, sympy.tan | sympy.cot):
-                    quotient = sympy.sin(f.args[0]) / sympy.cos(f.args[0])
-                    spelled[f] = quotient if isinstance(f, sympy.tan) else 1 / quotient
-            stated = expression.xreplace(spelled) if spelled else expression
+        held = {*divided, *parts_of(expression, functions)} if angle in below else divided
+        if angle in held or square_of(angle) in divided or (whole and whole.occurs_in(held)):
+            table = {f: other for f in functions if (other := with_series(f)) != f}
+            stated = Substitution(table).of(expression) if table else expression
             found = whole.back(_regular(whole.of(stated), ANGLE)) if whole else _regular(stated, angle)
             made = parts_of(found, ())
-            if any(isinstance(part, Stumpff) for part in made) or len(_divisors(made)) < len(_divisors(parts)):
-                expression, parts = found, made
+            if _holds(found, *LEFT) or len(_divisors(made)) < len(_divisors(parts)):
+                expression = _as_stated(found, table, made.keys() - parts.keys())
+                parts = parts_of(expression, ())
     return expression
+
+
+def _as_stated(found: sympy.Basic, table: Mapping[Any, Any], made: Collection[Any]) -> Any:
+    """The expression with functions as they were where they are left; an arctangent is one in the right half-plane."""
+    right = [f.args[1] > 0 for f in table if isinstance(f, sympy.atan2)]
+    near = [part for part in made if isinstance(part, sympy.StrictLessThan)] if right else ()
+    kept = {other: f for f, other in table.items()} | {part: sympy.And(part, *right) for part in near}
+    return Substitution(kept).of(found) if kept else found
+
+
+def _holds(expression: sympy.Basic, *kinds: Any) -> bool:
+    """Whether one of the parts is of one of the kinds."""
+    return any(isinstance(part, kinds) for part in parts_of(expression, ()))
 
 
 def _divisors(parts: Iterable[sympy.Basic]) -> set[sympy.Expr]:
@@ -81,6 +90,7 @@ def _is_root(angle: sympy.Expr) -> bool:
 def _regular(expression: sympy.Basic, angle: sympy.Expr) -> Any:
     if angle not in angles_in(expression):
         return expression
+    singular: list[Any] = []
     match expression:
         case sympy.Piecewise():
             return _pieces(expression, angle)
@@ -89,11 +99,39 @@ def _regular(expression: sympy.Basic, angle: sympy.Expr) -> Any:
             whole = _together(singular, angle) if len(singular) > 1 else None
             if whole is not None:
                 rest = [_regular(term, angle) for term in expression.args if term not in singular]
-                return sympy.Add(whole, *rest)
+                return sympy.Add(_near(whole, sympy.Add(*singular)), *rest)
         case sympy.Mul():
-            return _product(expression, angle)
+            found = _product(expression, angle)
+            near = _near(found, expression)
+            if near is not found and _orders(expression, angle)[0] >= 0:
+                return near
+            if near is found and (_holds(found, Stumpff) or _spelled(expression, angle) == expression):
+                return found
     changed = [_regular(part, angle) for part in expression.args]
-    return expression if changed == list(expression.args) else expression.func(*changed)
+    if changed == list(expression.args):
+        return expression
+    found = expression.func(*changed)
+    # What stays singular gains nothing by polynomials for the rest of it.
+    vain = isinstance(expression, sympy.Add) and singular and _holds(found, TaylorPolynomial)
+    return expression if vain else found
+
+
+@lru_cache(KEPT)
+def _spelled(expression: sympy.Basic, angle: sympy.Expr) -> Any:
+    """The expression with quotients of sines and cosines, or hyperbolic ones, of the angle written as such."""
+    functions = [part for part in parts_of(expression, ()) if isinstance(part, tuple(QUOTIENTS))]
+    table = {f: QUOTIENTS[type(f)](f.args[0]) for f in functions if angle_of(f) == angle}
+    return Substitution(table).of(expression) if table else expression
+
+
+def _near(found: Any, stated: sympy.Expr) -> Any:
+    """What is found where its polynomials hold, and elsewhere what is stated."""
+    nested = [part for part in parts_of(found, ()) if isinstance(part, sympy.Piecewise)]
+    used = [part for part in parts_of(found, nested) if isinstance(part, TaylorPolynomial)]
+    if not used:
+        return found
+    near = dict.fromkeys(sympy.Abs(part.args[0]) < part.args[1] for part in used)
+    return sympy.Piecewise((found, sympy.And(*near)), (stated, True), evaluate=False)
 
 
 def _pieces(expression: sympy.Piecewise, angle: sympy.Expr) -> Any:
@@ -103,11 +141,12 @@ def _pieces(expression: sympy.Piecewise, angle: sympy.Expr) -> Any:
         (first, where), (second, _) = parts
         general, value = (first, second) if isinstance(where, sympy.Ne) else (second, first)
         zeros = dict.fromkeys(angle.free_symbols, 0)
-        if isinstance(where, sympy.Ne | sympy.Eq) and _says_zero(where, angle) and general.has(Stumpff):
+        if isinstance(where, sympy.Ne | sympy.Eq) and _says_zero(where, angle) and _holds(general, *LEFT):
             at_zero = general.replace(Stumpff, lambda k, a: sympy.Rational(1, factorial(int(k))))
+            at_zero = at_zero.replace(TaylorPolynomial, lambda *of: of[2])
             if (at_zero.subs(zeros) - sympy.sympify(value).subs(zeros)).equals(0):
                 return general
-    return sympy.Piecewise(*parts)
+    return sympy.Piecewise(*parts, evaluate=False)
 
 
 def _says_zero(where: Any, angle: sympy.Expr) -> bool:
@@ -120,7 +159,7 @@ def _says_zero(where: Any, angle: sympy.Expr) -> bool:
 
 def _together(terms: list[sympy.Expr], angle: sympy.Expr) -> Any:
     """The sum of terms none of which has a limit; None where it has none either."""
-    total = sympy.Add(*terms)
+    total = _spelled(sympy.Add(*terms), angle)
     found = sum_of(total, angle)
     whole = limited(found, angle)
     # Of a sum in which what is singular stands for itself the same would come out again.
@@ -140,7 +179,7 @@ def _orders(term: sympy.Expr, angle: sympy.Expr) -> tuple[Any, Any, list[Factor]
     """With which power of the angle a product vanishes, the powers of the angle in it, and its other factors."""
     left: Any = sympy.S.Zero
     others = []
-    for factor in sympy.Mul.make_args(term):
+    for factor in sympy.Mul.make_args(_spelled(term, angle)):
         degree = degree_of_power(factor, angle)
         if degree is None:
             others.append(factor.as_base_exp())

@@ -1,30 +1,41 @@
-"""Sums of powers of an angle times sines and cosines of its multiples, with their limits where the angle is zero."""
+"""Sums of powers of an angle times functions of its multiples, with their limits where the angle is zero."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Mapping
 from functools import lru_cache, reduce
-from math import factorial
+from itertools import islice
+from random import Random
 from typing import Any
 
 import sympy
+from sympy.codegen.cfunctions import log1p
 
-Term = tuple[sympy.Rational, sympy.Rational, bool]
-"""A power of the angle, which may be negative, times the cosine, or else the sine, of a multiple of the angle."""
+from chasles.compiling.sharing import parts_before
+from chasles.compiling.taylor import ANALYTIC, CIRCULAR, coefficient_of, left_of
+
+Term = tuple[sympy.Rational, sympy.Rational, Any]
+"""A power of the angle, which may be negative, times a function of a multiple of the angle; 1 is the cosine of zero."""
 Sum = dict[Term, sympy.Expr]
-CIRCULAR = (sympy.sin, sympy.cos)
-QUOTIENTS = (sympy.tan, sympy.cot, sympy.sec, sympy.csc)
-KNOWN = (*CIRCULAR, *QUOTIENTS)
+QUOTIENTS: Mapping[Any, Callable[[Any], Any]] = {
+    sympy.tan: lambda a: sympy.sin(a) / sympy.cos(a),
+    sympy.cot: lambda a: sympy.cos(a) / sympy.sin(a),
+    sympy.sec: lambda a: 1 / sympy.cos(a),
+    sympy.csc: lambda a: 1 / sympy.sin(a),
+    sympy.tanh: lambda a: sympy.sinh(a) / sympy.cosh(a),
+    sympy.coth: lambda a: sympy.cosh(a) / sympy.sinh(a),
+    sympy.sech: lambda a: 1 / sympy.cosh(a),
+    sympy.csch: lambda a: 1 / sympy.sinh(a),
+}
+"""What these are in others."""
+KNOWN = (*ANALYTIC, *QUOTIENTS, sympy.log, sympy.atan2)
 MOST_TERMS = 40
+_PRIME = 2**61 - 1
+_SEEDS = 64
+"""So many points are tried; at half of them a root has a value."""
+_POINTS = 8
 KEPT = 2**15
 """Parts of which it is known what they are: expressions share them, and each is met many times."""
-
-
-class Stumpff(sympy.Function):  # type: ignore[misc]
-    """The function c_k of the square of a: the sum of (-1)^n a^(2 n) / (2 n + k)!."""
-
-    nargs = (2,)
-    is_real = True
 
 
 def parts_of(expression: sympy.Basic, others: Collection[sympy.Basic]) -> dict[sympy.Basic, None]:
@@ -50,8 +61,19 @@ def angles_in(expression: sympy.Basic) -> frozenset[sympy.Expr]:
 
 
 def angle_of(function: Any) -> sympy.Expr:
-    """The angle of which, times a number, a function is taken."""
-    return function.args[0].as_coeff_Mul()[1]
+    """The angle of which, times a number, a function is taken; of a logarithm what is added to 1, in parts of it."""
+    return with_series(function).args[0].as_coeff_Mul()[1]
+
+
+def with_series(function: Any) -> Any:
+    """The function, or else one that has a series where the angle is zero; an arctangent in the right half-plane."""
+    match function:
+        case sympy.log():
+            above, below = sympy.fraction(function.args[0])
+            return log1p(sympy.Mul(above - below, 1 / below))
+        case sympy.atan2():
+            return sympy.atan(sympy.Mul(function.args[0], 1 / function.args[1]))
+    return function
 
 
 def square_of(angle: sympy.Expr) -> sympy.Expr:
@@ -79,14 +101,13 @@ def sum_of(expression: sympy.Expr, angle: sympy.Expr) -> Sum | None:
     """The expression as a sum; None where it is none, or too long a one."""
     degree = degree_of_power(expression, angle)
     if degree is not None:
-        return {(degree, sympy.S.Zero, True): sympy.S.One}
-    if isinstance(expression, CIRCULAR):
+        return {(degree, sympy.S.Zero, sympy.cos): sympy.S.One}
+    if type(expression) in ANALYTIC:
         times, of = expression.args[0].as_coeff_Mul()
         if of == angle:
-            sign = -1 if times < 0 and isinstance(expression, sympy.sin) else 1
-            return {(sympy.S.Zero, abs(times), isinstance(expression, sympy.cos)): sympy.Integer(sign)}
+            return {(sympy.S.Zero, times, type(expression)): sympy.S.One}
     if not angles_in(expression) and angle not in parts_of(expression, ()):
-        return {(sympy.S.Zero, sympy.S.Zero, True): expression}
+        return {(sympy.S.Zero, sympy.S.Zero, sympy.cos): expression}
     if isinstance(expression, sympy.Add):
         parts = [sum_of(part, angle) for part in expression.args]
         return None if None in parts else _gathered(item for part in parts for item in (part or {}).items())
@@ -94,35 +115,41 @@ def sum_of(expression: sympy.Expr, angle: sympy.Expr) -> Sum | None:
     if not isinstance(expression, sympy.Mul) and not power:
         return None
     factors = [expression.base] * int(expression.exp) if power else expression.args
-    total: Sum | None = {(sympy.S.Zero, sympy.S.Zero, True): sympy.S.One}
+    total: Sum | None = {(sympy.S.Zero, sympy.S.Zero, sympy.cos): sympy.S.One}
     for factor in factors:
         part = sum_of(factor, angle)
         if part is None or total is None or len(part) * len(total) > MOST_TERMS:
             return None
-        total = _gathered(item for one in total.items() for other in part.items() for item in _times(one, other))
+        products = [_times(one, other) for one in total.items() for other in part.items()]
+        total = None if None in products else _gathered(item for found in products for item in found or ())
     return total
 
 
-def _times(one: tuple[Term, Any], other: tuple[Term, Any]) -> Iterator[tuple[Term, Any]]:
-    """The product of two terms, in sines and cosines of sums and differences."""
-    ((i, m, even), p), ((j, n, even_), q) = one, other
-    for multiple, sign in ((m + n, 1), (m - n, -1)):
-        if even and even_:
-            factor = sympy.S.Half
-        elif not even and not even_:
-            factor = -sign * sympy.S.Half
-        else:
-            # sin(m) cos(n) and cos(m) sin(n), of which the second is half of sin(m + n) - sin(m - n).
-            factor = sympy.S.Half if even_ else sign * sympy.S.Half
-            factor = -factor if multiple < 0 else factor
-        yield (i + j, abs(multiple), even == even_), factor * p * q
+def _times(one: tuple[Term, Any], other: tuple[Term, Any]) -> list[tuple[Term, Any]] | None:
+    """The product of two terms, in functions of sums and differences; None where it is none of these."""
+    ((i, m, f), p), ((j, n, g), q) = one, other
+    if not m or not n:
+        return [((i + j, m or n, f if m else g), p * q)]
+    if f is g is sympy.exp:
+        return [((i + j, m + n, f), p * q)]
+    for odd, even, of_two_odd in ((sympy.sin, sympy.cos, -1), (sympy.sinh, sympy.cosh, 1)):
+        if {f, g} <= {odd, even}:
+            product = even if f is g else odd
+            first, second = (of_two_odd, -of_two_odd) if f is g is odd else (1, -1 if g is odd and f is even else 1)
+            half = p * q / 2
+            return [((i + j, m + n, product), first * half), ((i + j, m - n, product), second * half)]
+    return None
 
 
 def _gathered(terms: Iterable[tuple[Term, Any]]) -> Sum:
+    """The terms by what they are times numbers, the multiples of angles of odd and even functions not negative."""
     found: Sum = {}
-    for term, coefficient in terms:
-        if term[1] or term[2]:
-            found[term] = found.get(term, sympy.S.Zero) + coefficient
+    for (degree, times, function), coefficient in terms:
+        kind = ANALYTIC[function]
+        turned = times < 0 and kind.step == 2
+        term = degree, abs(times) if turned else times, function if times else sympy.cos
+        if times or not kind.first:
+            found[term] = found.get(term, sympy.S.Zero) + (-coefficient if turned and kind.first else coefficient)
     return found
 
 
@@ -131,13 +158,15 @@ def limited(found: Sum | None, angle: sympy.Expr, divided: int = 0) -> Any:
     if found is None or not has_limit(found, divided):
         return None
     total = []
-    for (degree, times, even), coefficient in found.items():
-        singular = _singular(degree, divided, even=even)
-        order = singular.start + 2 * len(singular)
-        if times or not order:
-            function = Stumpff(order, times * angle) if order else sympy.cos(times * angle)
-            power = degree - divided + order
-            total.append(coefficient * (-1) ** (order // 2) * times**order * angle**power * function)
+    for (degree, times, function), coefficient in found.items():
+        kind = ANALYTIC[function]
+        singular = range(kind.first, int(divided - degree), kind.step)
+        order = singular.start + kind.step * len(singular)
+        if times and degree >= divided and function not in CIRCULAR:
+            total.append(coefficient * angle ** (degree - divided) * function(times * angle))
+        elif times or not order:
+            left = left_of(function, order, times, angle, square_of(angle))
+            total.append(coefficient * angle ** (degree - divided + order) * left)
     return reduce(sympy.Add, total, sympy.S.Zero)
 
 
@@ -149,31 +178,48 @@ def has_limit(found: Sum, divided: int) -> bool:
 def order_of(found: Sum, most: int) -> int:
     """The first power of the angle whose coefficient in the sum's series does not vanish, up to a largest one."""
     lowest = int(min((degree for degree, _, _ in found), default=most))
-    return next((power for power in range(lowest, most) if not _vanishes(_coefficient(found, power))), most)
+    return next((power for power in range(lowest, most) if not vanishes(_coefficient(found, power))), most)
 
 
 def _coefficient(found: Sum, power: int) -> Any:
     """What a power of the angle has for its coefficient in the sum's series."""
     terms = []
-    for (degree, times, even), coefficient in found.items():
-        order = int(power - degree)
-        if order >= 0 and order % 2 != even:
-            terms.append(sympy.Rational((-1) ** (order // 2), factorial(order)) * times**order * coefficient)
+    for (degree, times, function), coefficient in found.items():
+        if power >= degree:
+            order = int(power - degree)
+            terms.append(coefficient_of(function, order) * times**order * coefficient)
     return sympy.Add(*terms)
 
 
 @lru_cache(KEPT)
-def _vanishes(left: Any) -> bool:
-    """Whether nothing is left once it is multiplied out; what holds no product or power of a sum is so already."""
-    nested = any(
-        isinstance(inner, sympy.Add)
-        for part in parts_of(left, ())
-        if isinstance(part, sympy.Mul | sympy.Pow | sympy.exp)
-        for inner in part.args
-    )
-    return bool((sympy.expand(left) if nested else left) == 0)
+def vanishes(left: Any) -> bool:
+    """Whether it is zero modulo a prime at points where symbols and functions have random values (Schwartz, 1980)."""
+    residues = (_residue(left, Random(seed)) for seed in range(_SEEDS))
+    known = (residue for residue in residues if residue is not None)
+    return next(known, 1) == 0 and not any(islice(known, _POINTS))
 
 
-def _singular(degree: sympy.Rational, divided: int, *, even: bool) -> range:
-    """The orders of the terms of a sine's or cosine's series that are singular, times and over these powers."""
-    return range(0 if even else 1, int(divided - degree), 2)
+def _residue(expression: Any, draw: Random) -> int | None:
+    """The value modulo the prime, with one of both values of a root; None where a root or a reciprocal has none."""
+    known: dict[sympy.Basic, int] = {}
+
+    def of(part: Any) -> int:
+        if part not in known:
+            above, below = sympy.Rational(part).as_numer_denom() if part.is_Rational or part.is_Float else (0, 0)
+            known[part] = int(above) * pow(int(below), -1, _PRIME) if below else draw.randrange(_PRIME)
+        return known[part]
+
+    for part in parts_before([expression]):
+        match part:
+            case sympy.Add():
+                known[part] = sum(map(of, part.args)) % _PRIME
+            case sympy.Mul():
+                known[part] = reduce(lambda product, each: product * of(each) % _PRIME, part.args, 1)
+            case sympy.Pow(args=(base, sympy.Rational() as exponent)) if exponent.q < 3:
+                root = of(base)
+                if exponent.q == 2:
+                    root = pow(root, (_PRIME + 1) // 4, _PRIME) * draw.choice((1, -1))
+                if (root**exponent.q - of(base)) % _PRIME or (exponent < 0 and root == 0):
+                    return None
+                known[part] = pow(root, int(exponent.p), _PRIME)
+    return of(expression)

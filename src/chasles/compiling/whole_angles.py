@@ -24,12 +24,12 @@ class WholeAngle:
         self._terms = self._angle.as_coefficients_dict() if angle.is_Add else {}
         self._done: dict[sympy.Basic, sympy.Basic] = {self._angle: ANGLE}
 
-    def occurs_in(self, divisors: Iterable[sympy.Expr]) -> bool:
-        """Whether one of the divisors is zero where the angle is, as far as it is seen."""
+    def occurs_in(self, parts: Iterable[sympy.Basic]) -> bool:
+        """Whether one of them is zero where the angle is, as far as it is seen."""
         if self._terms:
-            return any(divisor.is_Add and self._sum(divisor) != divisor for divisor in divisors)
+            return any(part.is_Add and self._sum(part) != part for part in parts)
         known = all(exponent.is_Rational for exponent in self._powers.values())
-        return known and any(self._powers.get(divisor, sympy.S.Zero) > 0 for divisor in divisors)
+        return known and any(self._powers.get(part, sympy.S.Zero) > 0 for part in parts)
 
     def of(self, expression: sympy.Basic) -> sympy.Basic:
         """The expression, in which the angle is a symbol where it occurs as a whole."""
@@ -54,7 +54,8 @@ class WholeAngle:
         exponents = [(powers.get(base, sympy.S.Zero), exponent) for base, exponent in self._powers.items()]
         if not all(exponent.is_Rational for exponent, _ in exponents):
             return product
-        power = min(floor(exponent / whole) for exponent, whole in exponents)
+        # Where the angle vanishes one of these does.
+        power = min((floor(exponent / whole) for exponent, whole in exponents if whole > 0), default=0)
         others = [base ** (-power * exponent) for base, exponent in self._powers.items()]
         return sympy.Mul(product, (ANGLE / self._number) ** power, *others) if power else product
 
