@@ -27,6 +27,7 @@ from chasles.compiling.sums_of_angles import (
     limited,
     order_of,
     parts_of,
+    parts_of_kinds,
     square_of,
     sum_of,
     with_series,
@@ -57,7 +58,7 @@ def without_removable(expression: sympy.Basic) -> sympy.Basic:
             stated = Substitution(table).of(expression) if table else expression
             found = whole.back(_regular(whole.of(stated), ANGLE)) if whole else _regular(stated, angle)
             made = parts_of(found, ())
-            if _holds(found, *LEFT) or len(_divisors(made)) < len(_divisors(parts)):
+            if parts_of_kinds(found, LEFT) or len(_divisors(made)) < len(_divisors(parts)):
                 expression = _as_stated(found, table, made.keys() - parts.keys())
                 parts = parts_of(expression, ())
     return expression
@@ -69,11 +70,6 @@ def _as_stated(found: sympy.Basic, table: Mapping[Any, Any], made: Collection[An
     near = [part for part in made if isinstance(part, sympy.StrictLessThan)] if right else ()
     kept = {other: f for f, other in table.items()} | {part: sympy.And(part, *right) for part in near}
     return Substitution(kept).of(found) if kept else found
-
-
-def _holds(expression: sympy.Basic, *kinds: Any) -> bool:
-    """Whether one of the parts is of one of the kinds."""
-    return any(isinstance(part, kinds) for part in parts_of(expression, ()))
 
 
 def _divisors(parts: Iterable[sympy.Basic]) -> set[sympy.Expr]:
@@ -105,33 +101,32 @@ def _regular(expression: sympy.Basic, angle: sympy.Expr) -> Any:
             near = _near(found, expression)
             if near is not found and _orders(expression, angle)[0] >= 0:
                 return near
-            if near is found and (_holds(found, Stumpff) or _spelled(expression, angle) == expression):
+            if near is found and (parts_of_kinds(found, (Stumpff,)) or _spelled(expression, angle) == expression):
                 return found
     changed = [_regular(part, angle) for part in expression.args]
     if changed == list(expression.args):
         return expression
     found = expression.func(*changed)
     # What stays singular gains nothing by polynomials for the rest of it.
-    vain = isinstance(expression, sympy.Add) and singular and _holds(found, TaylorPolynomial)
+    vain = isinstance(expression, sympy.Add) and singular and parts_of_kinds(found, (TaylorPolynomial,))
     return expression if vain else found
 
 
 @lru_cache(KEPT)
 def _spelled(expression: sympy.Basic, angle: sympy.Expr) -> Any:
     """The expression with quotients of sines and cosines, or hyperbolic ones, of the angle written as such."""
-    functions = [part for part in parts_of(expression, ()) if isinstance(part, tuple(QUOTIENTS))]
+    functions = parts_of_kinds(expression, tuple(QUOTIENTS))
     table = {f: QUOTIENTS[type(f)](f.args[0]) for f in functions if angle_of(f) == angle}
     return Substitution(table).of(expression) if table else expression
 
 
 def _near(found: Any, stated: sympy.Expr) -> Any:
     """What is found where its polynomials hold, and elsewhere what is stated."""
-    nested = [part for part in parts_of(found, ()) if isinstance(part, sympy.Piecewise)]
-    used = [part for part in parts_of(found, nested) if isinstance(part, TaylorPolynomial)]
+    used = parts_of_kinds(found, (TaylorPolynomial,), (sympy.Piecewise,))
     if not used:
         return found
-    near = dict.fromkeys(sympy.Abs(part.args[0]) < part.args[1] for part in used)
-    return sympy.Piecewise((found, sympy.And(*near)), (stated, True), evaluate=False)
+    near = sympy.And(*(sympy.Abs(part.args[0]) < part.args[1] for part in used))
+    return sympy.Piecewise((found, near), (stated, True), evaluate=False)
 
 
 def _pieces(expression: sympy.Piecewise, angle: sympy.Expr) -> Any:
@@ -141,7 +136,7 @@ def _pieces(expression: sympy.Piecewise, angle: sympy.Expr) -> Any:
         (first, where), (second, _) = parts
         general, value = (first, second) if isinstance(where, sympy.Ne) else (second, first)
         zeros = dict.fromkeys(angle.free_symbols, 0)
-        if isinstance(where, sympy.Ne | sympy.Eq) and _says_zero(where, angle) and _holds(general, *LEFT):
+        if isinstance(where, sympy.Ne | sympy.Eq) and _says_zero(where, angle) and parts_of_kinds(general, LEFT):
             at_zero = general.replace(Stumpff, lambda k, a: sympy.Rational(1, factorial(int(k))))
             at_zero = at_zero.replace(TaylorPolynomial, lambda *of: of[2])
             if (at_zero.subs(zeros) - sympy.sympify(value).subs(zeros)).equals(0):

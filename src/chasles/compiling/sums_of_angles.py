@@ -54,10 +54,18 @@ def parts_of(expression: sympy.Basic, others: Collection[sympy.Basic]) -> dict[s
 
 
 @lru_cache(KEPT)
+def parts_of_kinds(expression: sympy.Basic, kinds: tuple[Any, ...], outside: tuple[Any, ...] = ()) -> frozenset[Any]:
+    """The different parts of these kinds, those in such parts too, but none in parts of the kinds outside."""
+    if isinstance(expression, outside):
+        return frozenset()
+    own = frozenset([expression] if isinstance(expression, kinds) else [])
+    return own.union(*(parts_of_kinds(part, kinds, outside) for part in expression.args))
+
+
+@lru_cache(KEPT)
 def angles_in(expression: sympy.Basic) -> frozenset[sympy.Expr]:
     """The angles that vary of which functions occur."""
-    own = frozenset([angle_of(expression)] if isinstance(expression, KNOWN) and not expression.is_number else [])
-    return own.union(*map(angles_in, expression.args))
+    return frozenset(angle_of(part) for part in parts_of_kinds(expression, KNOWN) if not part.is_number)
 
 
 def angle_of(function: Any) -> sympy.Expr:
