@@ -23,19 +23,15 @@ if TYPE_CHECKING:
 
 SAYING_ALL = (
     "nonzero", "positive", "unit", "unit column", "symmetric", "definite", "perpendicular", "rotation", "orthonormal",
-    "orthogonal", "orthonormal columns", "skew-symmetric", "idempotent", "commuting",
-    "of a rate", "evident",
+    "orthogonal", "orthonormal columns", "skew-symmetric", "idempotent", "commuting", "of a rate", "evident",
 )  # fmt: skip
 """Hypotheses that say no more than their equations, what they keep from vanishing, and that something is positive."""
 
 
 def sizes_in(problem: Problem) -> tuple[str, ...]:
     """The names of the letters for sizes."""
-    goals = (*problem.goals, *problem.conditions)
-    sides = [side for goal in goals for side in goal.sides]
-    sides += [side for rule in problem.rules for side in rule]
-    sides += [side for h in problem.hypotheses for pair in (*h.equations, h.nonvanishing) for side in pair]
-    return tuple(size.name for size in sizes_of(sides))
+    nonvanishing = [node for hypothesis in problem.hypotheses for node in hypothesis.nonvanishing]
+    return tuple(size.name for size in sizes_of([*problem.sides_and_rules, *problem.assumed_sides, *nonvanishing]))
 
 
 class PointAtSizes:
@@ -99,9 +95,8 @@ class PointAtSizes:
     def _satisfies(self, hypothesis: Hypothesis) -> bool:
         if hypothesis.kind not in SAYING_ALL:
             raise Rejected(f"of matrices of any size it is not known what is meant by: {hypothesis.text}")
-        if any(self(left) != self(right) for left, right in hypothesis.equations):
-            return False
-        if any(not self(node)[0][0] for node in hypothesis.nonvanishing):
+        fails = any(self(left) != self(right) for left, right in hypothesis.equations)
+        if fails or any(not self(node)[0][0] for node in hypothesis.nonvanishing):
             return False
         positive = hypothesis.kind in ("positive", "definite")
         matrix = self._of(self._at(hypothesis.subjects[0])) if positive else []

@@ -130,10 +130,8 @@ class FreeAlgebra:
     def read(self, spelled: Iterable[str]) -> Letters:
         """The word of the letters that are spelled."""
         known = {name: k for k, name in enumerate(self.names)}
-        found = (
-            (2 * known[name] if name in known else 2 * known[name.removesuffix(TRANSPOSED)] + 1) for name in spelled
-        )
-        return tuple(found)
+        straight = ((name, name.removesuffix(TRANSPOSED)) for name in spelled)
+        return tuple(2 * known[name] if name in known else 2 * known[letter] + 1 for name, letter in straight)
 
     def fits(self, word: Letters, height: Extent, width: Extent) -> bool:
         """Whether it is a product of that shape; without letters, an identity."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -65,6 +65,14 @@ def multiplied(matrix: Blocks, number: Fraction) -> Blocks:
     """The matrix times a number."""
     rows = [[{monomial: number * c for monomial, c in words.items()} for words in row] for row in matrix.rows]
     return Blocks(matrix.heights, matrix.widths, rows)
+
+
+def differences(left: Blocks, right: Blocks) -> Iterator[tuple[int, int, Words, Extent, Extent]]:
+    """Row, column, difference, height and width of each block; raises `Rejected` where blocks do not fit."""
+    found = plus(left, multiplied(right, Fraction(-1)))
+    for i, (row, height) in enumerate(zip(found.rows, found.heights, strict=True), 1):
+        for j, (words, width) in enumerate(zip(row, found.widths, strict=True), 1):
+            yield i, j, words, height, width
 
 
 def stacked(rows: Sequence[Sequence[Blocks]]) -> Blocks:

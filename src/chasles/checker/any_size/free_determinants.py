@@ -62,9 +62,7 @@ class Determinants:
     def of_words(self, words: Words, size: Extent) -> Words:
         """By a part that has an inverse, if the words have one; else that of the letters, or a letter."""
         for matrix, inverse in self._known(size):
-            if len(matrix) < len(words) and all(
-                words.get(monomial) == coefficient for monomial, coefficient in matrix.items()
-            ):
+            if matrix.items() < words.items():
                 rest = dict(words)
                 added(rest, matrix, Fraction(-1))
                 behind = self._of_one_and(self.algebra.product(inverse, rest), size)

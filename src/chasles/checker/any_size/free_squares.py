@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from chasles.checker.any_size.free_algebra import FreeAlgebra, Letters, Words, added
+from chasles.checker.any_size.words import SymbolicReading
 from chasles.checker.sparse import Rejected
-
-if TYPE_CHECKING:
-    from chasles.checker.any_size.words import SymbolicReading
 
 PROJECTION = {"idempotent", "symmetric"}
 """What makes a matrix an orthogonal projection: x . P x is the square of the length of P x."""

@@ -24,13 +24,12 @@ def check_words(problem: Problem, certificate: Mapping[str, Any]) -> None:
     that is assumed. By induction it follows for 1, and for n + 1 from what is claimed of n.
     """
     PointAtSizes(problem, certificate["witness"]).require()
-    if "induction" not in certificate:
-        return _check_differences(problem, certificate, ())
-    steps = certificate["induction"]
-    first, following = first_and_next(problem, steps["over"])
-    _check_differences(first, steps["first"], ())
-    _check_differences(following, steps["next"], problem.goals)
-    return None
+    if steps := certificate.get("induction"):
+        first, following = first_and_next(problem, steps["over"])
+        _check_differences(first, steps["first"], ())
+        _check_differences(following, steps["next"], problem.goals)
+    else:
+        _check_differences(problem, certificate, ())
 
 
 def _check_differences(problem: Problem, certificate: Mapping[str, Any], assumed: Sequence[Goal]) -> None:

@@ -7,17 +7,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
-from itertools import product
-from typing import Any
+from itertools import chain
 
 from chasles import vocabulary as w
 from chasles.checker.any_size.free_algebra import Words, added
-from chasles.checker.any_size.free_blocks import Blocks, key_of, multiplied, plus, stacked
+from chasles.checker.any_size.free_blocks import Blocks, differences, key_of, multiplied, plus, stacked
 from chasles.checker.any_size.free_determinants import Determinants
-from chasles.checker.any_size.tensors import TensorAlgebra
+from chasles.checker.any_size.known_relations import KnownRelations
 from chasles.checker.sparse import Rejected
 from chasles.statements import Goal, Problem
 from chasles.vocabulary.fitting import measured
@@ -26,19 +24,8 @@ from chasles.vocabulary.products import SizedKroneckerProduct, SizedVectorized
 from chasles.vocabulary.sizes import blocks_of, parts_of
 
 
-@dataclass(frozen=True, slots=True)
-class Known:
-    """Words of a shape that are zero, and why; `needs` is the text of the hypothesis that says so, if one does."""
-
-    label: str
-    words: Words
-    height: Extent
-    width: Extent
-    needs: str = ""
-
-
-class SymbolicReading(TensorAlgebra):
-    """A problem in the free algebra: `known` are the equations that hold, by their labels.
+class SymbolicReading(KnownRelations):
+    """A problem in the free algebra, with the equations that hold.
 
     `inverses` are the letters of inverses, each with what it is the inverse of, `lengths` those of norms.
     """
@@ -47,13 +34,11 @@ class SymbolicReading(TensorAlgebra):
         super().__init__()
         self.problem = problem
         self.rules = dict(problem.rules)
-        self.known: dict[str, Known] = {}
         self.inverses: dict[str, tuple[Words, Words]] = {}
         self.lengths: set[int] = set()
         self._read: dict[w.Node, Blocks] = {}
         self.determinants = Determinants(self, self._inverting, self._determinant)
         self.divisors = {node: h.text for h in problem.hypotheses for node in h.nonvanishing}
-        self._powers: dict[tuple[Any, Extent], tuple[Blocks, Blocks]] = {}
         said = [("condition", "", g.left, g.right) for g in problem.conditions]
         said += [("what is claimed of less", "", g.left, g.right) for g in assumed]
         said += [(h.text, h.text, *equation) for h in problem.hypotheses for equation in h.equations]
@@ -63,9 +48,9 @@ class SymbolicReading(TensorAlgebra):
             # What the free algebra has no words for is not used; that it holds at the witness is asked there.
             with suppress(Rejected):
                 for i, j, words, height, width in self.differences(left, right):
-                    self._note(f"{text} [{number}: {i}, {j}]", words, height, width, needs)
-        self._note_powers()
-        self._note_tensors()
+                    self.note(f"{text} [{number}: {i}, {j}]", words, height, width, needs)
+        self.note_powers()
+        self.note_tensors()
 
     def __call__(self, node: w.Node) -> Blocks:
         """The blocks of an expression; raises `Rejected` for a word that the free algebra has not."""
@@ -79,14 +64,7 @@ class SymbolicReading(TensorAlgebra):
 
     def differences(self, left: w.Node, right: w.Node) -> Iterator[tuple[int, int, Words, Extent, Extent]]:
         """Row, column, difference, height and width of each block; raises `Rejected` where blocks do not fit."""
-        found = plus(self(left), multiplied(self(right), Fraction(-1)))
-        for i, (row, height) in enumerate(zip(found.rows, found.heights, strict=True), 1):
-            for j, (words, width) in enumerate(zip(row, found.widths, strict=True), 1):
-                yield i, j, words, height, width
-
-    def _note(self, label: str, words: Words, height: Extent, width: Extent, needs: str) -> None:
-        if words:
-            self.known[label] = Known(label, words, height, width, needs)
+        return differences(self(left), self(right))
 
     def _made(self, node: w.Node) -> Blocks:
         match node:
@@ -95,7 +73,7 @@ class SymbolicReading(TensorAlgebra):
             case w.Symbol(stands_for=w.Node() as of) | w.Group(of) | w.At(of, "t"):
                 return self(of)
             case w.Symbol():
-                return self._lettered(node, str(node), *blocks_of(node.size))
+                return self.lettered(node, str(node), *blocks_of(node.size))
             case w.Number() | w.Identity() | w.Zero():
                 heights, widths = blocks_of(measured(node))
                 value = node.value if isinstance(node, w.Number) else Fraction(isinstance(node, w.Identity))
@@ -109,7 +87,8 @@ class SymbolicReading(TensorAlgebra):
             case w.Contract(factors):
                 return reduce(self.times, map(self, factors))
             case w.Power(base, exponent):
-                return reduce(self.times, [part for each in parts_of(exponent) for part in self._power(base, each)])
+                powers = (self.power(self(base), str(base), each) for each in parts_of(exponent))
+                return reduce(self.times, chain.from_iterable(powers))
             case w.Transpose(of):
                 return self.flipped_blocks(self(of))
             case w.Block(blocks):
@@ -126,60 +105,12 @@ class SymbolicReading(TensorAlgebra):
                 return self.scaled(self.scalar(factor), self(term))
             case w.Quotient(numerator, w.Power(divisor, exponent)) if exponent > 0:
                 return self(reduce(lambda left, _: w.Quotient(left, divisor), range(exponent), numerator))
-            case w.Quotient(numerator, w.Determinant(w.Contract(factors))) if {f.shape for f in factors} == {
-                factors[0].shape
-            }:
+            case w.Quotient(numerator, w.Determinant(w.Contract(factors))) if len({f.shape for f in factors}) == 1:
                 return self(reduce(lambda left, factor: w.Quotient(left, w.Determinant(factor)), factors, numerator))
             case w.Quotient(numerator, divisor):
                 return self.scaled(self._inverse(divisor).rows[0][0], self(numerator))
             case _:
                 return Blocks((1,), (1,), [[self._of_matrices(node)]])
-
-    def _power(self, base: w.Node, exponent: Extent) -> list[Blocks]:
-        """The factors of a power: so many times the base, or letters for the blocks of a power to a letter."""
-        matrix = self(base)
-        if isinstance(exponent, int):
-            return [matrix] * exponent
-        if matrix.heights != matrix.widths:
-            raise Rejected("two matrices are cut into blocks in different ways")
-        key = key_of(matrix), exponent
-        found = self._lettered(("power", *key), f"({base})^{exponent}", matrix.heights, matrix.widths)
-        self._powers[key] = matrix, found
-        return [found]
-
-    def _note_powers(self) -> None:
-        """Powers of a matrix commute with it and with each other, and so do those of matrices that commute."""
-        together = [(matrix, matrix, "") for matrix, _ in self._powers.values()]
-        for known in tuple(self.known.values()) if together else ():
-            match [*known.words.items()]:
-                case [(((), (a, b)), c), (((), (d, e)), f)] if (a, b, c) == (e, d, -f):
-                    together.append((self._letter_alone(a), self._letter_alone(b), known.needs))
-        for one, other, needs in together:
-            for left, right in product(self._with_powers(one), self._with_powers(other)):
-                difference = plus(self.times(left, right), multiplied(self.times(right, left), Fraction(-1)))
-                for i, row in enumerate(difference.rows):
-                    for j, words in enumerate(row):
-                        label = f"powers [{len(self.known) + 1}]"
-                        self._note(label, words, difference.heights[i], difference.widths[j], needs)
-
-    def _note_tensors(self) -> None:
-        """What is known of letters is known of them beside identities."""
-        for place, relation in enumerate(self.relations()):
-            self._note(f"Kronecker products [{place}]", *relation, "")
-        for known in tuple(self.known.values()):
-            for place, relation in enumerate(self.placed(known.words, known.height, known.width)):
-                self._note(f"{known.label} beside an identity [{place}]", *relation, known.needs)
-
-    def _letter_alone(self, letter: int) -> Blocks:
-        return Blocks((self.height(letter),), (self.width(letter),), [[self.alone((letter,))]])
-
-    def _with_powers(self, matrix: Blocks) -> list[Blocks]:
-        """The matrix and its powers that occur, as they are or as those of the transpose."""
-        found = [matrix]
-        for base, power in self._powers.values():
-            found += [power] if key_of(base) == key_of(matrix) else []
-            found += [self.flipped_blocks(power)] if key_of(self.flipped_blocks(base)) == key_of(matrix) else []
-        return found
 
     def _of_matrices(self, node: w.Node) -> Words:
         """A scalar that is made of matrices."""
@@ -200,7 +131,7 @@ class SymbolicReading(TensorAlgebra):
                 self.lengths |= {word[0] >> 1 for scalars, _ in length for _, word in scalars}
                 zero = self.product(length, length)
                 added(zero, square, Fraction(-1))
-                self._note(f"the square of {node}", zero, 1, 1, "")
+                self.note(f"the square of {node}", zero, 1, 1, "")
                 return length
             case w.Determinant(w.Group(of)):
                 return self.scalar(w.Determinant(of))
@@ -224,11 +155,8 @@ class SymbolicReading(TensorAlgebra):
         """The product of the determinants of square letters; of anything else, a letter."""
         total: Words = {((), ()): Fraction(1)}
         monomial = max(words, default=((), ()))
-        if (
-            words != {monomial: Fraction(1)}
-            or monomial[0]
-            or any(self.shapes[k >> 1] != (size, size) for k in monomial[1])
-        ):
+        is_square = all(self.shapes[k >> 1] == (size, size) for k in monomial[1])
+        if words != {monomial: Fraction(1)} or monomial[0] or not is_square:
             return self.letter(("determinant", tuple(sorted(words.items()))), f"det({self.spelled_sum(words)})", 1, 1)
         for place in (letter >> 1 for letter in monomial[1]):
             spelled = self.names[place]
@@ -238,16 +166,8 @@ class SymbolicReading(TensorAlgebra):
                 zero = self.product(one, self.determinants.of_words(self.inverses[spelled][1], size))
                 added(zero, {((), ()): Fraction(1)}, Fraction(-1))
                 needs = self.known[f"{spelled} from the right [1, 1]"].needs
-                self._note(f"det({spelled})", zero, 1, 1, needs)
+                self.note(f"det({spelled})", zero, 1, 1, needs)
         return total
-
-    def _lettered(self, key: Any, name: str, heights: Sequence[Extent], widths: Sequence[Extent]) -> Blocks:
-        """A letter, or one for each of its blocks."""
-        rows: list[list[Words]] = []
-        for i, height in enumerate(heights):
-            marks = [f"[{i + 1},{j + 1}]" * (len(heights) * len(widths) > 1) for j, _ in enumerate(widths)]
-            rows.append([self.letter((key, i, j), name + marks[j], height, width) for j, width in enumerate(widths)])
-        return Blocks(tuple(heights), tuple(widths), rows)
 
     def _inverse(self, of: w.Node) -> Blocks:
         """What a divisor, or a matrix, is multiplied by to give the identity; a hypothesis says that there is such."""
@@ -256,16 +176,13 @@ class SymbolicReading(TensorAlgebra):
             return multiplied(Blocks((1,), (1,), [[{((), ()): Fraction(1)}]]), 1 / matrix.rows[0][0][(), ()])
         text = self._nonvanishing(of)
         key = key_of(matrix)
-        found = self._lettered(("inverse", key), f"inverse({of})", matrix.widths, matrix.heights)
+        found = self.lettered(("inverse", key), f"inverse({of})", matrix.widths, matrix.heights)
         identity = self(w.Identity(of.shape[0])) if not of.is_scalar else self(w.Number(Fraction(1)))
         if len(matrix.heights) == 1:
             self.inverses[f"inverse({of})"] = found.rows[0][0], matrix.rows[0][0]
         for side, (one, other) in (("from the right", (matrix, found)), ("from the left", (found, matrix))):
-            difference = plus(self.times(one, other), multiplied(identity, Fraction(-1)))
-            for i, row in enumerate(difference.rows):
-                for j, words in enumerate(row):
-                    size = difference.heights[i], difference.widths[j]
-                    self._note(f"inverse({of}) {side} [{i + 1}, {j + 1}]", words, *size, text)
+            for i, j, words, height, width in differences(self.times(one, other), identity):
+                self.note(f"inverse({of}) {side} [{i}, {j}]", words, height, width, text)
         return found
 
     def _nonvanishing(self, of: w.Node) -> str:
