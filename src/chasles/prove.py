@@ -17,6 +17,7 @@ from chasles.checker.sparse import Rejected
 from chasles.from_sympy import Question, ask
 from chasles.from_sympy.any_size import verdict_at_any_size
 from chasles.from_sympy.complex_symbols import by_parts, expressions_in
+from chasles.from_sympy.components import in_components, sides_of
 from chasles.from_sympy.contradiction import contradiction
 from chasles.from_sympy.decimals import as_decimals
 from chasles.from_sympy.exponents import require_moderate_exponents
@@ -33,7 +34,9 @@ EFFORT = 1e7
 """The work that a question may take, in products of terms."""
 
 
-def prove(lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), budget: float = inf, exact: bool = False) -> Verdict:
+def prove(
+    lhs: Any, rhs: Any = None, given: Any = (), nonzero: Any = (), budget: float = inf, exact: bool = False
+) -> Verdict:
     """The verdict on `lhs == rhs`, for all real values of the symbols that satisfy the side conditions.
 
     Symbols that are `complex=True` have all complex values, and the verdict speaks of their parts `re_z` and `im_z`.
@@ -41,7 +44,9 @@ def prove(lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), budget: float 
     nonnegative ones and are meant where they are real, fractions where no divisor vanishes.
 
     Args:
-        lhs: a SymPy scalar or matrix; the sizes of matrices may be letters, as in MatrixSymbol("A", n, n).
+        lhs: a SymPy scalar or matrix, whose sizes may be letters, as in MatrixSymbol("A", n, n); a vector, dyadic or
+            quaternion of SymPy's, a list or an array, which are read by their components, those of both sides in one
+            frame; or alone, an equation or an inequality.
         rhs: one of the same shape.
         given: equations that hold, as `Eq(a, b)` or as expressions or matrices that are zero, one or a list of them,
             or the values of symbols as `{x: 1}`; between functions of time they hold at all times. Inequalities may be
@@ -142,12 +147,16 @@ def _check(verdict: Verdict, asked: tuple[Any, ...]) -> None:
 
 
 def _said(exact: bool, *said: Any) -> tuple[Any, ...]:
-    """What was said: iterators written out, which are read more than once, and complex symbols by parts."""
+    """What was said: iterators written out, a relation by its sides, vectors and complex symbols by their parts."""
     said = tuple(tuple(each) if isinstance(each, Iterator) else each for each in said)
+    lhs, rhs, *conditions = said
+    said = in_components((*(sides_of(lhs) if rhs is None else (lhs, rhs)), *conditions))
     return by_parts(tuple(map(as_decimals, said)) if exact else said)
 
 
-def recheck(verdict: Verdict, lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), exact: bool = False) -> None:
+def recheck(
+    verdict: Verdict, lhs: Any, rhs: Any = None, given: Any = (), nonzero: Any = (), exact: bool = False
+) -> None:
     """The verdict of `prove` on this question is right: nothing of the prover is used.
 
     A certificate proves what was asked from the verdict's `needs`, which the witness satisfies; a counterexample

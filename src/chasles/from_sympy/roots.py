@@ -215,6 +215,11 @@ class _Resolver:
         return self._is_nonnegative(context, polynomial) or key_of(context, polynomial) in self.known
 
     def _is_nonnegative(self, context: Context, polynomial: Polynomial) -> bool:
+        """Whether it is a sum of squares, or all that a product of variables is multiplied by is not negative."""
+        terms = dict(context.field.ring.terms(polynomial))
+        return self._is_so_by_terms(context, polynomial) or bool(sum_of_squares(terms))
+
+    def _is_so_by_terms(self, context: Context, polynomial: Polynomial) -> bool:
         """Whether all that a product of other variables is multiplied by is, a cosine or sine being at least -1."""
         of_sign = self.positive | self.negative | self.numbers.names
         least: dict[tuple[int, ...], Fraction] = {}
@@ -240,10 +245,7 @@ class _Resolver:
             return number
         key = key_of(context, polynomial)
         expression = as_sympy(self.reader.atoms.origins, context, polynomial)
-        positive = self._is_nonnegative(context, polynomial) or sum_of_squares(
-            dict(context.field.ring.terms(polynomial))
-        )
-        if not (positive or is_nonnegative(expression)):
+        if not (self._is_nonnegative(context, polynomial) or is_nonnegative(expression)):
             self.domains.append(f"{expression} >= 0")
         self._define(key, as_node(context, polynomial), sympy.sqrt(expression))
         return self.words[key]
