@@ -32,6 +32,8 @@ TRUE = [
     (floor(n / 2) + floor((n + 1) / 2), n, set()),
     (floor(n / 3) + floor((n + 1) / 3) + floor((n + 2) / 3), n, set()),
     (Mod(n, 2) ** 2, Mod(n, 2), set()),
+    (Mod(n**3 - n, 6), 0, set()),
+    (Mod(n**5 - n, 30), 0, set()),
     ((-1) ** Mod(n, 2), (-1) ** n, set()),
     (Max(floor(x), y) + sp.Min(floor(x), y), floor(x) + y, set()),
     (Mod((n - m) * (2 * n + 1) / 2, 1), Mod((n - m) / 2, 1), set()),
@@ -64,6 +66,7 @@ TRUE = [
 FALSE = [
     (floor(x + y), floor(x) + floor(y)),
     (floor(2 * x), 2 * floor(x)),
+    (floor((n**3 - n) / 6), (n**3 - n) / 6 - sp.Piecewise((Rational(2, 3), Eq(Mod(n, 6), 2)), (0, True))),
     (ceiling(x), floor(x) + 1),
     (Mod(x, 2 * y), Mod(x, y)),
     (Mod(n, 3) ** 2, Mod(n, 3)),
@@ -111,6 +114,16 @@ def test_of_functions_that_are_only_bounded_nothing_else_is_told() -> None:
 def test_a_value_that_is_given_is_one_at_a_point() -> None:
     assert prove(floor(x) ** 2, 4, given=[Eq(floor(x), 2)]).needs == ("floor(x) = 2",)
     assert isinstance(prove(floor(x), 1 + 0 * y, given=[Eq(2 * floor(x), 1)]), Undecided)
+
+
+def test_fractions_of_even_numbers_are_no_integers() -> None:
+    """SymPy (1.14) takes a sixth of an even number, and of 2 (k + 1), for an integer."""
+    even = sp.Symbol("e", even=True)
+    for value, multiple in ((even, 1), (2 * k + 2, n), ((2 * k + 2) ** 3, 1)):
+        whole = floor(x * multiple / 6), x * multiple / 6
+        found = prove(*whole, given=[Eq(x, value)])
+        assert isinstance(found, Fails), value
+        recheck(found, *whole, given=[Eq(x, value)])
 
 
 def test_a_divisor_and_a_remainder_by_zero_are_no_value() -> None:

@@ -7,6 +7,8 @@ from typing import Any, Protocol
 
 import sympy
 
+from chasles.from_sympy.atoms import nonnegative_by_sign
+
 
 class Exponentials(Protocol):
     """Writes exponentials and logarithms in variables."""
@@ -36,7 +38,8 @@ def _asinh(words: Exponentials, u: Any, _: Any) -> Any:
 
 
 def _acosh(words: Exponentials, u: Any, spelled: Any) -> Any:
-    words.needs[f"{spelled - 1} >= 0"] = sympy.sqrt(spelled - 1)
+    if not nonnegative_by_sign(spelled - 1):
+        words.needs[f"{spelled - 1} >= 0"] = sympy.sqrt(spelled - 1)
     words.log(u, spelled, evident=True)
     return words.log(sympy.cancel(u + _rooted(u**2 - 1)), spelled, evident=True)
 

@@ -11,6 +11,7 @@ from sympy.core.function import AppliedUndef
 
 from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.expressions.readings import CIRCULAR
+from chasles.checker.expressions.remainders import is_whole
 from chasles.from_sympy.angles_between import between, closed
 from chasles.from_sympy.atoms import assumed_of
 from chasles.from_sympy.complex_symbols import expressions_in
@@ -77,7 +78,9 @@ def _plain(item: Any) -> Iterator[Any]:
         less = sympy.Lt if isinstance(item, STRICT) else sympy.Le
         yield from _plain(less(item.lts.args[0], item.gts))
         yield from _plain(less(-item.gts, item.lts.args[0]))
-    elif isinstance(item, STRICT) and item.lts.is_integer and item.gts.is_integer:
+    elif isinstance(item, STRICT) and all(
+        is_whole(term) for side in item.args for term in sympy.Add.make_args(sympy.expand(side))
+    ):
         yield item.lts <= item.gts - 1 if item.gts.is_number else item.gts >= item.lts + 1
     else:
         yield item

@@ -13,10 +13,10 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from chasles.checker.expressions.readings import CIRCULAR
-from chasles.checker.expressions.remainders import is_integral, is_whole
+from chasles.checker.expressions.remainders import Floor, is_integral, is_whole
 from chasles.from_sympy.opening import parts_of
 
-LARGEST_MODULUS = 24
+LARGEST_MODULUS = 60
 
 
 def modulus_of(spoken: Sequence[Any]) -> tuple[Any, int] | None:
@@ -41,7 +41,7 @@ def _half_turns(part: Any) -> list[Any]:
         number = sympy.expand(part.args[0]) / sympy.pi
     elif isinstance(part, sympy.Pow) and part.base.is_negative:
         number = part.exp
-    elif isinstance(part, sympy.floor):
+    elif isinstance(part, Floor):
         number = 2 * part.args[0]
     else:
         return []

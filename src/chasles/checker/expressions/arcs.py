@@ -22,6 +22,8 @@ class Arcs:
 
     def arc(self, y: Polynomial, x: Polynomial) -> Polynomial:
         """The angle of the point (x, y), which is not the origin."""
+        if not y and (is_positive(self.reading, x) or is_positive(self.reading, -x)):
+            return ZERO if is_positive(self.reading, x) else self.reading.half_turn()
         if self.reading.complete and self.reading.is_number(x) and self.reading.is_number(y):
             multiple = self.reading.part_of_turn(y, x)
             if multiple is not None:

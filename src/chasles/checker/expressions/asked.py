@@ -62,11 +62,6 @@ class Asked:
         yield from (*self.left.values(), *self.right.values(), *self.nonzero, *self.hidden)
         yield from (side for item in self.given for pair in item.pairs.values() for side in pair)
 
-    @property
-    def columns(self) -> list[list[Any]]:
-        """The entries of both sides in their order, and below them what has to be defined, too."""
-        return [[*map(side.get, sorted(side)), *self.hidden] for side in (self.left, self.right)]
-
     def _entries(self, value: Any) -> Entries:
         """The entries of a scalar or a matrix, by row and column counted from zero."""
         value = sympy.sympify(value, strict=True)

@@ -208,10 +208,14 @@ class CheckedCase:
         """What is to be said of those within, where it is not seen in this case whether it holds."""
         found = []
         for power in self.within():
-            sign = self.sign(reduce(lambda base, at: base.xreplace(dict([at])), self.values, power.base))
+            sign = self.sign(self.here(power.base))
             unseen = sign is None or (sign < 0 and power.exp.is_Integer) or sign > 0
             found += _requirements(power, sign) if unseen else []
         return found
+
+    def here(self, e: Any) -> Any:
+        """An expression of the question in this case."""
+        return reduce(lambda part, at: part.xreplace(dict([at])), self.values, e)
 
     def back(self, e: Any) -> Any:
         """An expression in the symbols of the question."""

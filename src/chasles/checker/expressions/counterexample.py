@@ -65,8 +65,9 @@ def _check_values(found: Any, asked: Asked, reason: Rejected) -> None:
     place = found.entry[0] - 1, found.entry[1] - 1
     if place not in places:
         raise reason
+    sides = [[*map(side.get, places), *asked.hidden] for side in (asked.left, asked.right)]
     given = [(item.text, list(item.pairs.values())) for item in asked.given]
-    check_enclosed(found.at, places.index(place), (found.left, found.right), asked.columns, given, asked.nonzero)
+    check_enclosed(found.at, places.index(place), (found.left, found.right), sides, given, asked.nonzero)
 
 
 def _value(point: AtPoint, e: Any) -> tuple[Polynomial, Polynomial]:

@@ -13,6 +13,7 @@ from typing import Any
 
 import sympy
 
+from chasles.checker.expressions.remainders import Floor
 from chasles.checker.sparse import Rejected
 
 LARGEST = 200
@@ -21,7 +22,7 @@ BOUNDED = {
     sympy.erf: 1, sympy.Si: 2, sympy.fresnels: 1, sympy.fresnelc: 1, sympy.airyai: 1, sympy.besselj: 1,
 }  # fmt: skip
 """Real functions of which no more is known than that they are no larger; of Bessel's, those of integral order."""
-VALUED = (sympy.floor, sympy.Mod, sympy.gamma, *BOUNDED)
+VALUED = (Floor, sympy.Mod, sympy.gamma, *BOUNDED)
 """What is a quantity by itself once all others are said by these."""
 
 
@@ -41,12 +42,14 @@ def _binet(e: Any) -> Any:
 
 def remainder(e: Any) -> Any:
     """By the greatest integer."""
-    return e.args[0] - e.args[1] * sympy.floor(e.args[0] / e.args[1])
+    return e.args[0] - e.args[1] * Floor(e.args[0] / e.args[1])
 
 
 def _principal(e: Any) -> Any:
     """The principal value where a number is raised to another that is not real otherwise, by its size and angle."""
     base = e.base
+    if base.is_Pow and base.exp.is_even and base.exp.is_Integer and e.exp.is_Rational and e.exp.q == 2:
+        return e if base.has(sympy.I) or base.is_number else sympy.Abs(base.base) ** (base.exp * e.exp)
     if not e.is_number or not (base.is_negative or base.is_real is False):
         return e
     exponent = e.exp.doit()
@@ -59,8 +62,9 @@ def _principal(e: Any) -> Any:
 
 
 BY_OTHERS = {
-    sympy.ceiling: lambda e: -sympy.floor(-e.args[0]),
-    sympy.frac: lambda e: e.args[0] - sympy.floor(e.args[0]),
+    sympy.floor: lambda e: Floor(e.args[0]),
+    sympy.ceiling: lambda e: -Floor(-e.args[0]),
+    sympy.frac: lambda e: e.args[0] - Floor(e.args[0]),
     # Else what divides by zero might cancel.
     sympy.Mod: lambda e: remainder(e) if e.args[1].is_nonzero else e,
     sympy.factorial: lambda e: sympy.gamma(e.args[0] + 1),
@@ -130,7 +134,7 @@ def defined_by(e: Any) -> tuple[Any, ...]:
 def assumed_of(e: Any) -> dict[str, bool]:
     """What is known of such a quantity."""
     argument, *_ = defined_by(e)
-    if isinstance(e, sympy.floor):
+    if isinstance(e, Floor):
         return {"integer": True, **({"nonnegative": True} if argument.is_nonnegative else {})}
     return {"positive": True} if e.is_Pow and argument.is_positive else {}
 

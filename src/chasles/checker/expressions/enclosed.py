@@ -19,6 +19,7 @@ from sympy.core.relational import Relational
 from chasles.checker.expressions.complexes import QUOTIENTS
 from chasles.checker.expressions.defined_functions import BOUNDED, gamma_at, is_entire, remainder
 from chasles.checker.expressions.intervals import Enclosing, Enclosure, Unbounded
+from chasles.checker.expressions.remainders import Floor
 from chasles.checker.sparse import Rejected
 
 BITS = 200
@@ -151,7 +152,7 @@ ENCLOSED: dict[type, Callable[[EnclosedValues, Any], Enclosure]] = {
     sympy.Abs: lambda of, e: _larger(of(e.args[0]), -of(e.args[0])),
     sympy.sign: lambda of, e: of.at.number(of.sign(e.args[0])),
     sympy.Heaviside: _heaviside,
-    sympy.floor: _floor,
+    **dict.fromkeys((Floor, sympy.floor), _floor),
     sympy.Mod: lambda of, e: of(remainder(e)),
     sympy.gamma: lambda of, e: of(gamma_at(of.exactly(e.args[0]))),
     **dict.fromkeys(BOUNDED, _bounded),

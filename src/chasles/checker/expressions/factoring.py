@@ -25,8 +25,7 @@ def root_of_square(polynomial: Polynomial) -> Polynomial | None:
             term = Polynomial({top // 2: above}, below)
             lead = top // 2
         else:
-            own = dict(exponents(lead))
-            if any(dict(pairs).get(place, 0) < power for place, power in own.items()) or top >= 2 * lead:
+            if not divides(lead, top) or top >= 2 * lead:
                 return None
             c /= 2 * Fraction(root.terms[lead], root.below)
             term = Polynomial({top - lead: c.numerator}, c.denominator)
@@ -48,13 +47,18 @@ def quotient(polynomial: Polynomial, divisor: Polynomial) -> Polynomial | None:
     total, rest = ZERO, polynomial
     while rest:
         top = max(rest.terms)
-        pairs, own = dict(exponents(top)), dict(exponents(lead))
-        if any(pairs.get(place, 0) < power for place, power in own.items()):
+        if not divides(lead, top):
             return None
         c = Fraction(rest.terms[top] * divisor.below, divisor.terms[lead] * rest.below)
         part = Polynomial({top - lead: c.numerator}, c.denominator)
         total, rest = total + part, rest - part * divisor
     return total
+
+
+def divides(one: int, other: int) -> bool:
+    """Whether a product of powers divides another: then no bit of the guard is borrowed from."""
+    guard = sum(128 << 8 * place for place, _ in exponents(one))
+    return (other | guard) - one & guard == guard
 
 
 def _at_whole_numbers(polynomial: Polynomial) -> int:

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-from functools import reduce
-from operator import add
 from typing import Any
 
+from chasles.checker.expressions.algebra import constant
 from chasles.checker.expressions.asked import Asked
 from chasles.checker.expressions.at_point import AtPoint
 from chasles.checker.expressions.complexes import differences, parts
@@ -14,7 +12,7 @@ from chasles.checker.expressions.expressions import Expressions
 from chasles.checker.expressions.motion import require_motion
 from chasles.checker.expressions.quantities import atoms_of
 from chasles.checker.expressions.readings import CIRCULAR
-from chasles.checker.sparse import ZERO, Polynomial, Rejected, exponents, number, variable
+from chasles.checker.sparse import Polynomial, Rejected, number, variable
 
 
 def require_given(asked: Asked, point: AtPoint, through: bool = True) -> None:
@@ -54,16 +52,9 @@ def _eliminate(asked: Asked, point: AtPoint) -> None:
 
 def eliminate_angle(reading: Expressions, difference: Polynomial, e: Any) -> bool:
     """Let a quantity have the value that a linear equation with rational coefficients gives it, if this is one."""
-    terms = [(exponents(monomial), Fraction(c, difference.below)) for monomial, c in difference.terms.items()]
-    if not all(
-        not pairs or (pairs[0][1:] == (1,) and pairs[0][0] in reading.atoms and not pairs[1:]) for pairs, _ in terms
-    ):
+    slopes = {place: constant(slope) for place, slope in difference.partials().items()}
+    own, slope = next(((place, slopes[place]) for place in slopes if reading.atoms.get(place) == e), (0, None))
+    if slope is None or None in slopes.values() or not slopes.keys() <= reading.atoms.keys():
         return False
-    places = {pairs[0][0]: slope for pairs, slope in terms if pairs}
-    least = sum((number(slope) for pairs, slope in terms if not pairs), ZERO)
-    own = next((place for place in places if reading.atoms[place] == e), None)
-    if own is None:
-        return False
-    rest = ((variable(place) * number(-slope / places[own])) for place, slope in places.items() if place != own)
-    reading.substitute(e, reduce(add, rest, least * number(-1 / places[own])))
+    reading.substitute(e, variable(own) - difference * number(1 / slope))
     return True

@@ -38,9 +38,10 @@ def check_proof(verdict: Any, lhs: Any, rhs: Any, given: Any = (), nonzero: Any 
     with well_formed("certificate"):
         asked = Asked(lhs, rhs, given, nonzero)
         if {"proof", "cases"} & verdict.certificate.keys():
+            sides = [[*map(side.get, sorted(side)), *asked.hidden] for side in (asked.left, asked.right)]
             stated = [(item.text, list(item.pairs.values())) for item in asked.given if item.pairs]
             stated += [(text, []) for text in asked.real]
-            check_widened(verdict, asked.columns, stated, asked.nonzero, _check_part)
+            check_widened(verdict, sides, stated, asked.nonzero, _check_part)
         else:
             _check(verdict.certificate, verdict.needs, asked, verdict.witness)
 

@@ -9,12 +9,26 @@ import sympy
 from chasles.checker.expressions.readings import CIRCULAR
 
 
+class Floor(sympy.Function):  # type: ignore[misc]
+    """The greatest integer; SymPy's own (1.14) takes a sixth of an even number, or of 2 (k + 1), for an integer."""
+
+    is_integer = True
+
+    @classmethod
+    def eval(cls, x: Any) -> Any:
+        """What is seen to be whole is taken out; None if nothing is."""
+        whole = sympy.Add(*(term for term in sympy.Add.make_args(sympy.expand(x)) if is_whole(term)))
+        rest = sympy.expand(x - whole)
+        return whole + (sympy.floor(rest) if rest.is_number else cls(rest)) if rest.is_number or rest != x else None
+
+
+Floor.__name__ = "floor"
+
+
 def at_integer(e: Any, put: Any) -> Any:
     """The expression where an integer has a value, without whole turns and with powers of positive numbers alone."""
-    if e in put or not e.args:
+    if e in put or not e.args or not any(symbol.is_integer for symbol in e.free_symbols):
         return put.get(e, e)
-    if not any(symbol.is_integer for symbol in e.free_symbols):
-        return e
     parts = [at_integer(part, put) for part in e.args]
     if type(e) in CIRCULAR:
         terms = sympy.Add.make_args(sympy.expand(parts[0]))
@@ -33,7 +47,8 @@ def is_integral(term: Any) -> bool:
     """Whether a term is a rational multiple of a product of integers."""
     multiple, rest = term.as_coeff_Mul()
     factors = (
-        base.is_Symbol and base.is_integer and n.is_Integer and n > 0 for base, n in rest.as_powers_dict().items()
+        isinstance(base, sympy.Symbol | Floor) and base.is_integer and n.is_Integer and n > 0
+        for base, n in rest.as_powers_dict().items()
     )
     return bool(multiple.is_Rational) and (rest == 1 or all(factors))
 

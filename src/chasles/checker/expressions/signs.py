@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from chasles.checker.expressions.algebra import primitive
-from chasles.checker.expressions.factoring import Terms
+from chasles.checker.expressions.factoring import Terms, divides
 from chasles.checker.expressions.symbolic import Symbolic
 from chasles.checker.sparse import ZERO, Polynomial, exponents, number, variable
 
@@ -75,7 +75,7 @@ def _completed(polynomial: Polynomial) -> Iterator[Polynomial]:
         if not half or not _is_square(square, c):
             continue
         m = sum(power << 8 * place for place, power in half)
-        terms = {k: n for k, n in polynomial.terms.items() if _divides(half, k) and not _is_square(k, n)}
+        terms = {k: n for k, n in polynomial.terms.items() if divides(m, k) and not _is_square(k, n)}
         b = Polynomial({k - m: n for k, n in terms.items()}, polynomial.below)
         if len(terms) in range(1, MOST_TERMS):
             own = Polynomial({square: c, **terms}, polynomial.below)
@@ -84,11 +84,6 @@ def _completed(polynomial: Polynomial) -> Iterator[Polynomial]:
 
 def _is_square(monomial: int, coefficient: int) -> bool:
     return coefficient > 0 and not any(power % 2 for _, power in exponents(monomial))
-
-
-def _divides(half: list[tuple[int, int]], monomial: int) -> bool:
-    pairs = dict(exponents(monomial))
-    return all(pairs.get(place, 0) >= power for place, power in half)
 
 
 def _by_terms(reading: SignedReading, polynomial: Polynomial) -> bool | None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from functools import reduce
-from itertools import pairwise
 from operator import mul
 from typing import Any
 
@@ -108,15 +107,10 @@ def _integers(limits: Any) -> dict[Any, Any]:
 
 
 def _before(e: Any, term: Any, index: Any) -> Any:
-    """What grows by the term from an index to the next: Newton's series, tried; from above to below a sum is Karr's."""
-    known = range(MOST_POWERS if term.is_polynomial(index) else 0)
-    differences = [sympy.expand(term.xreplace({index: sympy.Integer(k)})) for k in known]
-    total, choices = sympy.S.Zero, index
-    while any(differences):
-        total, choices = total + differences[0] * choices, choices * (index - MOST_POWERS + len(differences) - 1)
-        choices /= MOST_POWERS - len(differences) + 2
-        differences = [sympy.expand(b - a) for a, b in pairwise(differences)]
-    if not known or sympy.expand(total.xreplace({index: index + 1}) - total - term) != 0:
+    """What grows by the term from an index to the next: SymPy's sum, tried; from above to below a sum is Karr's."""
+    plain, each = term.is_polynomial(index) and sympy.degree(term, index) < MOST_POWERS, sympy.Dummy(integer=True)
+    total = sympy.summation(sympy.expand(term.xreplace({index: each})), (each, 0, index - 1)) if plain else index
+    if not plain or sympy.expand(total.xreplace({index: index + 1}) - total - term) != 0:
         raise Rejected(f"{e} is not treated: of so many terms, only sums of polynomials in the index are")
     return total
 

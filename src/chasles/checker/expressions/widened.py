@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
-from functools import partial, reduce
+from functools import partial
 from itertools import product
 from typing import Any
 
@@ -26,7 +26,7 @@ from chasles.checker.expressions.generalised import Generalised
 from chasles.checker.expressions.intervals import Enclosure
 from chasles.checker.expressions.needs import RELATIONS
 from chasles.checker.expressions.quantities import atoms_of, require_independent
-from chasles.checker.expressions.remainders import at_integer
+from chasles.checker.expressions.remainders import Floor, at_integer
 from chasles.checker.sparse import Rejected
 
 PLAIN = re.compile(r"[A-Za-z0-9_+\-*/(), .\[\]]*")
@@ -172,19 +172,14 @@ def said_need(text: str, names: Mapping[str, Any]) -> tuple[Any, str] | None:
 
 
 def holds_throughout(case: CheckedCase, e: Any, relation: str, needs: Iterable[str]) -> set[str] | None:
-    """The needs because of which it does not vanish, or is not negative, throughout a case; None if that is open.
-
-    One is enough that says so of its product with what is positive here.
-    """
+    """The need because of which it holds throughout a case, said of a positive multiple; None if that is open."""
     if case.sign(e) in HOLDING[relation]:
         return set()
-    names = {str(symbol): symbol for symbol, _ in case.values}
+    names = {**case.named, **{str(symbol): symbol for symbol, _ in case.values}}
     for text in sorted(needs):
-        known = said_need(text, {**case.named, **names})
-        if known and known[1] == relation:
-            here = reduce(lambda base, at: base.xreplace(dict([at])), case.values, known[0])
-            if case.sign(sympy.cancel(here / e)) == 1:
-                return {text}
+        known = said_need(text, names)
+        if known and known[1] == relation and case.sign(sympy.cancel(case.here(known[0]) / e)) == 1:
+            return {text}
     return None
 
 
@@ -230,7 +225,7 @@ def put(e: Any, atom: Any, value: Any) -> Any:
 def _parsed(text: str, names: Mapping[str, Any]) -> Any:
     if not PLAIN.fullmatch(text) or "__" in text:
         raise Rejected(f"{text!r} is no plain expression")
-    return sympy.sympify(text, locals=dict(names))
+    return sympy.sympify(text, locals={"floor": Floor, **names})
 
 
 def _require_witness(verdict: Any, case: CheckedCase) -> None:
