@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 
 from chasles.decisions.session import Session
-from chasles.statements import Claim, Condition, Definition, nonzero
+from chasles.statements import Claim, Condition, Definition, nonzero, rotation
 from chasles.statements.matrices import invertible
 from chasles.verdict import Posed, Undecided
-from chasles.vocabulary import inverse, rate, scalar, square, vector
+from chasles.vocabulary import CPM, inverse, rate, scalar, square, vector
 from chasles.vocabulary.expansions import up_to
 from chasles.vocabulary.nodes import lifted
 from chasles.vocabulary.partial import partial
@@ -33,6 +33,9 @@ lyapunov = Condition("0", A.T @ Q + Q @ A, -P, on=(P,))
 decay = Definition("0", V, v.T @ Q @ v), Definition("0", rate(v), A @ v), Definition("0", rate(Q), 0 * Q)
 line = Condition("0", y - a * x, lifted(b), on=(y,))
 area = Condition("0", V * w - K * i, R, on=(w,))
+turn, s, s_ = square("turn", "R", ""), vector("s", "s", ""), vector("s_", "s'", "")
+spin = Condition("0", CPM(s_), rate(turn) @ turn.T, on=(turn,), assuming=(rotation(turn),))
+spin_in_body = Condition("0", CPM(s), turn.T @ rate(turn), on=(s,), assuming=(rotation(turn),))
 
 TRUE = [
     claim(V * K, i * R * K + w, given=(motor,)),
@@ -47,6 +50,10 @@ TRUE = [
     claim(abs(x), 2, given=(Condition("0", x**2, lifted(4), on=(x,)),)),
     claim(V * w, R + K * i, given=(area,)),
     claim(w, (R + K * i) / V, nonzero(V), given=(area,)),
+    claim(a * b, a**2, given=(Condition("0", a, b),)),
+    claim(s, turn.T @ s_, rotation(turn), given=(spin, spin_in_body)),
+    claim(rate(turn), turn @ CPM(s), rotation(turn), given=(spin_in_body,)),
+    claim(x * V, x * i + x * w, given=(Condition("0", x, 2 * V, given=(Definition("0", V, i + w),), on=(x,)),)),
 ]
 FALSE = [
     claim(V * K, i * R * K - w, given=(motor,)),
@@ -56,6 +63,8 @@ FALSE = [
     claim(t, M @ rate(v) + h + J.T @ f, given=(motion,)),
     claim(rate(V), v.T @ P @ v, given=(*decay, lyapunov)),
     claim(V * w, R - K * i, given=(area,)),
+    claim(a * b, 2 * a**2, given=(Condition("0", a, b),)),
+    claim(x, i + w, given=(Condition("0", x, 2 * V, given=(Definition("0", V, i + w),), on=(x,)),)),
 ]
 
 

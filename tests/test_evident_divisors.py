@@ -84,7 +84,23 @@ def test_where_a_length_is_not_zero_its_square_is_not(length: Node) -> None:
     assert len(verdict.needs) == 1
 
 
+def test_products_of_what_does_not_vanish_and_their_factors() -> None:
+    for divisor, *declared in (
+        (r**2 - s**2, r - s, r + s),
+        (r * h - s * h, r - s, h),
+        (r**2 + 2 * r * s + s**2, r + s),
+        (r**3 - r * s**2, r, r - s, r + s),
+        (r, r * s),
+        (r * s**2, r * s),
+    ):
+        verdict = verdict_on(a / divisor - b / divisor, (a - b) / divisor, *map(nonzero, declared))
+        assert verdict.needs == tuple(f"{plain(each)} != 0" for each in declared), verdict
+        assert isinstance(verdict_on(a / divisor, b / divisor, *map(nonzero, declared)), Fails)
+        assert isinstance(verdict_on(a / (divisor + 1), a / (divisor + 1), *map(nonzero, declared)), IllFormed)
+
+
 def test_what_inequalities_keep_from_zero() -> None:
+    assert isinstance(verdict_on(s / r, s / r, inequality(r >= 1)), HoldsUnder)
     ellipse = inequality(r >= 0), inequality(r < 1)
     for divisor in (1 - r**2, 1 + r * cos(h), 2 - r * sin(h) - r):
         verdict = verdict_on(s / divisor, s / divisor, *ellipse)

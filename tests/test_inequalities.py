@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 import pytest
 
 from chasles.checker.certificate import Rejected, check
@@ -25,6 +27,7 @@ from chasles.vocabulary import (
     scalar,
     sin,
     square,
+    tan,
     tr,
     vector,
 )
@@ -47,6 +50,7 @@ about_y = matrix((cos(x), 0, sin(x)), (0, 1, 0), (-sin(x), 0, cos(x)))
 about_z = matrix((cos(t), -sin(t), 0), (sin(t), cos(t), 0), (0, 0, 1))
 euler = Definition("0", R, about_z @ about_y @ about_x)
 
+BETWEEN = I(x > -1), I(x < Fraction(1, 2))
 
 TRUE = [
     (claim(abs(x), x, I(x >= 0)), ("x >= 0",)),
@@ -84,6 +88,16 @@ TRUE = [
     (claim(*says_that(norm(v) >= 0)), ()),
     (claim(*says_that(cos(t) <= 1)), ()),
     (claim(*says_that(x >= 0), I(x > 1)), ("x > 1",)),
+    # Of no rational number are both 1 + x and 1/2 - x squares of rational numbers.
+    (
+        claim(y / (1 + x) + y / (1 - 2 * x), y * (2 - x) / ((1 + x) * (1 - 2 * x)), *BETWEEN),
+        ("1 + x != 0", "1 - 2 x != 0"),
+    ),
+    (claim(tan(t), sin(t) / cos(t), I(t > 0), I(t < PI / 2)), ("t > 0", "t < pi / 2", "cos(t) != 0")),
+    (
+        claim(sqrt(1 + tan(t) ** 2), 1 / cos(t), I(t > -PI / 2), I(t < PI / 2)),
+        ("t > -pi / 2", "t < pi / 2", "cos(t) != 0"),
+    ),
 ]
 FALSE = [
     claim(abs(x), x, I(x <= 1)),
@@ -92,6 +106,8 @@ FALSE = [
     claim(*says_that(x**2 >= x)),
     claim(*says_that(x**2 > 0)),
     claim(x**2, x, I(x > 1)),
+    claim(y / (1 + x) + y / (1 - 2 * x), y * (2 + x) / ((1 + x) * (1 - 2 * x)), *BETWEEN),
+    claim(rate(1 / x), rate(x) / x**2, I(x > 0), I(x < Fraction(3, 7))),
 ]
 
 

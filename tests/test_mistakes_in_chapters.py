@@ -13,6 +13,7 @@ from chasles.cli import main
 
 HEAD = """\
 from chasles.statements import Claim, Condition, Definition, Kernel, Section, nonzero, unit
+from chasles.statements.matrices import with_sizes
 from chasles.vocabulary import *
 s = Section("1", "S")
 x, v, a = vector("x", "x", "x", LENGTH), vector("v", "v", "v", VELOCITY), scalar("a", "a", "a")
@@ -50,12 +51,13 @@ FIT = [
     ('Claim("1.2", a, a, given=("1.1",))', "write the Python name of the statement, without quotes"),
     ('Claim("1.2", x + 1, x)', "cannot add x (3 x 1) and 1 (a scalar)"),
     ('Claim("1.2", x[4], x[1])', "has no row 4"),
+    ('with_sizes(x, {"n": 2})', "`statement` is the expression x, and must be a Statement"),
     ('vector("w", "w", "w", "m")', "`dimension` is 'm', and must be a Dimension"),
     ('Claim("1.2", x, x, kernel=Kernel(of=x))', "`of` is the expression x, and must be a tuple"),
     ('Claim("1.2", x, x', "'(' was never closed"),
 ]
 LOST = [
-    ('one = Claim("1.2", x, x)\none = Claim("1.3", v, v)', "line 8: one is what line 7 declares already"),
+    ('one = Claim("1.2", x, x)\none = Claim("1.3", v, v)', "line 9: one is what line 8 declares already"),
     ('one = Claim("1.2", a, 2 * a, sign="<")', "printed with <: say *says_that(left < right)"),
     ('one = Condition("1.2", x, v * t, on=(A,))', "is posed on A, which does not occur in it"),
     (
@@ -63,6 +65,18 @@ LOST = [
         "does not restate what it says it does: cannot mul",
     ),
     ('one = Claim("1.2", x, x, restates=known)', "does not restate what it says it does: cannot equate"),
+    (
+        'one = Definition("1.2", a, a + 1)',
+        "one (1.2) defines a by itself: state it as a Condition on what it determines",
+    ),
+    (
+        'y = vector("x", "y", "y", LENGTH)\none = Claim("1.2", x + y, x)',
+        "two different quantities that are both named 'x_1'",
+    ),
+    (
+        'y = scalar("x_1", "y", "y", LENGTH)\none = Claim("1.2", x.x, y)',
+        "two different quantities that are both named 'x_1'",
+    ),
     ('one = Claim("1.2", x, x)\nother = Section("1", "T")\ntwo = Claim("1.3", v, v)', "1 is called 'S' and 'T'"),
 ]
 WHEN_EMITTED = [
@@ -96,7 +110,7 @@ def told(tmp_path: Path):
 @pytest.mark.parametrize("command", ["decide", "list"])
 def test_what_does_not_fit_is_told_by_file_and_line(told, declaration: str, said: str, command: str) -> None:
     text, status = told(f"made = {declaration}", command)
-    assert text.startswith("chasles: CHAPTER/s1.py, line 7: ")
+    assert text.startswith("chasles: CHAPTER/s1.py, line 8: ")
     assert said in text
     assert (text.count("\n"), status) == (1, 2)
 
@@ -114,14 +128,14 @@ def test_what_would_be_lost_or_has_two_titles_is_told(told, declarations: str, s
 )
 def test_the_line_is_that_of_the_part_that_does_not_fit(told, part: str) -> None:
     text, status = told(f'made = Claim(\n    "1.2",\n    x,\n    2 * x\n    + ({part}),\n)', "decide")
-    assert text.startswith("chasles: CHAPTER/s1.py, line 11: ")
+    assert text.startswith("chasles: CHAPTER/s1.py, line 12: ")
     assert status == 2
 
 
 @pytest.mark.parametrize(("declaration", "said"), WHEN_EMITTED)
 def test_a_kernel_that_is_refused_is_told_by_file_and_line(told, declaration: str, said: str) -> None:
     text, status = told(f"made = {declaration}", "emit")
-    assert "refused: CHAPTER/s1.py, line 7: made: " in text
+    assert "refused: CHAPTER/s1.py, line 8: made: " in text
     assert said in text
     assert (text.count("\n"), status) == (1, 1)
 
@@ -129,4 +143,4 @@ def test_a_kernel_that_is_refused_is_told_by_file_and_line(told, declaration: st
 @pytest.mark.parametrize("given", ["(before,)", "(known, before)"])
 def test_what_cannot_be_given_leaves_undecided_where(told, given: str) -> None:
     text, status = told(f'{DERIVED}made = Claim("1.2",\n    x, x, given={given})', "decide")
-    assert (text, status) == ("chasles: undecided: (1.2) (CHAPTER/s1.py, line 8)\n", 1)
+    assert (text, status) == ("chasles: undecided: (1.2) (CHAPTER/s1.py, line 9)\n", 1)

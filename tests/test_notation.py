@@ -19,6 +19,7 @@ from chasles.vocabulary import (
     Rate,
     Transpose,
     bracket,
+    cos,
     cot,
     cross,
     det,
@@ -141,6 +142,8 @@ def test_functions_of_letters_and_fractions_may_have_no_brackets() -> None:
         (cosh(angle) ** 2, r"\cosh^2\left( \theta_{1} \right)", r"\cosh^2 \theta_{1}"),
         (cot(angle + 1) ** 2, *2 * (r"\cot^2\left( \theta_{1} + 1 \right)",)),
         (arctan(scalar("z", "z", "")), *2 * (r"\arctan z",)),
+        (angle * cos(2 * angle), r"\theta_{1} \cos\left( 2 \theta_{1} \right)", r"\theta_{1} \cos 2 \theta_{1}"),
+        (angle * cos(2 * angle) * angle, *2 * (r"\theta_{1} \cos\left( 2 \theta_{1} \right) \theta_{1}",)),
     ):
         assert (spell(node, usual).text, spell(node, bare).text) == (shown, short)
 

@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from chasles.checker.any_size.at_sizes import sizes_in
-from chasles.prover.decide import BUDGET, decide_problem
+from chasles.prover.decide import BUDGET, NO_POINT, decide_problem
 from chasles.prover.squares import decide_by_squares
 from chasles.statements import Hypothesis, Problem
 from chasles.verdict import Contradictory, Counterexample, Fails, Holds, HoldsUnder, Undecided, Verdict
@@ -27,7 +27,8 @@ def decided(problem: Problem, own: tuple[Hypothesis, ...] = (), budget: float = 
     if problem.has_functions:
         return decide_by_squares(problem, own) or _by_scalars(problem, own)
     verdict = decide_problem(problem, own, budget)
-    if isinstance(verdict, Undecided) and verdict.without_form:
+    ranges = any(h.kind == "inequality" for h in problem.hypotheses)
+    if isinstance(verdict, Undecided) and (verdict.without_form or ranges or verdict.reason == NO_POINT):
         again = _by_scalars(problem, own)
         return verdict if isinstance(again, Undecided) else again
     return verdict

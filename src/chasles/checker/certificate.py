@@ -55,8 +55,8 @@ def _check(problem: Problem, certificate: Mapping[str, Any]) -> None:
 
         check_words(problem, certificate)
         return
-    problem = with_spins(problem) if certificate.get("spins") else problem
     problem = freed(problem) if certificate.get("freed") else problem
+    problem = with_spins(problem) if certificate.get("spins") else problem
     if "squares" in certificate:
         from chasles.checker.inequalities.squares import ReadingOfSquares
 

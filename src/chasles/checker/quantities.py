@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 from functools import reduce
+from itertools import combinations_with_replacement
 from operator import mul
 from typing import Any
 
@@ -206,12 +207,13 @@ class Quantities:
     def inverse(self, node: w.Node) -> Polynomial:
         """One over a scalar; raises `Rejected` unless it is a number times a product of nonzero factors."""
         value, below = cleared(self(node)[0][0], self.nonzero)
-        for inverse, nonzero in [(ONE, ONE), *((variable(k), one) for k, one in enumerate(self.nonzero))]:
-            top = max(nonzero.terms, default=0)
-            if top in value.terms and top in nonzero.terms:
+        tops = [max(factor.terms, default=-1) for factor in self.nonzero]
+        for places in (each for size in range(4) for each in combinations_with_replacement(range(len(tops)), size)):
+            if (top := sum(tops[k] for k in places)) == max(value.terms, default=-1):
+                nonzero = reduce(mul, (self.nonzero[k] for k in places), ONE)
                 scale = Fraction(value.terms[top] * nonzero.below, nonzero.terms[top] * value.below)
                 if not value - nonzero * number(scale):
-                    return inverse * product(self.nonzero, below) * number(1 / scale)
+                    return reduce(mul, map(variable, places), product(self.nonzero, below) * number(1 / scale))
         match self.rules.get(node, node):
             case w.Negative(term):
                 return -self.inverse(term)

@@ -41,13 +41,17 @@ def check_counterexample(problem: Problem, shown: Counterexample) -> None:
     try:
         with well_formed("counterexample"):
             reasons = list(_objections(problem, shown))
-    except Formless:
-        from chasles.checker.expressions.scalars import check_scalar_counterexample  # loads SymPy
+        if not all(reasons):
+            return
+        reason = reasons[0] if reasons else f"no equation of the statement is called {shown.goal!r}"
+    except (Formless, Rejected) as error:
+        reason = "" if isinstance(error, Formless) else str(error)
+    # Where the roots by which inequalities are said are not rational, it is a point of scalars.
+    if reason and not any(h.kind == "inequality" for h in problem.hypotheses):
+        raise Rejected(reason)
+    from chasles.checker.expressions.scalars import check_scalar_counterexample  # loads SymPy
 
-        check_scalar_counterexample(problem, shown)
-        return
-    if all(reasons):
-        raise Rejected(reasons[0] if reasons else f"no equation of the statement is called {shown.goal!r}")
+    check_scalar_counterexample(problem, shown)
 
 
 def _objections(problem: Problem, shown: Counterexample) -> Iterator[str]:

@@ -25,10 +25,7 @@ def independent(polynomials: Sequence[Polynomial], point: Point) -> list[Polynom
     if len(multiples) > MOST_MULTIPLES:
         return kept
     products = [
-        {
-            monomial + (1 << 8 * place if place >= 0 else 0): Fraction(c, kept[k].below)
-            for monomial, c in kept[k].terms.items()
-        }
+        {m + (1 << 8 * place if place >= 0 else 0): Fraction(c, kept[k].below) for m, c in kept[k].terms.items()}
         for k, place in multiples
     ]
     relations: list[list[Fraction]] = []

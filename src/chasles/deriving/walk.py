@@ -15,16 +15,7 @@ from chasles.problems.divisors import UndeclaredDivisor
 from chasles.problems.variables import Untreatable
 from chasles.repairs.residues import SingularResidue, Unsampled
 from chasles.statements import Statement
-from chasles.statements.derivation import (
-    Ansatz,
-    Compare,
-    Consider,
-    Derivation,
-    FactorOut,
-    Solve,
-    Step,
-    Take,
-)
+from chasles.statements.derivation import Ansatz, Compare, Consider, Derivation, FactorOut, Solve, Step, Take
 from chasles.verdict import IllFormed, Undecided, Verdict
 from chasles.vocabulary import Misfit, Symbol
 

@@ -5,17 +5,7 @@ from __future__ import annotations
 from functools import reduce
 
 from chasles.lowering.builder import Builder
-from chasles.lowering.matrices import (
-    Column,
-    CrossProduct,
-    Dense,
-    DoubleCross,
-    Dyad,
-    Rows,
-    SymmetricDyad,
-    Tensor,
-    Unit,
-)
+from chasles.lowering.matrices import Column, CrossProduct, Dense, DoubleCross, Dyad, Rows, SymmetricDyad, Tensor, Unit
 
 
 class Components:

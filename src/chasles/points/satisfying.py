@@ -13,17 +13,7 @@ from random import Random
 
 from chasles.checker.witness import root_of
 from chasles.evaluation.matrices import product
-from chasles.points.rational import (
-    CIRCLE,
-    Numbers,
-    circle,
-    definite,
-    free,
-    half_turn,
-    on_sphere,
-    rotation,
-    unit_vector,
-)
+from chasles.points.rational import CIRCLE, Numbers, circle, definite, free, half_turn, on_sphere, rotation, unit_vector
 from chasles.statements import Hypothesis
 from chasles.vocabulary import Symbol
 

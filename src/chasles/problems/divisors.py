@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from fractions import Fraction
+from functools import reduce
+from itertools import combinations_with_replacement
+from operator import mul
 
 from chasles.algebra.localization import Localization
 from chasles.evaluation.matrices import Matrix
@@ -60,17 +63,18 @@ class Divisors:
             except UndeclaredDivisor:
                 pass
         ratio = self.entries(node)[0][0]
-        for place, factor in enumerate(self.field.nonzero):
-            constant = _multiple(self.field, ratio.numerator, factor)
-            if constant is not None:
-                exponents = [0] * max(place + 1, len(ratio.denominator))
-                exponents[place] = 1
-                for k, power in enumerate(ratio.denominator):
-                    exponents[k] -= power
-                return constant, tuple(exponents)
+        below = tuple(-power for power in ratio.denominator)
+        leading = [self.field.ring.leading(factor)[0] for factor in self.field.nonzero]
+        top = self.field.ring.leading(ratio.numerator)[0] if ratio.numerator != 0 else None
+        for places in (each for size in (1, 2, 3) for each in combinations_with_replacement(range(len(leading)), size)):
+            if tuple(map(sum, zip(*(leading[k] for k in places), strict=True))) == top:
+                factor = reduce(mul, (self.field.nonzero[k] for k in places))
+                constant = _multiple(self.field, ratio.numerator, factor)
+                if constant is not None:
+                    return constant, joined(tuple(map(places.count, range(max(places) + 1))), below)
         terms = self.field.ring.terms(ratio.numerator)
         if len(terms) == 1 and not any(terms[0][0]):
-            return terms[0][1], tuple(-power for power in ratio.denominator)
+            return terms[0][1], below
         raise UndeclaredDivisor(node)
 
     def _is_atom(self, node: Node) -> bool:

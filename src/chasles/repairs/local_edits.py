@@ -150,9 +150,7 @@ def _behind(factors: tuple[Node, ...]) -> _Times:
 def _gathered(terms: tuple[Node, ...], k: int, outer: tuple[Node, _Times, bool]) -> Iterator[Node]:
     """What a term is multiplied with, for the terms that follow it too, or for those before it."""
     inner, times, front = outer
-    ends = range(k + 2, len(terms) + 1) if front else range(k)
-    for end in ends:
-        first, last = (k, end) if front else (end, k + 1)
+    for first, last in (*((k, end) for end in range(k + 2, len(terms) + 1)), *((begin, k + 1) for begin in range(k))):
         kept = [inner if n == k else terms[n] for n in range(first, last)]
         leading = kept[0] if front else None
         turned = isinstance(leading, w.Negative)

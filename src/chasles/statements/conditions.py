@@ -30,11 +30,12 @@ def solvable(conditions: Sequence[Goal], unknowns: Iterable[w.Symbol], rules: Ma
     return enough and all(degree(side, {*wanted}, rules) < 2 for side in sides)
 
 
-def assumed(conditions: Iterable[Goal], kind: str = ASSUMED[0]) -> Iterator[Hypothesis]:
-    """Conditions as hypotheses, which determine nothing."""
-    for goal in conditions:
+def assumed(conditions: Sequence[Goal], kind: str = ASSUMED[0]) -> Iterator[Hypothesis]:
+    """Conditions as hypotheses, which determine nothing; parts of one number are told apart."""
+    for k, goal in enumerate(conditions):
         difference = w.Sum((goal.left, w.Negative(goal.right)))
-        yield Hypothesis(kind, (difference,), (goal.sides,), (), "", goal.label, free=True)
+        text = goal.label + "'" * sum(each.label == goal.label for each in conditions[:k])
+        yield Hypothesis(kind, (difference,), (goal.sides,), (), "", text, free=True)
 
 
 def freed(problem: Problem) -> Problem:

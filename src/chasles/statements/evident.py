@@ -18,17 +18,18 @@ def evident_divisors(
 
     Those that are so whatever symbols stand for are "evident", and are no condition of a verdict.
     """
-    declared = {node: h for h in hypotheses for node in h.nonvanishing}
+    whole = {node: h for h in hypotheses for node in h.nonvanishing}
+    declared = {factor: h for node, h in whole.items() for factor in _factors(node)} | whole
     quotients = [part for side in sides for part in opened_parts(side) if isinstance(part, w.Quotient)]
     named = {quotient.denominator for quotient in quotients if quotient.called}
     for divisor in dict.fromkeys(part for quotient in quotients for part in _factors(quotient.denominator)):
-        if divisor in declared:
+        if divisor in whole:
             continue
-        for other in _lengths(divisor):
+        for other in (divisor, *_lengths(divisor)):
             if other in declared:
                 yield with_fields(declared[other], subjects=(divisor,), nonvanishing=(divisor,))
                 break
-        if isinstance(divisor, w.Sum) or isinstance(rules.get(divisor), w.Integral):
+        if isinstance(divisor, w.Sum | w.Symbol):
             from chasles.statements.bounds import AssumedBounds  # few claims divide by what nothing declares
 
             if AssumedBounds(hypotheses, rules).exclude_zero(divisor):
@@ -42,7 +43,7 @@ def _factors(node: Node) -> Iterator[Node]:
     match node:
         case w.Group(of) | w.Power(of):
             yield from _factors(of)
-        case w.Scale(factor, term):
+        case w.Scale(factor, term) if term.is_scalar:
             yield from _factors(factor)
             yield from _factors(term)
         case _:

@@ -106,6 +106,8 @@ def _refuse_senseless(entry: Entry, defined: Mapping[Node, Node]) -> None:
         wrong = f"is said to be multiplied by {said.by}, and not what it restates"
     elif isinstance(said, Definition) and not (is_rule(said) or indices_of(said.left)):
         wrong = f"defines {said.left}, which is no symbol: state it as a Condition on what it determines"
+    elif isinstance(said, Definition) and bare(said.left) in {*opened_parts(said.right)}:
+        wrong = f"defines {said.left} by itself: state it as a Condition on what it determines"
     elif isinstance(said, Statement) and said.sign in INEQUALITIES:
         wrong = f"is an equation, and printed with {said.sign}: say *says_that(left {INEQUALITIES[said.sign]} right)"
     elif isinstance(said, Condition) and (idle := _idle_unknowns(said, defined)):
@@ -118,13 +120,25 @@ def _refuse_senseless(entry: Entry, defined: Mapping[Node, Node]) -> None:
             added(measured(left), measured(right), (left, right), "equate")
     except Misfit as misfit:
         wrong = f"has another form that does not fit: {misfit}"
-    for symbol in (part for side in sides for part in symbols_of(side)):
-        if not (symbol.name.strip() and symbol.letter.strip()):
-            wrong = (
-                f"is about {symbol.name or symbol.letter!r}: declare it with a name and a letter, neither of them empty"
-            )
+    named: dict[str, Symbol] = {}
+    for side in (*sides, *(side for each in said.given for side in each.printed)):
+        for symbol in symbols_of(side):
+            if not (symbol.name.strip() and symbol.letter.strip()):
+                nameless = symbol.name or symbol.letter
+                wrong = f"is about {nameless!r}: declare it with a name and a letter, neither of them empty"
+            if name := next((n for n in _names(symbol) if named.setdefault(n, symbol) != symbol), ""):
+                wrong = f"is about two different quantities that are both named {name!r}: give one another name"
     if wrong:
         raise DeclarationError(f"{entry.place}{entry.name} ({said.number}) {wrong}")
+
+
+def _names(symbol: Symbol) -> Iterator[str]:
+    """The names of a symbol's entries, as points show them."""
+    rows, columns = symbol.shape
+    if symbol.is_scalar or not isinstance(rows, int) or not isinstance(columns, int):
+        yield symbol.name
+    else:
+        yield from (f"{symbol.name}_{i + 1}" + f"{j + 1}" * (columns > 1) for i in range(rows) for j in range(columns))
 
 
 INEQUALITIES = {"<": "<", ">": ">", "<=": "<=", ">=": ">=", r"\leq": "<=", r"\geq": ">=", r"\le": "<=", r"\ge": ">="}

@@ -59,6 +59,7 @@ def commuting(one: Symbol, other: Symbol) -> Hypothesis:
     return said_of("commuting", (one, other), "{0} {1} = {1} {0}", "{0} and {1} commute", equation)
 
 
+@declaring
 def with_sizes(statement: _S, numbers: dict[str, int], kernel: Kernel | None = None) -> _S:
     """The same said of matrices of these sizes, with all that it rests on: such a statement may have a kernel."""
 

@@ -7,7 +7,7 @@ from dataclasses import replace as with_fields
 from weakref import WeakKeyDictionary
 
 from chasles.statements.angles import determined_angle, turning
-from chasles.statements.conditions import solvable
+from chasles.statements.conditions import assumed, solvable
 from chasles.statements.directions import with_directions
 from chasles.statements.goals import (
     AcceptedSides,
@@ -109,7 +109,7 @@ def _problem_of(statement: Decidable, form: str, standing: AcceptedSides) -> Pro
 
 
 def _given(statement: Decidable, accepted: AcceptedSides) -> tuple[list[Equation], list[Goal], dict[Symbol, None]]:
-    """Rules by what is given, conditions, and the symbols that these determine."""
+    """Rules by what is given, conditions (on nothing they are hypotheses), and the symbols that these determine."""
     rules: list[Equation] = []
     conditions: list[Goal] = []
     unknowns: dict[Symbol, None] = {}
@@ -123,15 +123,9 @@ def _given(statement: Decidable, accepted: AcceptedSides) -> tuple[list[Equation
             )
         if isinstance(given, Condition) and posed.count(given.on) == 1 and _is_motion(given.on, bare(left), right):
             rules.append((bare(left), right))
-        elif isinstance(given, Condition) and given.on:
-            conditions += equations_of(f"({given.number})", left, right)
-            unknowns |= dict.fromkeys(given.on)
-        elif isinstance(given, Condition) and given.assuming:
-            continue
         elif isinstance(given, Condition):
-            raise TypeError(
-                f"({statement.number}) is given ({given.number}), a condition on nothing: say `on` what it is"
-            )
+            conditions += equations_of(f"({given.number})", left, right) if given.on else ()
+            unknowns |= dict.fromkeys(given.on)
         elif is_rule(given):
             rules.append((bare(left), right))
         elif indices_of(left):
@@ -193,6 +187,8 @@ def _agreeing(rules: Mapping[Node, Node]) -> Iterator[Hypothesis]:
 def _hypotheses(statement: Decidable) -> Iterator[Hypothesis]:
     """What the statement and all that it rests on assume, its own first."""
     yield from statement.assuming
+    if isinstance(statement, Condition) and not (statement.on or statement.named_by):
+        yield from assumed((*equations_of(f"({statement.number}.{statement.part})", *default_sides(statement)),))
     if isinstance(statement, Claim) and (statement.left.expands or statement.right.expands):
         from chasles.statements.expanding import presupposed  # of no use to most claims
 

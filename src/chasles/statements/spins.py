@@ -30,7 +30,7 @@ def with_spins(problem: Problem) -> Problem:
 def _turning(problem: Problem) -> Iterator[tuple[Hypothesis, Symbol]]:
     """The rotations of which rates are taken and nothing is given."""
     sides = problem.sides
-    sides += [right for _, right in problem.rules]
+    sides += [*(right for _, right in problem.rules), *(side for h in problem.hypotheses if h.free for side in h.sides)]
     moving = {part for side in sides for node in walk(side) if isinstance(node, Rate) for part in walk(node)}
     known = {part for left, _ in problem.rules for part in walk(left)}.union(problem.unknowns)
     for hypothesis in problem.hypotheses:

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from dataclasses import replace as with_fields
-from typing import ClassVar
+from typing import ClassVar, Self
 
 from chasles.display import Displayed
 from chasles.statements.forms import Form
 from chasles.statements.hypotheses import Hypothesis
 from chasles.statements.kernel import Kernel, nodes_of
-from chasles.vocabulary import At, Group, Misfit, Node, Rate, Symbol, plain, replace, undotted
+from chasles.vocabulary import At, Group, Misfit, Node, Rate, Symbol, plain, replace, symbols_of, undotted
 from chasles.vocabulary.arguments import Declared, WrongArgument
 from chasles.vocabulary.measure import added
 
@@ -94,7 +94,7 @@ class Statement(Declared, Displayed):
         """The statement with other sides, whether they fit or not, without other forms and without a kernel."""
         return with_fields(self, left=left, right=right, reading=None, corrected=None, sic=True, kernel=None)
 
-    def at(self, values: Mapping[Node, Node]) -> Statement:
+    def at(self, values: Mapping[Node, Node]) -> Self:
         """The same statement said of other symbols; TypeError if it assumes or rests on anything about these."""
         self._refuse_to_move(values)
         return with_fields(self, left=replace(self.left, values), right=replace(self.right, values), kernel=None)
@@ -120,24 +120,23 @@ class Definition(Statement):
 class Condition(Statement):
     """Restricts the symbols `on` which it is posed; together with others it may determine them.
 
-    A condition that says no more than a named hypothesis names it in `assuming` and is `on` nothing. One that leaves
-    its symbol some freedom gives a `solution` with that freedom in it, as a line has p = p_1 + lambda (p_2 - p_1).
+    One that is `on` nothing is used as it stands, unless it names in `assuming` a hypothesis on all of its letters, of
+    which it says no more. One that leaves its symbol some freedom gives a `solution` with that freedom in it.
     """
 
     role: ClassVar[str] = "condition"
     on: tuple[Symbol, ...] = ()
     solution: Node | None = None
 
-    def at(self, values: Mapping[Node, Node]) -> Condition:
-        self._refuse_to_move(values)
-        moved = tuple(values.get(symbol, symbol) for symbol in self.on)
-        assert all(isinstance(symbol, Symbol) for symbol in moved)
-        return with_fields(
-            self,
-            left=replace(self.left, values),
-            right=replace(self.right, values),
-            on=tuple(s for s in moved if isinstance(s, Symbol)),
-        )
+    @property
+    def named_by(self) -> tuple[Hypothesis, ...]:
+        """The hypotheses of its own that are on all of its letters."""
+        letters = {*symbols_of(self.left), *symbols_of(self.right)}
+        return tuple(h for h in self.assuming if letters <= {part for s in h.subjects for part in symbols_of(s)})
+
+    def at(self, values: Mapping[Node, Node]) -> Self:
+        moved = (values.get(symbol, symbol) for symbol in self.on)
+        return with_fields(super().at(values), on=tuple(s for s in moved if isinstance(s, Symbol)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -204,13 +203,13 @@ def is_rule(statement: Statement) -> bool:
 
 
 def with_their_definitions(given: Iterable[Statement]) -> tuple[Statement, ...]:
-    """What is given, and the definitions by which definitions among it say what their letters are.
+    """What is given, and the definitions by which definitions and conditions among it say what their letters are.
 
     What is given itself comes first: of a letter of which it says something, no other definition is added.
     """
     found = dict.fromkeys(given)
     known = {undotted(bare(each.left))[0] for each in found}
-    waiting = [each for each in found if isinstance(each, Definition)]
+    waiting = [each for each in found if isinstance(each, Definition | Condition)]
     while waiting:
         for each in waiting.pop(0).given:
             letter = undotted(bare(each.left))[0]

@@ -105,7 +105,7 @@ def _is_right(
 @cache
 def _taken(called: Callable[..., Any]) -> tuple[Parameters, Parameter | None]:
     """The parameters by name, and the one for things in a row, with the types that they are declared to be of."""
-    hints = get_type_hints(called)
+    hints = {name: getattr(hint, "__bound__", hint) for name, hint in get_type_hints(called).items()}
     found = list(signature(called.__init__ if isclass(called) else called).parameters.values())[isclass(called) :]
     found = [parameter.replace(annotation=hints.get(parameter.name, Any)) for parameter in found]
     row = next((parameter for parameter in found if parameter.kind is Parameter.VAR_POSITIONAL), None)

@@ -74,5 +74,5 @@ def is_measured(node: Node) -> bool:
 
 
 def has_no_letter(node: Node) -> bool:
-    """Whether an expression is made of numbers alone: its rate is zero, in every dimension."""
-    return not isinstance(node, Symbol) and all(map(has_no_letter, node.below))
+    """Whether an expression is made of numbers alone, pi among them: its rate is zero, in every dimension."""
+    return node.constant and not node.home if isinstance(node, Symbol) else all(map(has_no_letter, node.below))

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, reduce
 from itertools import product
 from typing import Any
 
@@ -97,10 +97,7 @@ def added(first: Measure, second: Measure, names: tuple[object, object], verb: s
     if first.grid == second.grid:
         return first
     try:
-        rows = [
-            tuple(_joined(a, b) for a, b in zip(one, other, strict=True))
-            for one, other in zip(first.grid, second.grid, strict=True)
-        ]
+        rows = [tuple(map(_joined, one, other)) for one, other in zip(first.grid, second.grid, strict=True)]
     except _Clash as clash:
         raise Misfit(f"cannot {verb} {names[0]} [{clash.one}] and {names[1]} [{clash.other}]") from None
     return Measure(tuple(rows), first.partition)
@@ -126,11 +123,8 @@ def _product(first: Grid, second: Grid) -> Grid:
 
 
 def _inner(line: Sequence[Dimension | None], column: Sequence[Dimension | None]) -> Dimension | None:
-    total: Dimension | None = None
-    for a, b in zip(line, column, strict=True):
-        if a is not None and b is not None:
-            total = _joined(total, a * b)
-    return total
+    products = (a * b for a, b in zip(line, column, strict=True) if a is not None and b is not None)
+    return reduce(_joined, products, None)
 
 
 def stacked(rows: Sequence[Sequence[Measure]], names: Sequence[Sequence[object]]) -> Measure:
@@ -168,10 +162,10 @@ def completed(measure: Measure, what: object) -> Measure:
     """
     grid = [list(row) for row in measure.grid]
     rows, columns = len(grid), len(grid[0])
-    corners = [
-        (i, j, k, m) for (i, j), (k, m) in product(product(range(rows), range(columns)), repeat=2) if i != k and j != m
-    ]
-    for _ in range(rows * columns):
+    places = [*product(range(rows), range(columns))]
+    corners = [(i, j, k, m) for (i, j), (k, m) in product(places, repeat=2) if i != k and j != m]
+    before: list[list[Dimension | None]] = []
+    while grid != before:
         before = [list(row) for row in grid]
         for i, j, k, m in corners:
             one, other, opposite = grid[i][m], grid[k][j], grid[k][m]
@@ -181,8 +175,6 @@ def completed(measure: Measure, what: object) -> Measure:
             if grid[i][j] not in (None, expected):
                 raise Misfit(f"{what} has entries whose dimensions do not go together: [{grid[i][j]}] and [{expected}]")
             grid[i][j] = expected
-        if grid == before:
-            break
     return Measure(tuple(map(tuple, grid)), measure.partition)
 
 

@@ -28,13 +28,14 @@ class Precedence(IntEnum):
 class Piece:
     """A spelled expression: its text, how tightly it holds together, how deep brackets are nested in it.
 
-    A fraction with a `bar` needs no brackets behind a sign such as d/dt.
+    A fraction with a `bar` needs no brackets behind a sign such as d/dt. Before a factor, the text is `closed`, if any.
     """
 
     text: str
     level: Precedence
     depth: int = 0
     bar: bool = False
+    closed: str = ""
 
     def enclosed(self, style: Style) -> Piece:
         """The same in brackets."""

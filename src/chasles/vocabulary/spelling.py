@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from dataclasses import replace as with_fields
 
 from chasles.vocabulary.body import Integral
 from chasles.vocabulary.families import Entry, Kronecker, Member
@@ -106,7 +107,12 @@ class _Speller:
         for k in range(1, len(pieces)):
             if self.style.numbers_meet(pieces[k - 1].text, pieces[k].text):
                 pieces[k] = pieces[k].enclosed(self.style)
-        return _joined(pieces, self.style.product([piece.text for piece in pieces]), Precedence.PRODUCT)
+            if pieces[k - 1].closed and not self._named(getattr(factors[k], "base", factors[k])):
+                pieces[k - 1] = with_fields(pieces[k - 1], text=pieces[k - 1].closed)
+        texts = [piece.text for piece in pieces]
+        closed = pieces[-1].closed and self.style.product([*texts[:-1], pieces[-1].closed])
+        depth = max(piece.depth for piece in pieces)
+        return Piece(self.style.product(texts), Precedence.PRODUCT, depth, closed=closed)
 
     def _power(self, base: Node, exponent: str) -> Piece:
         if exponent.isdigit() and (named := self._named(base)):

@@ -22,6 +22,7 @@ BEFORE = re.compile(r"(?:\{\}(?:[_^](?:\{(?:[^{}]|\{[^{}]*\})*\}|\\[A-Za-z]+|.))
 """Scripts before a letter, that of a frame: {}^A_B."""
 CLOSED = (")", "]", r"\}", r"\|", r"\end{bmatrix}")
 COMMANDS = ("sin", "cos", "tan", "cot", "det")
+FUNCTION = re.compile(r"\\(?:sin|cos|tan|cot|log|exp|arc|det|text|sum|int)")
 INFIX = {"dot": r"\cdot", "cross": r"\times"}
 
 
@@ -78,15 +79,18 @@ class Latex:
         command = rf"\{name}" if name in COMMANDS else rf"\text{{{stem}}}" + f"_{mark}" * bool(mark)
         command = name if name.startswith("\\") else command
         command = self.power(command, exponent) if exponent else command
+        closed = f"{command}{self.brackets(argument.text, argument.depth)}"
         if self._is_bare(argument):
-            return Piece(f"{command} {argument.text}", Precedence.PRODUCT)
-        return Piece(f"{command}{self.brackets(argument.text, argument.depth)}", Precedence.POWER, argument.depth + 1)
+            closed = closed if argument.level is not Precedence.ATOM and not argument.bar else ""
+            return Piece(f"{command} {argument.text}", Precedence.PRODUCT, closed=closed)
+        return Piece(closed, Precedence.POWER, argument.depth + 1)
 
     def _is_bare(self, argument: Piece) -> bool:
-        """Whether an argument is printed without brackets: a letter, and if the chapter prints it so a fraction."""
+        """Whether an argument has no brackets: a letter, and if the chapter prints it so a fraction or a product."""
         bare = self.notation.bare_arguments
         is_letter = argument.level is Precedence.ATOM and argument.depth == 0 and (bare or "{" not in argument.text)
-        return (bare and argument.bar) or (is_letter and not argument.text[0].isdigit())
+        is_product = argument.level >= Precedence.PRODUCT and argument.depth == 0 and not FUNCTION.search(argument.text)
+        return (bare and (argument.bar or is_product)) or (is_letter and not argument.text[0].isdigit())
 
     def called(self, name: str, in_latex: str) -> str:
         return in_latex

@@ -127,7 +127,8 @@ class PrincipalValues:
     def _is_positive(self, e: Any) -> bool:
         """Whether each factor is positive, by what is assumed."""
         used = dict(self.used)
-        for factor in sp.Mul.make_args(e):
+        for power in sp.Mul.make_args(e):
+            factor = power.base if power.is_Pow and power.exp.is_Integer else power
             if factor.is_positive:
                 continue
             if factor in self.positive:
@@ -178,9 +179,10 @@ def in_fewer_squares(e: Any, units: Mapping[str, list[Any]]) -> tuple[Any, tuple
             return square ** (exponent // 2) * last ** (exponent % 2)
 
         before = e.expand()
-        found = before.replace(
+        above, below = before.together().as_numer_denom()
+        found = above.expand().replace(
             lambda p, last=last: p.is_Pow and p.base == last and p.exp.is_Integer and p.exp > 1, lowered
-        ).expand()
+        ).expand() / below  # fmt: skip
         if found != e and found.count_ops() < before.count_ops():
             e = found
             used.append(text)

@@ -47,19 +47,17 @@ def check_widened(
     for text, _ in given:
         needs.require("the proof may use", text)
     parts = Parts()
-    real = parts.sides(*sides)
-    declared = tuple(map(parts.nonzero, nonzero))
+    real, declared = parts.sides(*sides), tuple(map(parts.nonzero, nonzero))
     real = [[*side, *parts.met] for side in real]
     pairs = tuple(found for _, item in given for pair in item for found in parts.pairs(*pair))
     whole = CheckedCase(tuple(map(tuple, real)), pairs, declared)
     for ways in whole.required():
         needs.require("the question needs", *ways)
-    if verdict.certificate["witness"] != {name: str(value) for name, value in verdict.witness.items()}:
-        raise Rejected("the verdict and its certificate have different witnesses")
     _Widened(needs, check).tree(whole.each(partial(at_integer, put={})), verdict.certificate)
     if unused := needs.texts - needs.used:
         raise Rejected(f"the verdict needs {min(unused)}, of which the proof does not speak")
-    _require_witness(verdict, whole)
+    if verdict.witness is not None:
+        _require_witness(verdict, whole)
 
 
 class _Stated:
@@ -230,6 +228,8 @@ def _parsed(text: str, names: Mapping[str, Any]) -> Any:
 
 def _require_witness(verdict: Any, case: CheckedCase) -> None:
     """At the witness everything has a value, what is given holds, and nothing vanishes that must not."""
+    if verdict.certificate["witness"] != {name: str(value) for name, value in verdict.witness.items()}:
+        raise Rejected("the verdict and its certificate have different witnesses")
     values = _values(case, verdict.witness)
     for one, other in zip(*case.sides, strict=True):
         if not values(one).meets(values(other)):
