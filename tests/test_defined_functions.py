@@ -120,10 +120,12 @@ def test_fractions_of_even_numbers_are_no_integers() -> None:
     """SymPy (1.14) takes a sixth of an even number, and of 2 (k + 1), for an integer."""
     even = sp.Symbol("e", even=True)
     for value, multiple in ((even, 1), (2 * k + 2, n), ((2 * k + 2) ** 3, 1)):
-        whole = floor(x * multiple / 6), x * multiple / 6
-        found = prove(*whole, given=[Eq(x, value)])
-        assert isinstance(found, Fails), value
-        recheck(found, *whole, given=[Eq(x, value)])
+        for claim in ((floor(x * multiple / 6), x * multiple / 6), (sp.sin(pi * x * multiple / 6), 0)):
+            found = prove(*claim, given=[Eq(x, value)])
+            assert isinstance(found, Fails), value
+            recheck(found, *claim, given=[Eq(x, value)])
+    assert isinstance(prove(sp.cos(x), (-1) ** n * sp.cos(y), given=[Eq(x, y + pi * n)]), HoldsUnder)
+    assert isinstance(prove(sp.tan(x), sp.tan(y), given=[Eq(x, y + pi * n / 2)]), Fails)
 
 
 def test_a_divisor_and_a_remainder_by_zero_are_no_value() -> None:

@@ -6,7 +6,7 @@ coprime, so that a polynomial vanishes because of them only if nothing is left o
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from math import gcd
 
@@ -16,7 +16,14 @@ Key = frozenset[tuple[int, int]]
 
 
 class QuotientRing:
-    """Variables by place: `squares` says what the squares of some are, `inverses` of what others are the inverse."""
+    """Variables by place: `squares` says what the squares of some are, `inverses` of what others are the inverse.
+
+    A reading knows the `root` of a value, the value of a function that is `called`, and what `is_near`.
+    """
+
+    root: Callable[[Polynomial], Polynomial]
+    called: Callable[..., Polynomial]
+    is_near: Callable[[Polynomial, Fraction, Fraction], bool]
 
     def __init__(self) -> None:
         self.names: list[str] = []
@@ -83,18 +90,6 @@ class QuotientRing:
     def inverse_place(self, polynomial: Polynomial) -> int | None:
         """The place of the inverse of the polynomial, up to a factor, if it has one."""
         return self._inverse_of.get(frozenset(primitive(self.normal(polynomial))[1].terms.items()))
-
-    def root(self, value: Polynomial) -> Polynomial:
-        """The nonnegative square root; raises `Rejected` where none is known."""
-        raise Rejected("no square root is known")
-
-    def called(self, function: str, *arguments: Polynomial) -> Polynomial:
-        """The value of a function; raises `Rejected` where none is known."""
-        raise Rejected(f"no value of {function} is known")
-
-    def is_near(self, value: Polynomial, other: Fraction, distance: Fraction) -> bool:
-        """Whether a number is known to differ from another by less than a distance."""
-        return False
 
     def power(self, base: Polynomial, exponent: int) -> Polynomial:
         """A power with a natural exponent."""

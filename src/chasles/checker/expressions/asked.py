@@ -123,10 +123,7 @@ def valued(e: Any) -> Any:
 
 
 def by_definition(e: Any) -> Any:
-    """The expression with what others define said by these, and functions of numbers with the values SymPy knows.
-
-    A value that is seen to be another one is not taken.
-    """
+    """What others define said by these, and functions of numbers with SymPy's values, unless seen to be wrong."""
     if not e.has(*BY_OTHERS, sympy.Function):
         return e
     parts, whole = tuple(map(by_definition, e.args)), e
