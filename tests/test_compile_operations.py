@@ -16,7 +16,7 @@ MOST = {
     "ur5_jacobian": 134,
     "quadrotor": 96,
     "inertial_step": 123,
-    "rotation_error": 232,
+    "rotation_error": 235,
     "vehicle": 87,
 }
 

@@ -35,6 +35,13 @@ LIMITS = [
     *(((sp.exp(2 * x) - 1) / x).diff(x), (sp.log(1 + x) / x).diff(x), (sp.atan(x) / x).diff(x)),
     *(sp.asin(x / 3) / x, (x - sp.asinh(x)) / x**3, sp.sinh(x * y) * sp.cosh(x * y) / x, x * sp.exp(x) / sp.sinh(x)),
     *(x * sp.atan2(r, y + 1) / r, (sp.Integer(10) - x) / (sp.exp(1 - x / 10) - 1), (sp.exp(x) - sp.cos(x)) / x),
+    *(
+        y * (sp.sin(z + x * y) - sp.sin(z)) / x,
+        y * (sp.cos(z) - sp.cos(x + z)) / x,
+        x * y - sp.atan(x * y),
+        x - sp.sin(x),
+    ),
+    *(sp.exp(x) - 1 - x - x**2 / 2, x * sp.atan2(r, y + 1) * (1 + sp.atan2(r, y + 1) ** 2) / r, sp.log(1 + sp.exp(x))),
     sp.Piecewise((sp.sin(x) / x, sp.Ne(x, 0)), (1, True)),
     sp.Piecewise((1, sp.Eq(r, 0)), (sp.sin(r) / r, True)),
     sp.Piecewise((1, sp.Eq(x, 0)), (x / (1 - sp.exp(-x)), True)),
@@ -92,6 +99,24 @@ def test_away_from_a_limit_a_formula_is_as_it_stands():
     assert kernel(-1000.0) == (1 / 1000, 1 - 1 / 1000, 1 / 1000 - 1)
     around = chasles.compile(sp.atan2(x, y) / x, [x, y])
     assert [around(1e-9, y) for y in (1.0, -1.0)] == [1.0, math.atan2(1e-9, -1.0) / 1e-9]
+
+
+def test_on_both_sides_of_a_root():
+    """The functions of Stumpff, as orbits of any kind have them."""
+    up, down = sp.sqrt(x), sp.sqrt(-x)
+    kernel = chasles.compile(
+        sp.Piecewise(((1 - sp.cos(up)) / x, x > 0), ((1 - sp.cosh(down)) / x, True)), [x], jacobian=True
+    )
+    for at in (-30.0, -1.0, -1e-9, 0.0, 1e-9, 1.0, 30.0):
+        with mpmath.workdps(60):
+            terms = [(-mpmath.mpf(at)) ** n / mpmath.factorial(2 * n + 2) for n in range(60)]
+            slopes = [-n * (-mpmath.mpf(at)) ** (n - 1) / mpmath.factorial(2 * n + 2) for n in range(1, 60)]
+        assert kernel(at) == pytest.approx((float(sum(terms)), float(sum(slopes))), rel=4e-15)
+
+
+def test_a_logarithm_of_one_and_an_exponential_does_not_overflow():
+    kernel = chasles.compile(sp.log(1 + sp.exp(x)), [x], jacobian=True)
+    assert [kernel(at) for at in (800.0, 0.0, -800.0)] == [(800.0, 1.0), (math.log(2), 0.5), (0.0, 0.0)]
 
 
 @pytest.mark.parametrize(

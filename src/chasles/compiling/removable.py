@@ -9,7 +9,7 @@ angle is small; elsewhere a quotient of them stays as it stands.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from functools import lru_cache
 from math import factorial
 from typing import Any
@@ -32,9 +32,9 @@ from chasles.compiling.sums_of_angles import (
     sum_of,
     with_series,
 )
-from chasles.compiling.taylor import Stumpff, TaylorPolynomial
+from chasles.compiling.taylor import ANALYTIC, CIRCULAR, Stumpff, TaylorPolynomial, coefficient_of, left_of
 from chasles.compiling.variables import Substitution
-from chasles.compiling.whole_angles import ANGLE, WholeAngle
+from chasles.compiling.whole_angles import ROOT, WholeAngle
 
 MOST_ORDER = 8
 LEFT = (Stumpff, TaylorPolynomial)
@@ -44,6 +44,34 @@ def without_removable(expression: sympy.Basic) -> sympy.Basic:
     """The same expression; it has a value where an angle is zero by which it divides, if it has a limit there."""
     parts = parts_of(expression, ())
     divided = _divisors(parts)
+    table = dict(_by_addition_theorem(parts, divided))
+    apart = _with_limits(Substitution(table).of(expression)) if table else expression
+    found = apart if parts_of_kinds(apart, LEFT) else _with_limits(expression)
+    pieces = [part for part in parts_of(found, parts) if isinstance(part, sympy.Piecewise)]
+    sums = [part for part in parts_of(found, pieces) if part.is_Add]
+    lessened = {part: other for part in sums if (other := _lessened(part)) is not part}
+    return Substitution(lessened).of(found) if lessened else found
+
+
+def _by_addition_theorem(
+    parts: Collection[sympy.Basic], divided: Collection[sympy.Expr]
+) -> Iterator[tuple[sympy.Expr, sympy.Expr]]:
+    """Sines and cosines of a sum that occur for a part of it too, the rest of which vanishes with a divisor."""
+    for part in parts:
+        if isinstance(part, sympy.sin | sympy.cos) and part.args[0].is_Add:
+            for divisor in divided:
+                rest = sympy.Add(*(term for term in part.args[0].args if divisor in sympy.Mul.make_args(term)))
+                of = part.args[0] - rest
+                if rest != 0 and type(part)(of) in parts:
+                    sine, cosine = (f(of) * sympy.cos(rest) for f in (sympy.sin, sympy.cos))
+                    turned = sympy.cos(of) if isinstance(part, sympy.sin) else -sympy.sin(of)
+                    yield part, (sine if isinstance(part, sympy.sin) else cosine) + turned * sympy.sin(rest)
+
+
+def _with_limits(expression: sympy.Basic) -> sympy.Basic:
+    """The expression, one angle after the other."""
+    parts = parts_of(expression, ())
+    divided = _divisors(parts)
     quotients = {angle_of(part) for part in parts if isinstance(part, tuple(QUOTIENTS))}
     below = quotients.union(*map(angles_in, divided))
     by_angle: dict[sympy.Expr, list[sympy.Expr]] = {}
@@ -51,17 +79,48 @@ def without_removable(expression: sympy.Basic) -> sympy.Basic:
         if isinstance(part, KNOWN):
             by_angle.setdefault(angle_of(part), []).append(part)
     for angle, functions in by_angle.items():
+        square = square_of(angle)
+        # Of the root of -x the limits are those of the root of x with the other sign.
+        turned = {-square: square} if (-square).is_Symbol else {}
         whole = WholeAngle(angle) if divided and not _is_root(angle) else None
         held = {*divided, *parts_of(expression, functions)} if angle in below else divided
-        if angle in held or square_of(angle) in divided or (whole and whole.occurs_in(held)):
+        if angle in held or not divided.isdisjoint((square, *turned)) or (whole and whole.occurs_in(held)):
             table = {f: other for f in functions if (other := with_series(f)) != f}
             stated = Substitution(table).of(expression) if table else expression
-            found = whole.back(_regular(whole.of(stated), ANGLE)) if whole else _regular(stated, angle)
+            if whole:
+                found = whole.back(_regular(whole.of(stated), whole.symbol))
+            else:
+                turn = Substitution(turned).of
+                found = turn(_regular(turn(stated), turn(angle)))
             made = parts_of(found, ())
             if parts_of_kinds(found, LEFT) or len(_divisors(made)) < len(_divisors(parts)):
                 expression = _as_stated(found, table, made.keys() - parts.keys())
                 parts = parts_of(expression, ())
     return expression
+
+
+def _lessened(total: sympy.Add) -> Any:
+    """The sum, in which a function from which the first terms of its series are taken is what is left of the series."""
+    terms = list(total.args)
+    split = [(term, [f for f in sympy.Mul.make_args(term) if isinstance(f, KNOWN)]) for term in terms]
+    bases = {factor.as_base_exp()[0] for term, of in split if not of for factor in sympy.Mul.make_args(term)}
+    for term, functions in split if bases else ():
+        for f in functions:
+            series = with_series(f)
+            kind, (times, angle) = ANALYTIC.get(type(series)), series.args[0].as_coeff_Mul()
+            inside = {factor.as_base_exp()[0] for factor in sympy.Mul.make_args(angle)}
+            if kind is None or isinstance(f, sympy.atan2) or not inside <= bases:
+                continue
+            taken: list[Any] = []
+            order, factor = kind.first, term / f
+            while (first := -factor * coefficient_of(type(series), order) * (times * angle) ** order) in terms:
+                taken, order = [*taken, first], order + kind.step
+            # Of 1 - cos(x) and exp(x) - 1 there are functions, and programs without loss.
+            if term in terms and len(taken) > 1 - kind.first:
+                left = factor * angle**order * left_of(type(series), order, times, angle, square_of(angle))
+                terms = [each for each in terms if each not in (term, *taken)]
+                terms.append(_near(left, sympy.Add(term, *taken), angle))
+    return sympy.Add(*terms) if len(terms) < len(total.args) else total
 
 
 def _as_stated(found: sympy.Basic, table: Mapping[Any, Any], made: Collection[Any]) -> Any:
@@ -95,10 +154,10 @@ def _regular(expression: sympy.Basic, angle: sympy.Expr) -> Any:
             whole = _together(singular, angle) if len(singular) > 1 else None
             if whole is not None:
                 rest = [_regular(term, angle) for term in expression.args if term not in singular]
-                return sympy.Add(_near(whole, sympy.Add(*singular)), *rest)
+                return sympy.Add(_near(whole, sympy.Add(*singular), angle), *rest)
         case sympy.Mul():
             found = _product(expression, angle)
-            near = _near(found, expression)
+            near = _near(found, expression, angle)
             if near is not found and _orders(expression, angle)[0] >= 0:
                 return near
             if near is found and (parts_of_kinds(found, (Stumpff,)) or _spelled(expression, angle) == expression):
@@ -120,13 +179,25 @@ def _spelled(expression: sympy.Basic, angle: sympy.Expr) -> Any:
     return Substitution(table).of(expression) if table else expression
 
 
-def _near(found: Any, stated: sympy.Expr) -> Any:
+def _near(found: Any, stated: sympy.Expr, angle: sympy.Expr) -> Any:
     """What is found where its polynomials hold, and elsewhere what is stated."""
-    used = parts_of_kinds(found, (TaylorPolynomial,), (sympy.Piecewise,))
-    if not used:
+    if not _polynomials(found):
         return found
-    near = sympy.And(*(sympy.Abs(part.args[0]) < part.args[1] for part in used))
+    if angle == ROOT or angle.is_Pow:
+        # A function of the square has a derivative where a root vanishes.
+        table = {}
+        for f in parts_of_kinds(found, tuple(ANALYTIC)):
+            if angle_of(f) == angle and type(f) not in CIRCULAR:
+                first, times = ANALYTIC[type(f)].first, f.args[0].as_coeff_Mul()[0]
+                table[f] = angle**first * left_of(type(f), first, times, angle, square_of(angle))
+        found = Substitution(table).of(found)
+    near = sympy.And(*(sympy.Abs(part.args[0]) < part.args[1] for part in _polynomials(found)))
     return sympy.Piecewise((found, near), (stated, True), evaluate=False)
+
+
+def _polynomials(found: Any) -> frozenset[Any]:
+    """Those that are not in cases of their own."""
+    return parts_of_kinds(found, (TaylorPolynomial,), (sympy.Piecewise,))
 
 
 def _pieces(expression: sympy.Piecewise, angle: sympy.Expr) -> Any:

@@ -122,9 +122,17 @@ class Scalars:
         if isinstance(of, sympy.Pow) and of.exp.is_Integer and of.exp > 0:
             base = sympy.Abs(of.base) if of.exp.is_even else of.base
             return self.build.multiply(self.of(of.exp), self._logarithm(base))
+        build = self.build
         if isinstance(of, sympy.Add) and sympy.S.One in of.args:
-            return self.build.function("log1p", self._sum([term for term in of.args if term is not sympy.S.One]))
-        return self.build.function("log", self.of(of))
+            rest = [term for term in of.args if term is not sympy.S.One]
+            if len(rest) > 1 or not isinstance(rest[0], sympy.exp):
+                return build.function("log1p", self._sum(rest))
+            # log(1 + exp(a)) is a + log(1 + exp(-a)), of which that is taken that does not overflow.
+            a = self.of(rest[0].exp)
+            below = build.less(a, build.zero)
+            small = build.function("exp", build.select(below, a, build.negate(a)))
+            return build.add(build.select(below, build.zero, a), build.function("log1p", small))
+        return build.function("log", self.of(of))
 
     def _product(self, factors: Sequence[sympy.Expr]) -> int:
         above: list[int] = []

@@ -114,7 +114,7 @@ def sum_of(expression: sympy.Expr, angle: sympy.Expr) -> Sum | None:
         times, of = expression.args[0].as_coeff_Mul()
         if of == angle:
             return {(sympy.S.Zero, times, type(expression)): sympy.S.One}
-    if not angles_in(expression) and angle not in parts_of(expression, ()):
+    if angle not in angles_in(expression) and angle not in parts_of(expression, ()):
         return {(sympy.S.Zero, sympy.S.Zero, sympy.cos): expression}
     if isinstance(expression, sympy.Add):
         parts = [sum_of(part, angle) for part in expression.args]

@@ -9,12 +9,12 @@ import sympy
 
 from chasles.compiling.variables import Substitution
 
-ANGLE = sympy.Dummy("angle", dummy_index=0, real=True)
-"""What stands for the angle meanwhile."""
+ANGLE, ROOT = (sympy.Dummy(name, dummy_index=k, real=True) for k, name in enumerate(("angle", "root")))
+"""What stands for the angle meanwhile, and for one that is a multiple of a root."""
 
 
 class WholeAngle:
-    """Expressions in `ANGLE` for an angle: (a b)^-2 is a^-2 b^-2 to SymPy, and a - b - sin(a - b) has three terms."""
+    """Expressions in a symbol for an angle: (a b)^-2 is a^-2 b^-2 to SymPy, and a - b - sin(a - b) has three terms."""
 
     def __init__(self, angle: sympy.Expr) -> None:
         self._angle = angle.primitive()[1]
@@ -22,7 +22,8 @@ class WholeAngle:
         self._number = sympy.Mul(*(factor for factor in factors if factor.is_number))
         self._powers = dict(factor.as_base_exp() for factor in factors if not factor.is_number)
         self._terms = self._angle.as_coefficients_dict() if angle.is_Add else {}
-        self._done: dict[sympy.Basic, sympy.Basic] = {self._angle: ANGLE}
+        self.symbol = ROOT if sympy.S.Half in self._powers.values() else ANGLE
+        self._done: dict[sympy.Basic, sympy.Basic] = {self._angle: self.symbol}
 
     def occurs_in(self, parts: Iterable[sympy.Basic]) -> bool:
         """Whether one of them is zero where the angle is, as far as it is seen."""
@@ -46,7 +47,7 @@ class WholeAngle:
 
     def back(self, expression: sympy.Basic) -> sympy.Basic:
         """The expression with the angle again."""
-        return Substitution({ANGLE: self._angle}).of(expression)
+        return Substitution({self.symbol: self._angle}).of(expression)
 
     def _product(self, product: sympy.Expr) -> sympy.Expr:
         """With the powers of the angle that it is divided by, or else those that are in it."""
@@ -57,7 +58,7 @@ class WholeAngle:
         # Where the angle vanishes one of these does.
         power = min((floor(exponent / whole) for exponent, whole in exponents if whole > 0), default=0)
         others = [base ** (-power * exponent) for base, exponent in self._powers.items()]
-        return sympy.Mul(product, (ANGLE / self._number) ** power, *others) if power else product
+        return sympy.Mul(product, (self.symbol / self._number) ** power, *others) if power else product
 
     def _sum(self, total: sympy.Expr) -> sympy.Expr:
         """With the multiple of the angle whose terms are all in it."""
@@ -67,4 +68,4 @@ class WholeAngle:
             return total
         [multiple] = multiples
         rest = [number * term for term, number in terms.items() if term not in self._terms]
-        return sympy.Add(multiple * ANGLE, *rest)
+        return sympy.Add(multiple * self.symbol, *rest)
