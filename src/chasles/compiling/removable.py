@@ -107,17 +107,18 @@ def _lessened(total: sympy.Add) -> Any:
     for term, functions in split if bases else ():
         for f in functions:
             series = with_series(f)
-            kind, (times, angle) = ANALYTIC.get(type(series)), series.args[0].as_coeff_Mul()
+            of: Any = type(series)
+            kind, (times, angle) = ANALYTIC.get(of), series.args[0].as_coeff_Mul()
             inside = {factor.as_base_exp()[0] for factor in sympy.Mul.make_args(angle)}
             if kind is None or isinstance(f, sympy.atan2) or not inside <= bases:
                 continue
             taken: list[Any] = []
             order, factor = kind.first, term / f
-            while (first := -factor * coefficient_of(type(series), order) * (times * angle) ** order) in terms:
+            while (first := -factor * coefficient_of(of, order) * (times * angle) ** order) in terms:
                 taken, order = [*taken, first], order + kind.step
             # Of 1 - cos(x) and exp(x) - 1 there are functions, and programs without loss.
             if term in terms and len(taken) > 1 - kind.first:
-                left = factor * angle**order * left_of(type(series), order, times, angle, square_of(angle))
+                left = factor * angle**order * left_of(of, order, times, angle, square_of(angle))
                 terms = [each for each in terms if each not in (term, *taken)]
                 terms.append(_near(left, sympy.Add(term, *taken), angle))
     return sympy.Add(*terms) if len(terms) < len(total.args) else total
