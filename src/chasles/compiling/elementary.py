@@ -114,28 +114,6 @@ def functions_by_class(build: Builder) -> dict[type, Callable[..., int]]:
     }
 
 
-def without_one(terms: Sequence[sympy.Expr]) -> list[sympy.Expr]:
-    """Terms of a sum in which c exp(a) - c is c expm1(a), which loses nothing where a is small; so are like functions.
-
-    cosh(a) - 1 is 2 sinh(a/2)^2.
-    """
-    left = list(terms)
-    # Of what SymPy's search for common parts holds together nothing is taken out.
-    for term in (term for term in terms if isinstance(term, sympy.Basic)):
-        for factor in sympy.Mul.make_args(term):
-            match factor:
-                case sympy.exp():
-                    lessened = cfunctions.expm1(factor.exp)
-                case sympy.cosh():
-                    lessened = 2 * sympy.sinh(factor.args[0] / 2) ** 2
-                case _:
-                    continue
-            times = term / factor
-            if -times in left and term in left:
-                left = [each for each in left if each not in (term, -times)] + [times * lessened]
-    return left
-
-
 def power(build: Builder, base: int, exponent: Fraction) -> int:
     """The base to a positive rational power: by products and roots, by `pow` where these are many or there are none."""
     twos, rest = _parted(exponent.denominator, 2)

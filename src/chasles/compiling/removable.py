@@ -16,6 +16,7 @@ from typing import Any
 
 import sympy
 
+from chasles.compiling.near_zero import near_zero, without_cancellation
 from chasles.compiling.sums_of_angles import (
     KEPT,
     KNOWN,
@@ -32,9 +33,9 @@ from chasles.compiling.sums_of_angles import (
     sum_of,
     with_series,
 )
-from chasles.compiling.taylor import ANALYTIC, CIRCULAR, Stumpff, TaylorPolynomial, coefficient_of, left_of
+from chasles.compiling.taylor import Stumpff, TaylorPolynomial
 from chasles.compiling.variables import Substitution
-from chasles.compiling.whole_angles import ROOT, WholeAngle
+from chasles.compiling.whole_angles import WholeAngle
 
 MOST_ORDER = 8
 LEFT = (Stumpff, TaylorPolynomial)
@@ -47,10 +48,7 @@ def without_removable(expression: sympy.Basic) -> sympy.Basic:
     table = dict(_by_addition_theorem(parts, divided))
     apart = _with_limits(Substitution(table).of(expression)) if table else expression
     found = apart if parts_of_kinds(apart, LEFT) else _with_limits(expression)
-    pieces = [part for part in parts_of(found, parts) if isinstance(part, sympy.Piecewise)]
-    sums = [part for part in parts_of(found, pieces) if part.is_Add]
-    lessened = {part: other for part in sums if (other := _lessened(part)) is not part}
-    return Substitution(lessened).of(found) if lessened else found
+    return without_cancellation(found)
 
 
 def _by_addition_theorem(
@@ -99,31 +97,6 @@ def _with_limits(expression: sympy.Basic) -> sympy.Basic:
     return expression
 
 
-def _lessened(total: sympy.Add) -> Any:
-    """The sum, in which a function from which the first terms of its series are taken is what is left of the series."""
-    terms = list(total.args)
-    split = [(term, [f for f in sympy.Mul.make_args(term) if isinstance(f, KNOWN)]) for term in terms]
-    bases = {factor.as_base_exp()[0] for term, of in split if not of for factor in sympy.Mul.make_args(term)}
-    for term, functions in split if bases else ():
-        for f in functions:
-            series = with_series(f)
-            of: Any = type(series)
-            kind, (times, angle) = ANALYTIC.get(of), series.args[0].as_coeff_Mul()
-            inside = {factor.as_base_exp()[0] for factor in sympy.Mul.make_args(angle)}
-            if kind is None or isinstance(f, sympy.atan2) or not inside <= bases:
-                continue
-            taken: list[Any] = []
-            order, factor = kind.first, term / f
-            while (first := -factor * coefficient_of(of, order) * (times * angle) ** order) in terms:
-                taken, order = [*taken, first], order + kind.step
-            # Of 1 - cos(x) and exp(x) - 1 there are functions, and programs without loss.
-            if term in terms and len(taken) > 1 - kind.first:
-                left = factor * angle**order * left_of(of, order, times, angle, square_of(angle))
-                terms = [each for each in terms if each not in (term, *taken)]
-                terms.append(_near(left, sympy.Add(term, *taken), angle))
-    return sympy.Add(*terms) if len(terms) < len(total.args) else total
-
-
 def _as_stated(found: sympy.Basic, table: Mapping[Any, Any], made: Collection[Any]) -> Any:
     """The expression with functions as they were where they are left; an arctangent is one in the right half-plane."""
     right = [f.args[1] > 0 for f in table if isinstance(f, sympy.atan2)]
@@ -155,10 +128,10 @@ def _regular(expression: sympy.Basic, angle: sympy.Expr) -> Any:
             whole = _together(singular, angle) if len(singular) > 1 else None
             if whole is not None:
                 rest = [_regular(term, angle) for term in expression.args if term not in singular]
-                return sympy.Add(_near(whole, sympy.Add(*singular), angle), *rest)
+                return sympy.Add(near_zero(whole, sympy.Add(*singular), angle), *rest)
         case sympy.Mul():
             found = _product(expression, angle)
-            near = _near(found, expression, angle)
+            near = near_zero(found, expression, angle)
             if near is not found and _orders(expression, angle)[0] >= 0:
                 return near
             if near is found and (parts_of_kinds(found, (Stumpff,)) or _spelled(expression, angle) == expression):
@@ -180,27 +153,6 @@ def _spelled(expression: sympy.Basic, angle: sympy.Expr) -> Any:
     return Substitution(table).of(expression) if table else expression
 
 
-def _near(found: Any, stated: sympy.Expr, angle: sympy.Expr) -> Any:
-    """What is found where its polynomials hold, and elsewhere what is stated."""
-    if not _polynomials(found):
-        return found
-    if angle == ROOT or angle.is_Pow:
-        # A function of the square has a derivative where a root vanishes.
-        table = {}
-        for f in parts_of_kinds(found, tuple(ANALYTIC)):
-            if angle_of(f) == angle and type(f) not in CIRCULAR:
-                first, times = ANALYTIC[type(f)].first, f.args[0].as_coeff_Mul()[0]
-                table[f] = angle**first * left_of(type(f), first, times, angle, square_of(angle))
-        found = Substitution(table).of(found)
-    near = sympy.And(*(sympy.Abs(part.args[0]) < part.args[1] for part in _polynomials(found)))
-    return sympy.Piecewise((found, near), (stated, True), evaluate=False)
-
-
-def _polynomials(found: Any) -> frozenset[Any]:
-    """Those that are not in cases of their own."""
-    return parts_of_kinds(found, (TaylorPolynomial,), (sympy.Piecewise,))
-
-
 def _pieces(expression: sympy.Piecewise, angle: sympy.Expr) -> Any:
     """One piece is enough where the other says what its limit is."""
     parts = [(_regular(piece, angle), condition) for piece, condition in expression.args]
@@ -213,7 +165,7 @@ def _pieces(expression: sympy.Piecewise, angle: sympy.Expr) -> Any:
             at_zero = at_zero.replace(TaylorPolynomial, lambda *of: of[2])
             if (at_zero.subs(zeros) - sympy.sympify(value).subs(zeros)).equals(0):
                 return general
-    return sympy.Piecewise(*parts, evaluate=False)
+    return expression.func(*parts, evaluate=False)
 
 
 def _says_zero(where: Any, angle: sympy.Expr) -> bool:

@@ -17,7 +17,7 @@ from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 from sympy.simplify.cse_main import Unevaluated
 
-from chasles.compiling.elementary import functions_by_class, power, without_one
+from chasles.compiling.elementary import functions_by_class, power
 from chasles.lowering.builder import Builder
 from chasles.lowering.refusal import LoweringError
 
@@ -110,8 +110,7 @@ class Scalars:
         return self.build.constant(exact)
 
     def _sum(self, terms: Sequence[sympy.Expr]) -> int:
-        """The sum; exp(x) - 1 is a function of its own, which loses nothing near zero."""
-        first, *rest = [self.of(term) for term in without_one(terms)]
+        first, *rest = map(self.of, terms)
         return reduce(self.build.add, rest, first)
 
     def _logarithm(self, of: sympy.Expr) -> int:

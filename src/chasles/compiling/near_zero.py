@@ -1,0 +1,82 @@
+"""What is computed in another way where an angle is small, and in sums that vanish there with more than their terms."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import Any
+
+import sympy
+from sympy.codegen.cfunctions import expm1
+
+from chasles.compiling.sums_of_angles import KEPT, KNOWN, angle_of, parts_of_kinds, square_of, with_series
+from chasles.compiling.taylor import ANALYTIC, CIRCULAR, TaylorPolynomial, coefficient_of, left_of
+from chasles.compiling.variables import HELD, Substitution
+from chasles.compiling.whole_angles import ROOT
+
+_LESSENED = {sympy.exp: expm1, sympy.cosh: lambda a: 2 * sympy.sinh(a / 2) ** 2}
+"""Functions less one, which lose nothing where what goes in is small."""
+
+
+class NearZero(sympy.Piecewise):  # type: ignore[misc]
+    """What holds where an angle is small, and what is stated of all others."""
+
+
+def near_zero(found: Any, stated: sympy.Expr, angle: sympy.Expr) -> Any:
+    """What is found where its polynomials hold, and elsewhere what is stated."""
+    if not _polynomials(found):
+        return found
+    if angle == ROOT or angle.is_Pow:
+        # A function of the square has a derivative where a root vanishes.
+        table = {}
+        for f in parts_of_kinds(found, tuple(ANALYTIC)):
+            if angle_of(f) == angle and type(f) not in CIRCULAR:
+                first, times = ANALYTIC[type(f)].first, f.args[0].as_coeff_Mul()[0]
+                table[f] = angle**first * left_of(type(f), first, times, angle, square_of(angle))
+        found = Substitution(table).of(found)
+    near = sympy.And(*(sympy.Abs(part.args[0]) < part.args[1] for part in _polynomials(found)))
+    return NearZero((found, near), (stated, True), evaluate=False)
+
+
+def _polynomials(found: Any) -> frozenset[Any]:
+    """Those that are not in cases of their own."""
+    return parts_of_kinds(found, (TaylorPolynomial,), (NearZero,))
+
+
+@lru_cache(KEPT)
+def without_cancellation(expression: sympy.Basic) -> Any:
+    """The expression, in which functions less the first terms of their series are what is left of these."""
+    if isinstance(expression, NearZero) or not parts_of_kinds(expression, KNOWN):
+        return expression
+    parts = [without_cancellation(part) for part in expression.args]
+    held = {"evaluate": False} if isinstance(expression, HELD) else {}
+    found = expression if parts == list(expression.args) else expression.func(*parts, **held)
+    return _lessened(found) if isinstance(found, sympy.Add) else found
+
+
+def _lessened(total: sympy.Add) -> Any:
+    """The sum, in which a function from which the first terms of its series are taken is what is left of the series."""
+    terms = list(total.args)
+    split = [(term, [f for f in sympy.Mul.make_args(term) if isinstance(f, KNOWN)]) for term in terms]
+    bases = {factor.as_base_exp()[0] for term, of in split if not of for factor in sympy.Mul.make_args(term)}
+    for term, functions in split:
+        for f in functions:
+            series = with_series(f)
+            of: Any = type(series)
+            kind, (times, angle) = ANALYTIC.get(of), series.args[0].as_coeff_Mul()
+            inside = {factor.as_base_exp()[0] for factor in sympy.Mul.make_args(angle)}
+            if kind is None or isinstance(f, sympy.atan2) or not (of in _LESSENED or inside <= bases):
+                continue
+            taken: list[Any] = []
+            order, factor = kind.first, term / f
+            while (first := -factor * coefficient_of(of, order) * (times * angle) ** order) in terms:
+                taken, order = [*taken, first], order + kind.step
+            if term not in terms or not taken or (of is sympy.cos and len(taken) == 1):
+                # Of 1 - cos(x) programs lose nothing that are cheaper.
+                continue
+            if len(taken) == 1 and of in _LESSENED:
+                left = factor * _LESSENED[of](f.args[0])
+            else:
+                left = factor * angle**order * left_of(of, order, times, angle, square_of(angle))
+                left = near_zero(left, sympy.Add(term, *taken), angle)
+            terms = [left, *(each for each in terms if each not in (term, *taken))]
+    return sympy.Add(*terms) if len(terms) < len(total.args) else total
