@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import lru_cache
+from itertools import permutations
 from typing import Any
 
 import sympy
@@ -67,7 +69,7 @@ def _lessened(total: sympy.Add) -> Any:
             if kind is None or isinstance(f, sympy.atan2) or not (of in _LESSENED or inside <= bases):
                 continue
             taken: list[Any] = []
-            order, factor = kind.first, term / f
+            order, factor = kind.first, _cofactor(term, f)
             while (first := -factor * coefficient_of(of, order) * (times * angle) ** order) in terms:
                 taken, order = [*taken, first], order + kind.step
             if term not in terms or not taken or (of is sympy.cos and len(taken) == 1):
@@ -79,4 +81,26 @@ def _lessened(total: sympy.Add) -> Any:
                 left = factor * angle**order * left_of(of, order, times, angle, square_of(angle))
                 left = near_zero(left, sympy.Add(term, *taken), angle)
             terms = [left, *(each for each in terms if each not in (term, *taken))]
-    return sympy.Add(*terms) if len(terms) < len(total.args) else total
+    return _of_differences(terms) if len(terms) < len(total.args) or len(_exponentials(terms)) > 1 else total
+
+
+def _cofactor(term: sympy.Expr, factor: sympy.Expr) -> Any:
+    return sympy.Mul(*(each for each in sympy.Mul.make_args(term) if each is not factor))
+
+
+def _exponentials(terms: Sequence[sympy.Expr]) -> list[tuple[sympy.Expr, sympy.Expr, sympy.Expr]]:
+    """The terms that are multiples of an exponential, their factors, and of what it is taken."""
+    split = ((term, f) for term in terms for f in sympy.Mul.make_args(term) if isinstance(f, sympy.exp))
+    return [(term, _cofactor(term, f), f.exp) for term, f in split]
+
+
+def _of_differences(terms: list[sympy.Expr]) -> Any:
+    """The sum of the terms, in which c exp(a) - c exp(b) is c exp(b) expm1(a - b) where a is close to b."""
+    found = sympy.Add(*terms)
+    for (one, factor, a), (other, opposite, b) in permutations(_exponentials(terms), 2):
+        is_first = factor == -opposite and not factor.could_extract_minus_sign()
+        if is_first and {one, other} <= set(terms):
+            near = factor * sympy.exp(b) * expm1(a - b), sympy.Abs(a - b) < 1
+            terms = [NearZero(near, (one + other, True), evaluate=False), *(t for t in terms if t not in (one, other))]
+            found = sympy.Add(*terms)
+    return found
