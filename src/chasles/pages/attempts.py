@@ -22,6 +22,8 @@ MOST_POSED = 4
 """So many posed equations, the last ones, are tried together for a proof."""
 
 
+Known = tuple[Rules, tuple[PosedEquation, ...]]
+"""Rules to apply and equations to assume."""
 MOST_BALANCED = 8
 """So many rules for what occurs on one side only are tried together."""
 
@@ -68,7 +70,7 @@ def _is_new(rules: Rules, posed: tuple[PosedEquation, ...], seen: set[tuple[froz
     return True
 
 
-def _premise_sets(claim: Claim, premises: Premises) -> Iterator[tuple[Rules, tuple[PosedEquation, ...]]]:
+def _premise_sets(claim: Claim, premises: Premises) -> Iterator[Known]:
     """Rules to apply and equations to assume: nothing, what is said of what occurs, all that this rests on."""
     sides = claim.printed
     defined = [premises.defined(generation) for generation in range(premises.generations)]
@@ -137,10 +139,14 @@ def _spoken_of(posed: PosedEquation) -> tuple[Quantity, ...]:
 
 def with_everything(claim: Claim, premises: Premises, generation: int) -> Claim:
     """The claim with all that the page says of its symbols, open equations among it."""
+    return with_premises(claim, premises, *all_said(claim, premises, generation), everything=True)
+
+
+def all_said(claim: Claim, premises: Premises, generation: int) -> Known:
+    """All that the page says of the symbols of a claim, open equations among it."""
     rules = chosen_rules(claim.printed, premises.defined(generation))
     posed = premises.relevant_to(free_quantities(claim.printed, rules))
-    rules = chosen_rules(sides_of(claim, posed), premises.defined(generation))
-    return with_premises(claim, premises, rules, posed, everything=True)
+    return chosen_rules(sides_of(claim, posed), premises.defined(generation)), posed
 
 
 def sides_of(claim: Claim, posed: Iterable[PosedEquation]) -> tuple[Node, ...]:

@@ -102,12 +102,12 @@ class _Brief(_FewTerms):
 FEW_TERMS, BRIEF, NO_COUNTEREXAMPLES, LIKELY = _FewTerms(), _Brief(), _NoCounterexamples(), _Likely()
 
 
-def proof_of(claim: Claim, session: Session, likely: bool = False) -> Verdict | None:
+def proof_of(claim: Claim, session: Session, likely: bool = False, work: float = 1.0) -> Verdict | None:
     """The verdict on a claim that follows from its premises, which a point satisfies; None if that is not found.
 
-    More work is taken where it is likely to follow than where that is not known.
+    This part of the work is taken where it is likely to follow, less where that is not known.
     """
-    verdict = _answer(claim, session, *((LIKELY, 1.0) if likely else (NO_COUNTEREXAMPLES, LEAST_WORK)))
+    verdict = _answer(claim, session, *((LIKELY, work) if likely else (NO_COUNTEREXAMPLES, LEAST_WORK)))
     return verdict if verdict.true else None
 
 

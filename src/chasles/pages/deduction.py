@@ -66,6 +66,7 @@ class Deduction:
     _foretold: dict[tuple[str, int], PageFinding] = field(default_factory=dict)
     _derivatives: UnsaidDerivatives = field(default_factory=UnsaidDerivatives)
     _said_here: tuple[int, dict[Quantity, Node]] = (0, {})
+    _section: str | None = None
 
     @cached_property
     def consequences(self) -> Consequences:
@@ -80,13 +81,18 @@ class Deduction:
         return other
 
     @contextmanager
-    def where(self, number: str, given: Iterable[Part], display: int = 0) -> Iterator[None]:
+    def where(
+        self, number: str, given: Iterable[Part], display: int = 0, section: str | None = None
+    ) -> Iterator[None]:
         """What is said within is said for the case that the relations hold; those that are no equations are left.
 
         What one display says of a symbol in several ways may be cases, too.
         """
         if display != self._said_here[0]:
             self._said_here = display, {}
+        if section != self._section:
+            self._section = section
+            self.premises.begin_section()
         before = len(self.premises.posed)
         for part in given:
             if part.sign == "=" and not part.fault:
@@ -176,16 +182,27 @@ class Deduction:
                 told=role == "claim",
                 may_define=meant is not None,
             )
-        if isinstance(finding.verdict, Fails) and not finding.open and isinstance(finding.statement, Claim):
-            doubt = self._doubt(finding.statement, finding.instead, is_true=False)
-            finding = with_fields(finding, open=bool(doubt), doubt=doubt)
+        fails = finding.unless[1] if finding.unless else finding
+        if isinstance(fails.verdict, Fails) and not fails.open and isinstance(fails.statement, Claim):
+            doubt = self._doubt(fails.statement, fails.instead, is_true=False)
+            finding = with_fields(fails, open=True, doubt=doubt) if doubt else finding
         is_case = key is not None and self._said_here[1].get(key, claim.right) != claim.right
-        if not finding.open and not (is_case and isinstance(finding.verdict, Fails)):
-            return finding
+        if is_case and isinstance(finding.verdict, Fails):
+            return self._posed_or_defined(claim, meant, with_fields(finding, unless=None))
+        if not finding.open or (finding.instead and not finding.verdict.true):
+            return finding  # what is likely a slip is no premise of what follows
+        return self._posed_or_defined(claim, meant, finding)
+
+    def _posed_or_defined(self, claim: Claim, meant: tuple[Quantity, bool] | None, finding: PageFinding) -> PageFinding:
         if not meant:
             return with_fields(self._posed(claim, True, finding.verdict), doubt=finding.doubt, instead=finding.instead)
         made = self._defined(claim, *meant)
         return with_fields(made, verdict=finding.verdict, doubt=finding.doubt) if finding.doubt else made
+
+    def settled(self, finding: PageFinding | None) -> PageFinding | None:
+        """What is found once all of the page is known: what fails under equations on which others rest, too."""
+        names, fails = finding.unless if finding and finding.unless else (frozenset(), finding)
+        return fails if names <= self.premises.relied else finding
 
     def _foretell(self, claim: Claim, ahead: tuple[Claim, ...]) -> bool:
         """Take in advance the definitions of symbols that are new in a claim, if there are any."""
@@ -242,6 +259,7 @@ class Deduction:
             verdict = proof_of(attempt.claim, self.session, attempt.likely)
             if verdict is not None:
                 verdict = _resting_on(attempt.assumed, verdict)
+                self.premises.relied.update(getattr(verdict, "needs", ()))
                 if doubt := self._doubt(attempt.claim):
                     return PageFinding("claim", verdict, attempt.claim, open=True, doubt=doubt)
                 return self._proved(attempt.claim, verdict)

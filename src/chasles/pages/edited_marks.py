@@ -18,6 +18,8 @@ from chasles.vocabulary.tree import replace
 
 IsKnown = Callable[[Symbol], bool]
 TWO = Number(Fraction(2))
+SMALL = tuple(map(Fraction, range(1, 5)))
+"""Numbers of which one is put for another."""
 
 
 def one_mark_away(
@@ -89,7 +91,9 @@ def _here(node: Node) -> Iterator[tuple[Node, str]]:
                     yield Sum((*terms[:place], changed, *terms[place + 1 :])), said
         case Negative(term):
             yield term, f"the sign of {term} is turned"
-        case Number(value) if value in (2, 4):
-            yield Number(value / 2), "a factor of two is left out"
+        case Scale(Number(value), term) if value in SMALL:
+            yield term, f"a factor of {value} is left out"
+        case Number(value) if value in SMALL:
+            yield from ((Number(other), f"{other} for {value}") for other in SMALL[1:] if other != value)
         case Quotient(numerator, Number(value)) if value == 2:
             yield numerator, "a factor of one half is left out"

@@ -15,7 +15,8 @@ class PageFinding:
 
     `against` are the premises of a refutation; `instead` is what is true in place of what fails, or likely is a slip;
     `given` are premises that a person says, and needs no more. The verdict of an `open` one says why it was not proved;
-    where there is a `doubt`, it is found only if letters are what is proposed, and that says of which kind.
+    where there is a `doubt`, it is found only if letters are what is proposed, and that says of which kind. It is open
+    `unless` other claims of the page rest on the open equations named, under which it fails.
     """
 
     role: str
@@ -26,3 +27,4 @@ class PageFinding:
     against: tuple[str, ...] = ()
     given: tuple[str, ...] = ()
     doubt: str = ""
+    unless: tuple[frozenset[str], PageFinding] | None = None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from pathlib import Path
 from types import ModuleType
@@ -143,7 +143,7 @@ def read_page(
         ahead = tuple(claim for claim in following if claim.sign in ("=", *DEFINING))
         first = relations[place][0].part if relations[place] else 1
         found += _decided(equation, name, first, notes, deduction, ahead)
-    return Page(tuple(found), file)
+    return Page(tuple(replace(each, finding=deduction.settled(each.finding)) for each in found), file)
 
 
 def _relations(reading: Reading, number: str, first: int) -> tuple[Claim, ...]:
@@ -166,12 +166,12 @@ def _decided(
     news = [deduction.strange(reading) for reading in equation.readings]
     taken, *others = [each for each, new in zip(equation.readings, news, strict=True) if new == min(news)]
     forks = [(other, deduction.fork()) for other in others[: MOST_READINGS - 1]]
-    display = equation.printed.display
-    findings = list(_said(taken, number, first, notes, deduction, ahead, display))
+    where = equation.printed
+    findings = list(_said(taken, number, first, notes, deduction, ahead, where))
     usual = [_verdict(finding) for _, finding in findings]
     told = []
     for other, fork in () if _is_meant(usual) else forks:
-        verdicts = [_verdict(finding) for _, finding in _said(other, number, first, notes, fork, ahead, display)]
+        verdicts = [_verdict(finding) for _, finding in _said(other, number, first, notes, fork, ahead, where)]
         if verdicts != usual and not UNDECIDED.issuperset((*verdicts, *usual)):
             told.append((", ".join(verdicts), _in_latex(other)))
     for place, (part, finding) in enumerate(findings, first):
@@ -190,10 +190,10 @@ def _said(
     notes: Notes,
     deduction: Deduction,
     ahead: tuple[Claim, ...],
-    display: int,
+    printed: PrintedEquation,
 ) -> Iterator[tuple[Part, PageFinding]]:
     claims = _relations(reading, number, first)
-    with deduction.where(number, reading.given, display):
+    with deduction.where(number, reading.given, printed.display, printed.section):
         for place, (part, claim) in enumerate(zip(reading.parts, claims, strict=True), 1):
             following = (*(each for each in claims[place:] if each.sign in ("=", *DEFINING)), *ahead)
             note = notes.get((number, claim.part), NOTHING)

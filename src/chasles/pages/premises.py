@@ -35,7 +35,8 @@ class Premises:
 
     `definitions` has for each quantity what the page has said it to be, the last first, and None at the end if it was
     used before; `proved` the last claim proved of it, `opened` the last open equation that says what it is; `said` are
-    all of these in their order, and `spoken` is what has occurred.
+    all of these in their order, and `spoken` is what has occurred; a section has `begun` behind so many of both.
+    On what is `relied` a proved claim rests.
     """
 
     facts: Callable[[Symbol], tuple[Hypothesis, ...]]
@@ -45,12 +46,29 @@ class Premises:
     said: list[Statement] = field(default_factory=list)
     posed: list[PosedEquation] = field(default_factory=list)
     spoken: set[Quantity] = field(default_factory=set)
+    begun: tuple[int, int] = (0, 0)
+    relied: set[str] = field(default_factory=set)
+
+    def begin_section(self) -> None:
+        """From here on another section."""
+        self.begun = len(self.posed), len(self.said)
+
+    @property
+    def posed_here(self) -> list[PosedEquation]:
+        """The equations that this section has posed."""
+        return self.posed[self.begun[0] :]
+
+    @property
+    def opened_here(self) -> Rules:
+        """The open equations of this section that say what a symbol is."""
+        here = {id(each) for each in self.said[self.begun[1] :]}
+        return {(symbol, order): each for (symbol, order), each in self.opened.items() if id(each) in here}
 
     def copy(self) -> Premises:
         """The same, to which something else may be added."""
         definitions = {q: list(known) for q, known in self.definitions.items()}
         rules = dict(self.proved), dict(self.opened)
-        return Premises(self.facts, definitions, *rules, list(self.said), list(self.posed), set(self.spoken))
+        return Premises(self.facts, definitions, *rules, list(self.said), list(self.posed), set(self.spoken), self.begun, set(self.relied))
 
     def defined(self, generation: int = 0) -> Rules:
         """The rules of the definitions; of an older `generation` those before them, or none for what was free then."""

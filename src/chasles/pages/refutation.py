@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace as with_fields
 
 from chasles.decisions.session import Session
-from chasles.pages.attempts import MOST_POSED, sides_of, with_everything, with_premises
+from chasles.pages.attempts import MOST_POSED, Known, all_said, named, sides_of, with_premises
 from chasles.pages.bounded_proofs import verdict_on
 from chasles.pages.consequences import Consequences
 from chasles.pages.finding import PageFinding
-from chasles.pages.notes import is_defining
+from chasles.pages.notes import DEFINING, is_defining
 from chasles.pages.other_kinds import imaginary_unit
 from chasles.pages.premises import Premises, chosen_rules, free_quantities
 from chasles.pages.quantities import quantities, quantity
@@ -48,27 +49,38 @@ def refuted(
         reason = f"{unit} is the imaginary unit, and complex numbers have no word"
         return PageFinding("claim", Undecided(reason), claim, open=True)
     of_its_own = any(symbol.meaning == OF_ITS_OWN for symbol, _ in free_quantities(claim.printed, rules))
-    is_asked = not (is_defining(claim) or of_its_own or _is_new_value(claim))
+    is_asked = not (claim.sign in DEFINING or _is_new_value(claim))
+    may_fail = is_asked and not (of_its_own or is_defining(claim))
     is_false = consequences.may_follow(*claim.printed, rules) is False
-    instead = _instead(claim, premises, session, consequences) if is_asked and is_false else None
-    attempt, is_open = with_premises(claim, premises, rules, ()), instead is None and (is_false or not is_asked)
+    instead, unsure = _instead(claim, premises, session, consequences) if is_asked and is_false else (None, None)
+    attempt, is_open = with_premises(claim, premises, rules, ()), instead is None and (is_false or not may_fail)
     if is_open and may_define:
         return PageFinding("claim", Undecided("nothing near it is true"), claim, open=True)
     verdict = verdict_on(attempt, session, is_brief=is_open and is_false and not told)
-    if is_asked and not is_false and isinstance(verdict, Fails):
-        instead = _instead(claim, premises, session, consequences)
-    if not isinstance(verdict, Fails) or (instead is None and not told) or of_its_own:
-        return PageFinding("claim", verdict, claim, open=True, instead=None if of_its_own else instead)
+    if may_fail and not is_false and isinstance(verdict, Fails):
+        instead, unsure = _instead(claim, premises, session, consequences)
+    left_open = PageFinding("claim", verdict, claim, open=True, instead=instead)
+    if not isinstance(verdict, Fails) or not (told or (instead and may_fail)) or of_its_own:
+        return left_open
     everywhere: list[tuple[Claim, Verdict]] = []
     for generation in range(premises.generations):
-        everything = with_everything(claim, premises, generation)
+        said = all_said(claim, premises, generation)
+        everything = with_premises(claim, premises, *said, everything=True)
         found = verdict_on(everything, session)
-        if not isinstance(found, Fails):
-            return PageFinding("claim", found, claim, open=True, instead=instead)
-        everywhere.append((everything, found))
-    refuted_claim, first = everywhere[0]
+        if isinstance(found, Fails):
+            everywhere.append((everything, found))
+        elif not _differs(claim, said, consequences):
+            return with_fields(left_open, verdict=found)
+    refuted_claim, first = everywhere[0] if everywhere else (attempt, verdict)
     against = (*(given.number for given in refuted_claim.given), *(h.text for h in refuted_claim.assuming))
-    return PageFinding("claim", first, refuted_claim, instead=instead, against=against)
+    fails = PageFinding("claim", first, refuted_claim, instead=instead, against=against)
+    return with_fields(left_open, unless=(unsure, fails)) if unsure and not told else fails
+
+
+def _differs(claim: Claim, said: Known, consequences: Consequences) -> bool:
+    """Whether a random motion satisfies all that is said, and the sides differ there."""
+    is_satisfied = consequences.may_follow(claim.left, claim.left, *said)
+    return bool(is_satisfied) and consequences.may_follow(*claim.printed, *said) is False
 
 
 def _is_new_value(claim: Claim) -> bool:
@@ -77,11 +89,37 @@ def _is_new_value(claim: Claim) -> bool:
     return any(one.is_scalar and (key := quantity(one)) and key in quantities(other) for one, other in sides)
 
 
-def _instead(claim: Claim, premises: Premises, session: Session, consequences: Consequences) -> Repair | None:
-    """A true equation but for one slip, under what the page says of the claim's symbols and does not leave open."""
-    rules = premises.defined()
-    deep = chosen_rules(claim.printed, rules)
+def _instead(
+    claim: Claim, premises: Premises, session: Session, consequences: Consequences
+) -> tuple[Repair | None, frozenset[str] | None]:
+    """A true equation but for one slip under what the page says, and on which open equations that rests.
+
+    One of these over again is as well one of another case: then the claim is sure never to fail.
+    """
+    for known in _known(claim, premises):
+        found = true_but_for_a_slip(claim, known, premises, session, consequences)
+        if found is not None:
+            rules, posed = consequences.least(found.left, found.right, *known)
+            opened = [rule for rule in rules.values() if rule in premises.opened.values()]
+            said = [(each.left, each.right) for each in posed if each.open] + [rule.printed for rule in opened]
+            again = [""] if any({found.left, found.right} == set(sides) for sides in said) else []
+            names = (*map(named, opened), *(each.hypothesis.text for each in posed if each.open))
+            return found, frozenset([*again, *names])
+    return None, None
+
+
+def _known(claim: Claim, premises: Premises) -> Iterator[Known]:
+    """What the page says of a claim's symbols: what is not left open; and all of it that is said in this section."""
+    defined = premises.defined()
+    deep = chosen_rules(claim.printed, defined)
     known = premises.restricting(free_quantities(claim.printed, deep), deep)
     posed = tuple(each for each in known if not each.open)[-MOST_POSED:]
-    rules = chosen_rules(sides_of(claim, posed), rules)
-    return true_but_for_a_slip(claim, (rules, posed), premises, session, consequences)
+    first = chosen_rules(sides_of(claim, posed), defined), posed
+    yield first
+    table = {**defined, **premises.proved, **premises.opened_here}
+    deep = chosen_rules(claim.printed, table)
+    known = premises.restricting(free_quantities(claim.printed, deep), deep)
+    posed = tuple(each for each in known if each in premises.posed_here and not each.is_rule)[-MOST_POSED:]
+    second = chosen_rules(sides_of(claim, posed), table), posed
+    if second != first:
+        yield second

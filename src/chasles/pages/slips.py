@@ -14,7 +14,7 @@ from itertools import count, islice
 
 from chasles.decisions.session import Session
 from chasles.pages.attempts import with_premises
-from chasles.pages.bounded_proofs import proof_of
+from chasles.pages.bounded_proofs import LESS_WORK, proof_of
 from chasles.pages.consequences import Consequences
 from chasles.pages.edited_marks import one_mark_away
 from chasles.pages.premises import PosedEquation, Premises, Rules, free_quantities
@@ -72,7 +72,7 @@ def true_but_for_a_slip(
         if likely is None and next(unknown) >= MOST_UNKNOWN:
             continue
         for chosen in (consequences.least(left, right, *known), known) if likely else (known,):
-            verdict = proof_of(with_premises(meant, premises, *chosen), session, bool(likely))
+            verdict = proof_of(with_premises(meant, premises, *chosen), session, bool(likely), LESS_WORK)
             if isinstance(verdict, Holds | HoldsUnder):
                 return Repair(left, right, (said,), 1, verdict)
     return None

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from chasles.reading import commands
 from chasles.reading.atoms import CLOSING, OPENING, Atom, Atoms, marks_of, single
+from chasles.reading.grammar import closing
 from chasles.reading.lexemes import BadPage, Token, cut, lexemes, spelled
 from chasles.reading.respelling import respelled, without_layout
 
@@ -86,7 +87,7 @@ def equations_of(environment: str, rows: Sequence[DisplayedEquation]) -> list[Di
         whole, printed = _trailing_number(respelled(row.raw))
         for line, is_paired in _lines(whole, environment):
             atoms, own = _trailing_number(_without_alignment(line, is_paired))
-            kept = without_layout(atoms)
+            kept = without_layout(_opened(atoms))
             if {atom.text for atom in kept} - DOTS:
                 is_ended, number = atoms[-1].text in (",", ".", ";"), own or printed or row.number
                 new = row._replace(atoms=kept, number=number, is_ended=is_ended, place=atoms[0].place)
@@ -155,6 +156,19 @@ def _relations(atoms: Sequence[Atom]) -> list[int]:
         if depth == 0 and atom.kind == "RELATION":
             found.append(at)
     return found
+
+
+def _opened(atoms: list[Atom]) -> list[Atom]:
+    """Without brackets around an equation, a side of it, or what goes on with it, as in x = 2 (= a)."""
+    for start, atom in enumerate(atoms):
+        end = closing(atoms, start) if atom.text == "(" else 0
+        inside = atoms[start + 1 : end]
+        if (places := _relations(inside)) and not atoms[end].is_marked:
+            begins = start == 0 or atoms[start - 1].kind == "RELATION"
+            ends = not {each.kind for each in atoms[end + 1 : end + 2]} - {"RELATION", "COMMA"}
+            if (places[0] == 0 or begins) and (places[-1] == len(inside) - 1 or ends):
+                return _opened([*atoms[:start], *inside, *atoms[end + 1 :]])
+    return atoms
 
 
 def _deeper(atom: Atom) -> int:

@@ -10,7 +10,7 @@ from typing import Any
 from chasles.nearest import nearest
 from chasles.reading.atoms import Unread
 from chasles.reading.glyphs import Glyph, letter_in, spelled
-from chasles.reading.letter_table import BadNotation, LetterTable, require
+from chasles.reading.letter_table import BadNotation, LetterTable, named_apart, require
 from chasles.reading.lexemes import BadPage
 from chasles.reading.page_notation import PageNotation
 from chasles.vocabulary import NO_DIMENSION, Dimension, Inverse, Misfit, Node, Symbol, Transpose, uniform
@@ -109,7 +109,8 @@ def _quantity(notation: PageNotation, table: LetterTable, letter: Glyph, text: s
         size = measure if stands_for is None or stands_for.measure is None else stands_for.measure
         constant = bool(said.get("constant", False))
         waiting.discard(found)
-        made[found] = Symbol(named(found), latex, size, meaning, constant, stands_for, notation.home, in_units)
+        own = Symbol(named(found), latex, size, meaning, constant, stands_for, notation.home, in_units)
+        made[found] = named_apart(own, notation.names)
         return made[found]
 
     table.add(letter, symbol, text)

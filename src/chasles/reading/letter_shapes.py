@@ -214,6 +214,7 @@ def _stacked(rows: Sequence[Sequence[Shape | None]]) -> Shape | None:
     if any(len(each) > 1 for each in (*heights, *widths)):
         raise Misshapen
     known = {cell for row in rows for cell in row if cell}
+    heights = [each or {1} & set().union(*widths) for each in heights]  # [0, 1] below [R, r] is one row
     if not known or (known != {SCALAR} and not all((*heights, *widths))):
         return None
     return sum(next(iter(each), 1) for each in heights), sum(next(iter(each), 1) for each in widths)

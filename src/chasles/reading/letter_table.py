@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from itertools import product
 from typing import Any
 
 from chasles.reading.glyphs import Glyph, letter_in, spelled
@@ -149,11 +150,34 @@ def _joined(words: list[str]) -> tuple[str, ...]:
 
 
 def _pattern(text: str) -> re.Pattern[str]:
-    """A pattern of marks: '##' stands for one or more, '#' for one, a|b for either."""
+    """A pattern of marks: '##' stands for one or more, '#' for one, a|b for either, or for itself as in P_{k|k-1}."""
     words = []
     for word in re.sub(r"\s*\|\s*", "|", text.replace("# #", "##")).split():
         if word in ("##", "#"):
             words.append(r"\S+(?: \S+)*" if word == "##" else r"\S+")
         else:
             words.append("(?:" + "|".join(map(re.escape, word.split("|"))) + ")")
-    return re.compile(" ".join(words))
+    return re.compile(f"{' '.join(words)}|{re.escape(text)}")
+
+
+def named_apart(symbol: Symbol, named: dict[str, Symbol], as_printed: bool = True) -> Symbol:
+    """The symbol with a name that no other of those `named` has, nor an entry of one; it is among them then.
+
+    That is its own, or what it is printed as, or its own with a number.
+    """
+    if symbol.stands_for is not None:
+        return symbol
+    names = (symbol.name, *[symbol.letter] * as_printed, *(f"{symbol.name}'{k}" for k in range(2, len(named) + 3)))
+    others = (replace(symbol, name=name) for name in names)
+    apart = next(other for other in others if all(named.get(name, other) == other for name in _names(other)))
+    named.update(dict.fromkeys(_names(apart), apart))
+    return apart
+
+
+def _names(symbol: Symbol) -> set[str]:
+    """The names of the symbol and of its entries."""
+    rows, columns = symbol.shape
+    if not (isinstance(rows, int) and isinstance(columns, int)):
+        return {symbol.name}
+    places = product(range(1, rows + 1), range(1, columns + 1))
+    return {symbol.name, *(f"{symbol.name}_{i}" if columns == 1 else f"{symbol.name}_{i}{j}" for i, j in places)}

@@ -13,6 +13,7 @@ from chasles.reading.case_grids import ENVIRONMENTS, case_fits
 from chasles.reading.context import KINDS, FittingContext
 from chasles.reading.fits import UNUSUAL, Fit, Shape, kept
 from chasles.reading.glyphs import Glyph, in_latex, latex_of, letter_of, spelled
+from chasles.reading.letter_table import named_apart
 from chasles.reading.matrices import block_fits, grid_fits, row_of_blocks
 from chasles.reading.quotients import exponential_fits, fraction_fits, of_atoms
 from chasles.reading.spellings import signed
@@ -62,6 +63,8 @@ def letter_fits(letter: Glyph, ctx: FittingContext, is_function: bool = False) -
     found: list[Fit] = []
     longest: Glyph | None = None
     for node, rest in ctx.notation.letters.meanings(letter, is_function):
+        if isinstance(node, Symbol) and letter.arguments:
+            node = named_apart(node, ctx.notation.names)
         fits = with_marks([_of_symbol(node)], rest, ctx)
         longest = longest or (rest if fits else None)
         found += fits if rest == longest else [replace(fit, cost=fit.cost + UNUSUAL) for fit in fits]

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace as with_fields
-from itertools import count, product
 from typing import Any
 
 from chasles.reading.declared_letters import KINDS
+from chasles.reading.letter_table import named_apart
 from chasles.vocabulary import Node, Symbol, replace
 from chasles.vocabulary.families import Family
 
@@ -20,13 +20,12 @@ def one_meaning_each(values: Iterable[Any]) -> list[Any]:
     values = list(values)
     taken: dict[Node, Node] = {}
     first: dict[tuple[object, ...], Symbol] = {}
-    named: set[str] = set()
+    named: dict[str, Symbol] = {}
     for symbol in (value for value in values if isinstance(value, Symbol) and value.stands_for is None):
         kind = next((kind for kind in KINDS if symbol.meaning.startswith(kind)), "")
         key = symbol.letter, symbol.size, symbol.constant, kind
         if key not in first:
-            first[key] = _with_a_name_of_its_own(symbol, named)
-            named |= _names(first[key])
+            first[key] = named_apart(symbol, named, as_printed=False)
         taken[symbol] = first[key]
     for symbol in (value for value in values if isinstance(value, Symbol)):
         if symbol.stands_for is not None:
@@ -41,17 +40,3 @@ def _changed(value: Any, taken: dict[Node, Node]) -> Any:
         one, two, three = (taken.get(member, member) for member in value.members)
         return with_fields(value, members=(one, two, three))
     return value
-
-
-def _with_a_name_of_its_own(symbol: Symbol, named: set[str]) -> Symbol:
-    names = (symbol.name if k == 1 else f"{symbol.name}'{k}" for k in count(1))
-    return next(other for name in names if not _names(other := with_fields(symbol, name=name)) & named)
-
-
-def _names(symbol: Symbol) -> set[str]:
-    """The names of the symbol and of its entries."""
-    rows, columns = symbol.shape
-    if not (isinstance(rows, int) and isinstance(columns, int)):
-        return {symbol.name}
-    places = product(range(1, rows + 1), range(1, columns + 1))
-    return {symbol.name, *(f"{symbol.name}_{i}" if columns == 1 else f"{symbol.name}_{i}{j}" for i, j in places)}

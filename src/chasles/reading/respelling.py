@@ -11,6 +11,8 @@ from chasles.reading.typefaces import array_in_brackets, styled, text_atoms, wit
 
 DEEPEST = 60
 SCRIPTLESS = commands.RELATIONS | commands.OPERATORS | {ROW_END, "&", ",", ";", "(", "[", r"\{", r"\quad", r"\qquad"}
+TURNS = (r"\top", r"\intercal")
+"""Signs of a transpose that some set behind a letter without raising them."""
 _INFIX = commands.RELATIONS | commands.OPERATORS | {"&", ROW_END, r"\quad"}
 _OPEN = _INFIX | {"(", "[", r"\{"}
 _CLOSE = _INFIX | {")", "]", r"\}", ",", ";", "."}
@@ -99,12 +101,13 @@ class _Respelling:
         scripts: dict[str, Atoms] = {}
         primes = 0
         is_apart = False  # over a blank in place of a subscript stands what is printed at the left of the next letter
-        while (text := self.peek()) in ("_", "^", "'", r"\prime", r"\limits", r"\nolimits"):
+        while (text := self.peek()) in ("_", "^", "'", r"\prime", r"\limits", r"\nolimits", *(TURNS if nuclei else ())):
             token = self.raw[self.at]
-            self.at += 1
+            self.at += text not in TURNS
             if text in ("'", r"\prime"):
                 primes += 1
-            elif text in ("_", "^"):
+            elif text in ("_", "^", *TURNS):
+                text = "^" if text in TURNS else text
                 is_apart |= text == "_" and [self.ahead(k) for k in range(3)] == ["{", "\\ ", "}"]
                 script = self.argument(token)
                 if text == "^" and script and script[0].primes and not any(script[0].arguments or [script[0].text]):

@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import lru_cache, partial
 from itertools import combinations, islice, product
 
-from chasles.reading.atoms import Terms
+from chasles.reading.atoms import Atoms, Terms
 from chasles.reading.glyphs import ARROWS, Glyph, letter_of, spelled
 from chasles.reading.grammar import Chain
 from chasles.reading.letter_names import NameMarks, is_declared, parted, stem_of
@@ -48,11 +48,11 @@ def shaped_letters(
     """
     chains = [chains_of(equation) for equation in equations]
     searches: list[_KindSearch] = []
-    for are_numbers in (False, True):
+    for changed in ((), ("matrix", "scalar"), ("scalar", "vector")):
         uses = letter_uses(equations, texts, marks)
         for use in uses.values():
-            if are_numbers and (use.kind, use.other) == ("matrix", "scalar"):
-                use.kind, use.other = "scalar", "matrix"
+            if (use.kind, use.other) == changed:
+                use.kind, use.other = use.other, use.kind
         searches.append(_KindSearch(chains, uses, marks))
         searches[-1].go_through()
         if not searches[0].all_faults():
@@ -182,19 +182,19 @@ class _KindSearch:
                     yield tuple(zip(chosen, kinds, strict=True))
 
     def _wanted(self, place: int) -> Iterator[tuple[Glyph, Shape]]:
-        """The shapes of what letters are set equal to."""
+        """The shapes of what letters are set equal to, and of columns that they are added to."""
         for chain in self.chains[place]:
-            sides = [side for side in chain.sides if side is not None]
-            shapes = {shape for side in sides if (shape := self._shape(side)) is not None}
-            for side in sides:
-                piece = side.rows[0][0]
-                if len(side.rows) == len(side.rows[0]) == 1 and piece.kind != "INFIX":
-                    stem, _ = self.known_by(letter_of(piece))
-                    yield from ((stem, shape) for shape in shapes if stem in self.uses)
+            sides = [side.rows for side in chain.sides if side is not None]
+            shapes = dict.fromkeys(self._shape(row) for rows in sides for row in rows)
+            for rows, row in ((rows, row) for rows in sides for row in rows):
+                is_letter = row[-1].kind != "INFIX" and all(each.kind == "NUMBER" for each in row[:-1])
+                stem = self.known_by(letter_of(row[-1]))[0] if is_letter else None
+                wanted = [each for each in shapes if each and (len(rows) == 1 or each[0] != 1 == each[1])]
+                yield from ((stem, shape) for shape in wanted if stem in self.uses)
 
-    def _shape(self, side: Terms) -> Shape | None:
+    def _shape(self, row: Atoms) -> Shape | None:
         try:
-            return shape_of_chain(Chain((side,), ()), self.shape_of, self.names)[0]
+            return shape_of_chain(Chain((Terms(("",), (row,)),), ()), self.shape_of, self.names)[0]
         except Misshapen:
             return None
 

@@ -68,8 +68,8 @@ def _in_style(style: str, atom: Atom) -> Atom:
 
 
 def without_empty_cells(inside: list[Atom]) -> list[Atom]:
-    """A matrix without columns that are there for their space alone."""
-    rows = [cut(row, ("&",)) for row in cut(inside, (ROW_END,)) if row]
+    """A matrix without columns that are there for their space alone, and without commas at the end of cells."""
+    rows = [[_unpunctuated(cell) for cell in cut(row, ("&",))] for row in cut(inside, (ROW_END,)) if row]
     width = max(map(len, rows), default=0)
     kept = [at for at in range(width) if any(any(row[at : at + 1]) for row in rows)]
     if not kept or not all(len(row) > max(kept) and all(row[at] for at in kept) for row in rows):
@@ -82,6 +82,10 @@ def without_empty_cells(inside: list[Atom]) -> list[Atom]:
             found += [single(place._replace(text="&"))] if at != kept[0] else []
             found += row[at] if at < len(row) else []
     return found
+
+
+def _unpunctuated(cell: list[Atom]) -> list[Atom]:
+    return cell[:-1] if cell and cell[-1].text in (",", ";") else cell
 
 
 def array_in_brackets(atoms: list[Atom]) -> None:
