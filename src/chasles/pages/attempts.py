@@ -149,6 +149,23 @@ def all_said(claim: Claim, premises: Premises, generation: int) -> Known:
     return chosen_rules(sides_of(claim, posed), premises.defined(generation)), posed
 
 
+def known_of(claim: Claim, premises: Premises) -> Iterator[Known]:
+    """What the page says of a claim's symbols: what is not left open; and all of it that is said in this section."""
+    defined = premises.defined()
+    deep = chosen_rules(claim.printed, defined)
+    known = premises.restricting(free_quantities(claim.printed, deep), deep)
+    posed = tuple(each for each in known if not each.open)[-MOST_POSED:]
+    first = chosen_rules(sides_of(claim, posed), defined), posed
+    yield first
+    table = {**defined, **premises.proved, **premises.opened_here}
+    deep = chosen_rules(claim.printed, table)
+    known = premises.restricting(free_quantities(claim.printed, deep), deep)
+    posed = tuple(each for each in known if each in premises.posed_here and not each.is_rule)[-MOST_POSED:]
+    second = chosen_rules(sides_of(claim, posed), table), posed
+    if second != first:
+        yield second
+
+
 def sides_of(claim: Claim, posed: Iterable[PosedEquation]) -> tuple[Node, ...]:
     """The sides of the claim, and those of posed equations."""
     return (*claim.printed, *(side for each in posed for side in (each.left, each.right)))

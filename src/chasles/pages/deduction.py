@@ -10,7 +10,9 @@
 - Where a symbol was defined several times, or used before it was, a claim may rest on any one of these meanings.
 - What is refuted under everything that the page has said is `fails` only if one change makes it a true equation, and
   not an empty one: an equation of free symbols may as well be a condition, and is `open`, with the point at which it
-  does not hold. An open equation is assumed in what follows, under its number, and nothing fails for its sake.
+  does not hold. An open equation is assumed in what follows, under its number; for its sake something fails only if it
+  is a slip away from what follows from it, and other claims of the page rest on it, too. What is likely a slip is no
+  premise. What one section says of a symbol, another may say anew.
 - A condition or a law is one because a person says so: it is posed, and what follows rests on it.
 """
 
@@ -26,7 +28,7 @@ from chasles.decisions.session import Session
 from chasles.pages.attempts import Attempt, attempts, named, ways, with_everything, with_premises
 from chasles.pages.bounded_proofs import posed_on, proof_of, verdict_on
 from chasles.pages.consequences import Consequences
-from chasles.pages.defining import definition_of, is_new, meant_by, said_to_be
+from chasles.pages.defining import definition_of, is_new, is_said_ahead, meant_by, said_to_be
 from chasles.pages.finding import PageFinding
 from chasles.pages.named_hypotheses import as_hypothesis
 from chasles.pages.notes import DEFINING, NOTHING, EquationNote
@@ -81,9 +83,7 @@ class Deduction:
         return other
 
     @contextmanager
-    def where(
-        self, number: str, given: Iterable[Part], display: int = 0, section: str | None = None
-    ) -> Iterator[None]:
+    def where(self, number: str, given: Iterable[Part], display: int = 0, section: str | None = None) -> Iterator[None]:
         """What is said within is said for the case that the relations hold; those that are no equations are left.
 
         What one display says of a symbol in several ways may be cases, too.
@@ -165,7 +165,7 @@ class Deduction:
         if note.given is not None and role != "definition":
             return self._under(claim, note.given)
         meant = meant_by(claim, self.premises, note.of) if role != "claim" else None
-        if meant and (role == "definition" or is_new(claim, meant[0], self.premises)):
+        if meant and (role == "definition" or self._defines(claim, meant[0], ahead)):
             return self._defined(claim, *meant)
         if role == "definition":
             return with_fields(self._posed(claim, False, Defined()), role=role)
@@ -193,7 +193,15 @@ class Deduction:
             return finding  # what is likely a slip is no premise of what follows
         return self._posed_or_defined(claim, meant, finding)
 
+    def _defines(self, claim: Claim, key: Quantity, ahead: tuple[Claim, ...]) -> bool:
+        following = map(self._as_said, ahead)
+        return is_new(claim, key, self.premises) and not is_said_ahead(claim, key, following, self.premises)
+
     def _posed_or_defined(self, claim: Claim, meant: tuple[Quantity, bool] | None, finding: PageFinding) -> PageFinding:
+        key = quantity(claim.left)
+        before = self.premises.said_before(key) if key and not finding.instead else None
+        if before is not None and not any(symbol == key[0] for symbol, _ in quantities(claim.right)):
+            return with_fields(self._defined(claim, key, False), against=(named(before),))
         if not meant:
             return with_fields(self._posed(claim, True, finding.verdict), doubt=finding.doubt, instead=finding.instead)
         made = self._defined(claim, *meant)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from chasles.pages.facts import divisors
 from chasles.pages.notes import is_defining
-from chasles.pages.premises import Premises, chosen_rules, free_quantities
-from chasles.pages.quantities import Quantity, quantities, quantity
+from chasles.pages.premises import Premises, chosen_rules, free_quantities, rule_for
+from chasles.pages.quantities import Quantity, quantities, quantity, symbols_in
 from chasles.statements import Claim, Definition
 
 
@@ -35,7 +37,18 @@ def said_to_be(claim: Claim) -> tuple[Quantity, bool] | None:
 def is_new(claim: Claim, key: Quantity, premises: Premises) -> bool:
     """Whether nothing needs to be decided before a symbol is taken to be defined."""
     is_spoken = any(symbol == key[0] for symbol, _ in premises.spoken)
-    return key not in premises.definitions and (is_defining(claim) or not is_spoken)
+    return rule_for(key, premises.defined()) is None and (is_defining(claim) or not is_spoken)
+
+
+def is_said_ahead(claim: Claim, key: Quantity, ahead: Iterable[Claim], premises: Premises) -> bool:
+    """Whether what follows says what a symbol on the right is, or says by it what several others of the claim are.
+
+    So it is in A p = b, where b = c - d; and in v = u + w, where u = (v . e) e and w = v - u.
+    """
+    new = symbols_in(claim.printed) - {symbol for symbol, _ in premises.spoken} - {key[0]}
+    said = {meant[0]: each for each in ahead if not each.fault and (meant := meant_by(each, premises))}
+    parts = [q for q, each in said.items() if q[0] in new and any(key in quantities(side) for side in each.printed)]
+    return (key in said and quantity(claim.right) == key) or len(parts) > 1
 
 
 def _is_free(key: Quantity, premises: Premises) -> bool:

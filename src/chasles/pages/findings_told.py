@@ -62,7 +62,8 @@ def told(each: PageEquation) -> str:
         case HoldsUnder(needs):
             return f"holds under {', '.join(needs)}{_given(each)}"
         case _ if isinstance(finding.statement, Definition):
-            return f"defines {plain(finding.statement.left)}"
+            anew = f" anew, not as in {', '.join(finding.against)}" if finding.against else ""
+            return f"defines {plain(finding.statement.left)}{anew}"
         case verdict:
             return verdict.name + (f": {verdict.reason}" if isinstance(verdict, Undecided) else _given(each))
 
@@ -107,11 +108,7 @@ def _point(found: Counterexample) -> str:
 
 def records_of(page: Page) -> dict[str, Any]:
     """Everything of a page, as plain data."""
-    return {
-        "file": page.file,
-        "equations": [record_of(each) for each in page.equations],
-        "counts": page.counts,
-    }
+    return {"file": page.file, "equations": [record_of(each) for each in page.equations], "counts": page.counts}
 
 
 def record_of(each: PageEquation) -> dict[str, Any]:

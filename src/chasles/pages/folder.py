@@ -76,10 +76,5 @@ def _unread(page: Page) -> str:
     lines = ["# What could not be read", ""]
     for each in page.equations:
         if each.verdict == "unread":
-            lines += [
-                f"- line {each.line}: {told(each)}",
-                "",
-                f"      {' '.join(each.printed.latex.split())}",
-                "",
-            ]
+            lines += [f"- line {each.line}: {told(each)}", "", f"      {' '.join(each.printed.latex.split())}", ""]
     return "\n".join(lines)

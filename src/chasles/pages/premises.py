@@ -64,11 +64,26 @@ class Premises:
         here = {id(each) for each in self.said[self.begun[1] :]}
         return {(symbol, order): each for (symbol, order), each in self.opened.items() if id(each) in here}
 
+    def said_before(self, key: Quantity) -> Statement | None:
+        """What an earlier section says that a quantity is, where this one does not say it."""
+        rule = self.proved.get(key) or self.defined().get(key)
+        here = {each.left for each in self.said[self.begun[1] :]}
+        return None if rule is None or rule.left in here else rule
+
     def copy(self) -> Premises:
         """The same, to which something else may be added."""
         definitions = {q: list(known) for q, known in self.definitions.items()}
         rules = dict(self.proved), dict(self.opened)
-        return Premises(self.facts, definitions, *rules, list(self.said), list(self.posed), set(self.spoken), self.begun, set(self.relied))
+        return Premises(
+            self.facts,
+            definitions,
+            *rules,
+            list(self.said),
+            list(self.posed),
+            set(self.spoken),
+            self.begun,
+            set(self.relied),
+        )
 
     def defined(self, generation: int = 0) -> Rules:
         """The rules of the definitions; of an older `generation` those before them, or none for what was free then."""

@@ -47,9 +47,7 @@ class RandomMotion:
     """
 
     def __init__(
-        self,
-        facts: Callable[[Symbol], tuple[Hypothesis, ...]],
-        numbers: Mapping[Key, Array] = MappingProxyType({}),
+        self, facts: Callable[[Symbol], tuple[Hypothesis, ...]], numbers: Mapping[Key, Array] = MappingProxyType({})
     ) -> None:
         self._facts = facts
         self.numbers = dict(numbers)

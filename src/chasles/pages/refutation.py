@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace as with_fields
 
 from chasles.decisions.session import Session
-from chasles.pages.attempts import MOST_POSED, Known, all_said, named, sides_of, with_premises
+from chasles.pages.attempts import Known, all_said, known_of, named, with_premises
 from chasles.pages.bounded_proofs import verdict_on
 from chasles.pages.consequences import Consequences
 from chasles.pages.finding import PageFinding
@@ -50,7 +49,8 @@ def refuted(
         return PageFinding("claim", Undecided(reason), claim, open=True)
     of_its_own = any(symbol.meaning == OF_ITS_OWN for symbol, _ in free_quantities(claim.printed, rules))
     is_asked = not (claim.sign in DEFINING or _is_new_value(claim))
-    may_fail = is_asked and not (of_its_own or is_defining(claim))
+    is_said_anew = any(key in premises.opened for key in rules)
+    may_fail = is_asked and not (of_its_own or is_said_anew or is_defining(claim))
     is_false = consequences.may_follow(*claim.printed, rules) is False
     instead, unsure = _instead(claim, premises, session, consequences) if is_asked and is_false else (None, None)
     attempt, is_open = with_premises(claim, premises, rules, ()), instead is None and (is_false or not may_fail)
@@ -96,7 +96,9 @@ def _instead(
 
     One of these over again is as well one of another case: then the claim is sure never to fail.
     """
-    for known in _known(claim, premises):
+    for known in known_of(claim, premises):
+        if consequences.may_follow(*claim.printed, *known):
+            continue
         found = true_but_for_a_slip(claim, known, premises, session, consequences)
         if found is not None:
             rules, posed = consequences.least(found.left, found.right, *known)
@@ -106,20 +108,3 @@ def _instead(
             names = (*map(named, opened), *(each.hypothesis.text for each in posed if each.open))
             return found, frozenset([*again, *names])
     return None, None
-
-
-def _known(claim: Claim, premises: Premises) -> Iterator[Known]:
-    """What the page says of a claim's symbols: what is not left open; and all of it that is said in this section."""
-    defined = premises.defined()
-    deep = chosen_rules(claim.printed, defined)
-    known = premises.restricting(free_quantities(claim.printed, deep), deep)
-    posed = tuple(each for each in known if not each.open)[-MOST_POSED:]
-    first = chosen_rules(sides_of(claim, posed), defined), posed
-    yield first
-    table = {**defined, **premises.proved, **premises.opened_here}
-    deep = chosen_rules(claim.printed, table)
-    known = premises.restricting(free_quantities(claim.printed, deep), deep)
-    posed = tuple(each for each in known if each in premises.posed_here and not each.is_rule)[-MOST_POSED:]
-    second = chosen_rules(sides_of(claim, posed), table), posed
-    if second != first:
-        yield second

@@ -44,8 +44,8 @@ MOST_EDITS = 12
 """So many changes of one mark are proved or refuted; what does not agree at a random motion is no proof's matter."""
 MOST_UNKNOWN = 4
 """So many of them of which a random motion does not tell whether they may be true."""
-MOST_TESTS = 600
-"""So many are tried at a random motion."""
+MOST_TESTS, FEWER_TESTS = 600, 150
+"""So many are tried at a random motion, and fewer where that has to satisfy open equations."""
 
 
 def true_but_for_a_slip(
@@ -61,7 +61,8 @@ def true_but_for_a_slip(
     said_of = {symbol for symbol, _ in premises.definitions}
     spoken_of = (symbol for symbol, _ in free_quantities(claim.printed, known[0]))
     edits = one_mark_away(*claim.printed, spoken_of, lambda symbol: symbol in said_of or bool(premises.facts(symbol)))
-    slips = (edit for edit in islice(edits, MOST_TESTS) if _is_slip(claim, edit[:2], premises))
+    tested = islice(edits, FEWER_TESTS if any(each.open for each in known[1]) else MOST_TESTS)
+    slips = (edit for edit in tested if _is_slip(claim, edit[:2], premises))
     found = ((*edit, consequences.may_follow(*edit[:2], *known)) for edit in slips)
     unknown = count()
     agreeing = (edit for edit in found if edit[-1] is not False)

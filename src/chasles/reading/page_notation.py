@@ -55,7 +55,8 @@ class PageNotation:
     `assuming` is what holds on all of the page, in LaTeX; `notes` are what is said of single equations; `checks` raise
     where something that is declared cannot be read. `functions` are the letters that the page has with arguments,
     `alone` the signs of differences that it has as letters, `numbering` those that are indices; `matched` says which
-    entries of a file some letter has matched, `names` which letter has a name. Of one equation so many nodes are printed again, at `most_work`.
+    entries of a file some letter has matched, `names` which letter has a name. Of one equation so many nodes are
+    printed again, at `most_work`.
     """
 
     letters: LetterTable = field(default_factory=LetterTable)

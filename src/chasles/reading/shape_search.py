@@ -67,12 +67,7 @@ def shaped_letters(
 class _KindSearch:
     """Changes the kinds of letters, a few at a time, where an equation does not fit together."""
 
-    def __init__(
-        self,
-        chains: Sequence[Sequence[Chain]],
-        uses: dict[Glyph, LetterUse],
-        marks: NameMarks,
-    ) -> None:
+    def __init__(self, chains: Sequence[Sequence[Chain]], uses: dict[Glyph, LetterUse], marks: NameMarks) -> None:
         self.chains, self.uses = chains, uses
         self.names = usual_names()
         self.stems: dict[int, list[Glyph]] = {}
@@ -186,10 +181,10 @@ class _KindSearch:
         for chain in self.chains[place]:
             sides = [side.rows for side in chain.sides if side is not None]
             shapes = dict.fromkeys(self._shape(row) for rows in sides for row in rows)
-            for rows, row in ((rows, row) for rows in sides for row in rows):
+            for count, row in ((len(rows), row) for rows in sides for row in rows):
                 is_letter = row[-1].kind != "INFIX" and all(each.kind == "NUMBER" for each in row[:-1])
                 stem = self.known_by(letter_of(row[-1]))[0] if is_letter else None
-                wanted = [each for each in shapes if each and (len(rows) == 1 or each[0] != 1 == each[1])]
+                wanted = [each for each in shapes if each and (count == 1 or each[0] != 1 == each[1])]
                 yield from ((stem, shape) for shape in wanted if stem in self.uses)
 
     def _shape(self, row: Atoms) -> Shape | None:
