@@ -605,3 +605,24 @@ def test_a_derivative_is_that_of_what_is_written_out() -> None:
 def test_what_the_package_physics_has(text: str, expected: str) -> None:
     page = rf"\usepackage{{physics}} \begin{{document}} \[ {text} \] \end{{document}}"
     assert readings(page, "tex") == [expected]
+
+
+@pytest.mark.parametrize(
+    ("page", "verdict"),
+    [
+        (r"$$P_{k|k} = P_{k|k-1} - K_k P_{k|k-1}$$", "defined"),
+        (r"$$(v = v_0 + a t)$$", "defined"),
+        (r"$$x = 2 \qquad (= a)$$", "defined"),
+        (r"$$\mathbf{y}\top \mathbf{x} = \mathbf{x}\top \mathbf{y}$$", "holds"),
+        (r"$$\bar u = \begin{bmatrix} m g, & 0; & 0 \end{bmatrix}$$", "defined"),
+        (r"$$T_S = \begin{bmatrix} R & t \\ 0 & 1 \end{bmatrix}$$ $$R^T R = 1$$ $$t = a \times b$$", "defined"),
+        (
+            r"$$\bm{a}^\wedge = \begin{bmatrix} 0 & -a_3 & a_2 \\ a_3 & 0 & -a_1 \\ -a_2 & a_1 & 0 \end{bmatrix}$$",
+            "open",
+        ),
+    ],
+)
+def test_spellings_by_others_are_read_as_proposed(page: str, verdict: str) -> None:
+    first, *_ = chasles.read(page, proposed(displayed(page, "md")), "md").equations
+    assert first.verdict == verdict
+    assert "both named" not in str(first.finding.verdict)

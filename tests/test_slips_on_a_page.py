@@ -77,3 +77,35 @@ def test_a_slip_for_which_no_point_is_found_is_told_with_what_was_likely_meant()
     *_, slip = read("\n".join(f"$$ {each} $$" for each in said), {"symbols": letters}).equations
     assert slip.verdict == "open"
     assert str(slip.finding.instead.left) == "C - m + 3 cos(theta)"
+
+
+NUMBERS = {"symbols": dict.fromkeys(("a", "b", "c", "x", "y", "z", "k", "m", "u"), "scalar")}
+
+
+def verdicts(*equations: str) -> list[str]:
+    """The verdicts on a page with scalars, and what stands in its sections."""
+    return [each.verdict for each in read("\n\n".join(equations), NUMBERS, "md").equations]
+
+
+def test_another_small_number_is_a_slip() -> None:
+    *_, wrong = read("$$x = a + b$$ $$x^2 = a^2 + 3 a b + b^2$$", NUMBERS, "md").equations
+    assert wrong.verdict == "fails"
+    assert str(wrong.finding.instead.right) == "a^2 + 2 a b + b^2"
+
+
+def test_a_slip_behind_an_open_equation_fails_where_others_rest_on_it() -> None:
+    law, right, slip = "$$m x = a (b - c)$$", "$$m x = a b - a c$$", "$$m x + a c = 2 a b$$"
+    assert verdicts(law, slip) == ["open", "open"]
+    assert verdicts(law, slip, right) == ["open", "fails", "holds-under"]
+    assert verdicts(law, "# Another", slip, right) == ["open", "open", "holds-under"]
+
+
+def test_what_is_said_anew_in_another_section_is_a_definition() -> None:
+    first, second = "$$x = a + b$$", "$$x = a b c$$"
+    assert verdicts(first, second) == ["defined", "open"]
+    assert verdicts(first, "# Another", second, "$$x^2 = a^2 b^2 c^2$$") == ["defined", "defined", "holds"]
+
+
+def test_a_rate_follows_and_what_is_said_behind_defines() -> None:
+    assert verdicts(r"$$x \equiv y z$$", r"$$\dot x \equiv \dot y z + y \dot z$$") == ["defined", "holds"]
+    assert verdicts("$$a x = b$$", "$$a = 2 c$$", "$$b = 2 c x$$") == ["holds", "defined", "defined"]
