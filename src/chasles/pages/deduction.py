@@ -200,7 +200,7 @@ class Deduction:
     def _posed_or_defined(self, claim: Claim, meant: tuple[Quantity, bool] | None, finding: PageFinding) -> PageFinding:
         key = quantity(claim.left)
         before = self.premises.said_before(key) if key and not finding.instead else None
-        if before is not None and not any(symbol == key[0] for symbol, _ in quantities(claim.right)):
+        if key and before and not any(symbol == key[0] for symbol, _ in quantities(claim.right)):
             return with_fields(self._defined(claim, key, False), against=(named(before),))
         if not meant:
             return with_fields(self._posed(claim, True, finding.verdict), doubt=finding.doubt, instead=finding.instead)

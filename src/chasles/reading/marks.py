@@ -63,8 +63,8 @@ def letter_fits(letter: Glyph, ctx: FittingContext, is_function: bool = False) -
     found: list[Fit] = []
     longest: Glyph | None = None
     for node, rest in ctx.notation.letters.meanings(letter, is_function):
-        is_value = isinstance(node, Symbol) and bool(letter.arguments)
-        fits = with_marks([_of_symbol(named_apart(node, ctx.notation.names) if is_value else node)], rest, ctx)
+        said = named_apart(node, ctx.notation.names) if isinstance(node, Symbol) and letter.arguments else node
+        fits = with_marks([_of_symbol(said)], rest, ctx)
         longest = longest or (rest if fits else None)
         found += fits if rest == longest else [replace(fit, cost=fit.cost + UNUSUAL) for fit in fits]
     return found
