@@ -197,6 +197,20 @@ def sums_up_to_a_letter(draw: Random) -> Judgement:
     return f"{left} = {right + more}", Judged(answer, None if answer.name in names else Alarm("wrong", answer.name))
 
 
+def integers_that_are_put_in(draw: Random) -> Judgement:
+    """Whether a number divides an integer that is given, as a greatest integer, a remainder or an angle says it."""
+    k, even, odd = sp.Symbol("k", integer=True), sp.Symbol("e", even=True), sp.Symbol("o", odd=True)
+    squares, below = ((2 * k + 2) ** 2, even**2, odd**2 - 1), draw.choice((2, 3, 4, 6, 10, 12))
+    value = draw.choice((even, 2 * k + 2, (2 * k + 2) ** 3, even * odd, k * (k + 1), 6 * k, 3 * odd, *squares))
+    forms = (sp.floor(x / below), x / below), (sp.Mod(x, below), 0), (sin(sp.pi * x / below), 0)
+    left, right = draw.choice((*forms, (cos(2 * sp.pi * x / below), 1)))
+    divides = all(value.subs({k: n, even: 2 * n, odd: 2 * n + 1}) % below == 0 for n in range(-6, 7))
+    answer = answer_of(lambda: prove(left, right, given=[Eq(x, value)]))
+    names = ("holds-under" if divides else "fails", "undecided", "untreatable")
+    said = f"{left} = {right} where x = {value}"
+    return said, Judged(answer, None if answer.name in names else Alarm("wrong", answer.name))
+
+
 CLASSES: dict[str, Callable[[Random], Judgement]] = {
     make.__name__.replace("_", " "): make
     for make in (
@@ -211,5 +225,6 @@ CLASSES: dict[str, Callable[[Random], Judgement]] = {
         divisors_that_are_seen_not_to_vanish,
         derivatives_in_any_order,
         sums_up_to_a_letter,
+        integers_that_are_put_in,
     )
 }
