@@ -53,6 +53,8 @@ TRUE: list[tuple[Any, Any, list[Any]]] = [
     (asin(sin(x)), x, [Abs(x) <= pi / 2]),
     (asin(sin(x)), pi - x, [x >= pi / 2, x <= 3 * pi / 2]),
     (atan(tan(x)), x, [Abs(x) < pi / 2]),
+    (atan(tan(x)), x, [x > 0, x > -pi / 2, x < 2, x < pi / 2]),
+    (Abs(x - 1), x - 1, [x >= 1, x > 0, x > 1]),
     (atan2(sin(x), cos(x)), x, [x > -pi, x <= pi]),
     (atan2(sin(x), cos(x)), x - 2 * pi, [x > pi, x <= 3 * pi]),
     (sqrt((1 - cos(x)) / 2), sin(x / 2), [x >= 0, x <= 2 * pi]),

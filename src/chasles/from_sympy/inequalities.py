@@ -40,6 +40,7 @@ def without_inequalities(said: Said) -> Said:
     Raises `Untreatable` for an inequality between functions of different variables, or with what is infinite.
     """
     items = [part for _, item in listed(said[2], "given") for part in _plain(item) if part is not sympy.true]
+    items = [item for item in items if not any(_follows(item, other) for other in items)]
     apart = [item for item in items if isinstance(item, sympy.Ne)]
     if not apart and not any(isinstance(item, COMPARED) for item in items):
         return said
@@ -84,6 +85,15 @@ def _plain(item: Any) -> Iterator[Any]:
         yield item.lts <= item.gts - 1 if item.gts.is_number else item.gts >= item.lts + 1
     else:
         yield item
+
+
+def _follows(item: Any, other: Any) -> bool:
+    """Whether an inequality says less than another, which compares the same with a number that is closer."""
+    if not (isinstance(item, COMPARED) and isinstance(other, COMPARED)):
+        return False
+    more = isinstance(other, STRICT) and not isinstance(item, STRICT)
+    gaps = (item.gts == other.gts, other.lts - item.lts), (item.lts == other.lts, item.gts - other.gts)
+    return any(same and gap.is_number and (gap.is_positive or (gap.is_zero and more)) for same, gap in gaps)
 
 
 def _signed(item: Any) -> dict[Any, Any]:
