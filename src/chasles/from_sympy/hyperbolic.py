@@ -7,7 +7,7 @@ from typing import Any, Protocol
 
 import sympy
 
-from chasles.from_sympy.atoms import nonnegative_by_sign
+from chasles.from_sympy.seen_signs import sees_nonnegative
 
 
 class Exponentials(Protocol):
@@ -38,7 +38,7 @@ def _asinh(words: Exponentials, u: Any, _: Any) -> Any:
 
 
 def _acosh(words: Exponentials, u: Any, spelled: Any) -> Any:
-    if not nonnegative_by_sign(spelled - 1):
+    if not sees_nonnegative(spelled - 1):
         words.needs[f"{spelled - 1} >= 0"] = sympy.sqrt(spelled - 1)
     words.log(u, spelled, evident=True)
     return words.log(sympy.cancel(u + _rooted(u**2 - 1)), spelled, evident=True)

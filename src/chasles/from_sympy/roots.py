@@ -18,8 +18,8 @@ from chasles.algebra.rings import Polynomial
 from chasles.from_sympy.constants import is_nonnegative
 from chasles.from_sympy.numbers import NumberRoots, defining
 from chasles.from_sympy.polynomials import Factors, Key, as_node, as_sympy, factored, key_of
-from chasles.from_sympy.positivity import sum_of_squares
 from chasles.from_sympy.reader import Reader, multiplied
+from chasles.from_sympy.seen_signs import sees_nonnegative
 from chasles.problems.context import Context, build
 from chasles.statements import Goal, Hypothesis, Problem
 from chasles.vocabulary import PI, Node, Number, Power, Quotient, Symbol
@@ -63,6 +63,7 @@ class _Resolver:
         self.composite: list[tuple[Node, list[Size]]] = []
         self.known: set[Key] = set()
         self.noted: list[Node] = []
+        self._seen: dict[Key, bool] = {}
         self.values: list[tuple[Node, Node]] = []
         self.symbols = set(reader.atoms.words.values())
         self.negative = {word.name for atom, word in reader.atoms.words.items() if atom.is_nonpositive}
@@ -215,28 +216,12 @@ class _Resolver:
         return self._is_nonnegative(context, polynomial) or key_of(context, polynomial) in self.known
 
     def _is_nonnegative(self, context: Context, polynomial: Polynomial) -> bool:
-        """Whether it is a sum of squares, or all that a product of variables is multiplied by is not negative."""
-        terms = dict(context.field.ring.terms(polynomial))
-        return self._is_so_by_terms(context, polynomial) or bool(sum_of_squares(terms))
-
-    def _is_so_by_terms(self, context: Context, polynomial: Polynomial) -> bool:
-        """Whether all that a product of other variables is multiplied by is, a cosine or sine being at least -1."""
-        of_sign = self.positive | self.negative | self.numbers.names
-        least: dict[tuple[int, ...], Fraction] = {}
-        for exponents, coefficient in context.field.ring.terms(polynomial):
-            others = tuple(
-                0 if v.kind in ("cos", "sin") else e for v, e in zip(context.variables, exponents, strict=True)
-            )
-            odd = [v for v, e in zip(context.variables, exponents, strict=True) if e % 2]
-            known = all(v.name in of_sign for v in odd if v.kind not in ("cos", "sin"))
-            sign = (-1) ** sum(v.name in self.negative for v in odd)
-            square = sign * coefficient > 0 and all(v.kind not in ("cos", "sin") for v in odd)
-            if not known:
-                return False
-            plain = exponents == others
-            swing = 0 if square and not plain else sign * coefficient if plain else -abs(coefficient)
-            least[others] = least.get(others, Fraction(0)) + swing
-        return all(value >= 0 for value in least.values())
+        """Whether the checker sees that it is not negative."""
+        key = key_of(context, polynomial)
+        if key not in self._seen:
+            expression = as_sympy(self.reader.atoms.origins, context, polynomial)
+            self._seen[key] = sees_nonnegative(expression)
+        return self._seen[key]
 
     def _word(self, context: Context, polynomial: Polynomial) -> Node:
         """The root of a polynomial as an independent one."""

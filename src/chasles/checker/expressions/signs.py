@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from fractions import Fraction
+from itertools import chain, islice
 
 from chasles.checker.expressions.algebra import primitive
 from chasles.checker.expressions.factoring import Terms, divides
 from chasles.checker.expressions.symbolic import Symbolic
 from chasles.checker.sparse import ZERO, Polynomial, exponents, number, variable
 
-MOST_SQUARES, MOST_TERMS = 3, 8
-"""So many squares are completed, each with fewer terms."""
+MOST_SQUARES, MOST_TERMS, MOST_BOUNDS = 6, 8, 2
+"""So many squares are completed, each with fewer terms; and so often a bound of roots or of an angle is taken."""
 Sign = tuple[int, bool]
 """1 or -1, and whether it cannot be zero."""
 
@@ -56,16 +57,51 @@ def is_positive(reading: SignedReading, polynomial: Polynomial) -> bool:
     return _strictly(reading, polynomial) is True
 
 
-def _strictly(reading: SignedReading, polynomial: Polynomial, squares: int = MOST_SQUARES) -> bool | None:
+def _strictly(
+    reading: SignedReading, polynomial: Polynomial, squares: int = MOST_SQUARES, bounds: int = MOST_BOUNDS
+) -> bool | None:
     """Whether a polynomial is visibly positive rather than not negative; None where neither is visible.
 
-    It is more by a square than what is left when that is completed.
+    It is more by a square than what is left when that is completed; after the first one they are taken in order.
     """
-    strict = _by_terms(reading, polynomial)
-    for rest in _completed(polynomial) if strict is None and squares else ():
-        if (strict := _strictly(reading, reading.normal(rest), squares - 1)) is not None:
-            break
-    return strict
+    if (strict := _by_terms(reading, polynomial)) is not None:
+        return strict
+    for rest in islice(_completed(polynomial), None if squares == MOST_SQUARES else min(squares, 1)):
+        if (strict := _strictly(reading, reading.normal(rest), squares - 1, bounds)) is not None:
+            return strict
+    for needed in chain(_by_roots(reading, polynomial), _by_circles(reading, polynomial)) if bounds else ():
+        if all(_strictly(reading, reading.normal(each), bounds=bounds - 1) is not None for each in needed):
+            return False
+    return None
+
+
+def _by_roots(reading: SignedReading, polynomial: Polynomial) -> Iterator[tuple[Polynomial, ...]]:
+    """What must not be negative: a and a^2 - b^2 for a + b, of which one has all terms with one product of roots."""
+    for roots, factor in _grouped(polynomial, reading.words).items():
+        one = factor * Polynomial({roots: 1})
+        other = polynomial - one
+        yield from ((a, a * a - b * b) for a, b in ((one, other), (other, one)) if roots)
+
+
+def _by_circles(reading: SignedReading, polynomial: Polynomial) -> Iterator[tuple[Polynomial, ...]]:
+    """What must not be negative: a and a^2 - b^2 - c^2 for a + b cos x + c sin x, or the minors of a quadratic form."""
+    for _, cosine, sine in reading.circles.values():
+        (c,), (s,) = cosine.terms, sine.terms
+        parts = _grouped(polynomial, cosine.places | sine.places)
+        a, b, d, e, f = (parts.pop(key, ZERO) for key in (0, c, s, 2 * c, c + s))
+        if not parts and not (e or f) and (b or d):
+            yield a, a * a - b * b - d * d
+        elif not parts and not (b or d) and (e or f):
+            yield (a, a + e, a * (a + e) * number(4) - f * f) if f else (a, a + e)
+
+
+def _grouped(polynomial: Polynomial, places: Collection[int]) -> dict[int, Polynomial]:
+    """By each product of the variables at these places what it is multiplied by."""
+    groups: dict[int, Polynomial] = {}
+    for monomial, coefficient in polynomial.terms.items():
+        key = sum(power << 8 * place for place, power in exponents(monomial) if place in places)
+        groups[key] = groups.get(key, ZERO) + Polynomial({monomial - key: coefficient}, polynomial.below)
+    return groups
 
 
 def _completed(polynomial: Polynomial) -> Iterator[Polynomial]:
@@ -88,18 +124,12 @@ def _is_square(monomial: int, coefficient: int) -> bool:
 
 def _by_terms(reading: SignedReading, polynomial: Polynomial) -> bool | None:
     """The same, because no term is negative."""
-    circular = {place for _, c, s in reading.circles.values() for place in c.places | s.places}
-    groups: dict[int, dict[int, Polynomial]] = {}
-    for monomial, coefficient in polynomial.terms.items():
-        parts = [0, 0, 0]
-        for place, power in exponents(monomial):
-            parts[0 if reading.is_numeric(place) else 1 if place in circular else 2] += power << 8 * place
-        group = groups.setdefault(parts[2], {})
-        group[parts[1]] = group.get(parts[1], ZERO) + Polynomial({parts[0]: coefficient})
+    unknown = {place for place in polynomial.places if not reading.is_numeric(place)}
+    circular = unknown & {place for _, c, s in reading.circles.values() for place in c.places | s.places}
     positive = False
-    for monomial, group in groups.items():
+    for monomial, factor in _grouped(polynomial, unknown - circular).items():
         sign = _of_product(reading, monomial)
-        least = ZERO if sign is None else _least(reading, group, sign[0])
+        least = ZERO if sign is None else _least(reading, _grouped(factor, circular), sign[0])
         side = reading.sign(least)
         if sign is None or side < 0:
             return None
