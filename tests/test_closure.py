@@ -9,7 +9,7 @@ import pytest
 
 from chasles.report.closure import CHECKERS, closure, lines
 
-MOST = {"declared": 6_205, "prove": 5_368, "all": 15_341}
+MOST = {"declared": 6_204, "prove": 5_400, "all": 15_375}
 """It may become less."""
 
 

@@ -58,11 +58,15 @@ RELATIONS = [
     Eq(sin(x) ** 2, 1 - cos(x) ** 2), x**2 + y**2 + z**2 >= x * y + y * z + z * x, 2 * x * y <= x**2 + y**2,
     X**2 + 1 > 0, x**2 - x * y + y**2 > -1, Ne(X**2 + 1, 0), (p + q) / 2 >= sqrt(p * q), Abs(x) + Abs(y) >= Abs(x + y),
     (a**2 + b**2 + c**2) * (x**2 + y**2 + z**2) >= (a * x + b * y + c * z) ** 2, sin(x) + cos(y) <= 2,
+    sqrt(a**2 + b**2 + c**2) * sqrt(x**2 + y**2 + z**2) >= a * x + b * y + c * z, sqrt(p + q) <= sqrt(p) + sqrt(q),
+    sqrt(a**2 + b**2) + sqrt(x**2 + y**2) >= sqrt((a + x) ** 2 + (b + y) ** 2), sqrt(p * q) >= 2 / (1 / p + 1 / q),
+    a * cos(x) + b * sin(x) <= sqrt(a**2 + b**2), sin(x) * cos(x) <= Rational(1, 2), sin(x) + cos(x) <= sqrt(2),
 ]  # fmt: skip
 FALSE = [
     (u.dt(A), u.dt(C) - (C.ang_vel_in(A) ^ u)), (M.i, cos(a) * N.i - sin(a) * N.j), (curl(v), 2 * N.k),
     (one * two, two * one), (3 * Cross(w, v), Cross(v, w)), (x**2 >= x, None), (x > x**2 - 1, None), (Ne(x, y), None),
-    (Abs(x + y) >= Abs(x) + Abs(y), None), ([x, y], [y, x]),
+    (Abs(x + y) >= Abs(x) + Abs(y), None), (sqrt(p + q) >= sqrt(p) + sqrt(q), None),
+    (a * cos(x) + b * sin(x) <= Abs(a), None), (sin(x) * cos(x) <= Rational(1, 3), None), ([x, y], [y, x]),
 ]  # fmt: skip
 
 

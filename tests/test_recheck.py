@@ -314,3 +314,27 @@ def test_an_integer_is_no_irrational_number() -> None:
     n = sp.Symbol("n", integer=True)
     told = "sin(sqrt(2)*pi/2)**2*cos(sqrt(2)*pi/2)**2"
     rejected(Fails(Counterexample({"n": sqrt(2)}, (1, 1), told, "0")), (sin(pi * n / 2) * cos(pi * n / 2)) ** 2, 0)
+
+
+def test_the_root_of_a_quotient_is_that_of_the_whole_quotient_at_a_point() -> None:
+    time, scale = sp.symbols("t p")
+    motion = sp.Function("f")(time)
+    size = sqrt(motion**2 + 1 / scale**2)
+    rate, right = sp.Derivative(size, time), motion * motion.diff(time) / size
+    assert prove(rate, right).true
+    at = {"p": Fraction(3), "f(t)": Fraction(1, 4), "Derivative(f(t), t)": Fraction(1)}
+    with pytest.raises(Rejected):
+        recheck(Fails(Counterexample(at=at, entry=(1, 1), left="9/5", right="3/5", goal="")), rate, right)
+    wrong = motion * motion.diff(time) / sqrt(motion**2 * scale**2 + 1)
+    recheck(prove(rate, wrong), rate, wrong)
+
+
+def test_a_quotient_that_is_not_negative_says_nothing_of_its_numerator() -> None:
+    x, p = sp.symbols("x p")
+    cubed, product = sqrt(x) ** 3 / p, x * sqrt(x) / p
+    verdict = prove(cubed, product)
+    assert verdict.needs == ("p != 0", "x >= 0")
+    with pytest.raises(Rejected):
+        recheck(replace(verdict, needs=("p != 0", "x/p >= 0")), cubed, product)
+    of_quotient = sqrt(x / p) ** 3, x / p * sqrt(x / p)
+    recheck(replace(prove(*of_quotient), needs=("p != 0", "x/p >= 0")), *of_quotient)

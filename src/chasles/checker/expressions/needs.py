@@ -114,9 +114,11 @@ class _SaidNeed:
 
     @property
     def polynomial(self) -> Polynomial:
-        """What the need is about, with nothing divided by."""
+        """What the need is about, or something of the same sign, with nothing divided by."""
         if self._polynomial is None:
-            self._polynomial = self.reading.cleared([ZERO, *self._values()][-1])[0]
+            numerator, below = self.reading.cleared([ZERO, *self._values()][-1])
+            odd = {place: power % 2 for place, power in below.items() if self.relation != " != 0"}
+            self._polynomial = self.reading.normal(numerator * self.reading.divisors(odd))
         return self._polynomial
 
     @property

@@ -21,14 +21,14 @@ class Symbolic(Expressions):
         super().__init__(names, units)
         self.reals = Reals()
         self._numbers = Valuation(self, self.reals, self._number)
-        self._by_square: dict[frozenset[tuple[int, int]], int] = {}
+        self._by_square: dict[tuple[frozenset[tuple[int, int]], ...], int] = {}
 
     def root(self, value: Polynomial) -> Polynomial:
         """The nonnegative square root, as a variable."""
-        square = self.cleared(value)[0]
-        key = frozenset((*square.terms.items(), (-1, square.below)))
+        square, below = self.cleared(value)
+        key = frozenset((*square.terms.items(), (-1, square.below))), frozenset(below.items())
         if key not in self._by_square:
-            self._by_square[key] = self.fresh("root", square)
+            self._by_square[key] = self.fresh("root", self.normal(value))
             self.words.add(self._by_square[key])
         return variable(self._by_square[key])
 
