@@ -43,6 +43,12 @@ LIMITS = [
     ),
     *(sp.exp(x) - 1 - x - x**2 / 2, x * sp.atan2(r, y + 1) * (1 + sp.atan2(r, y + 1) ** 2) / r, sp.log(1 + sp.exp(x))),
     *(z * sp.exp(y + x / 2) - z * sp.exp(y - x / 3), sp.exp(sp.exp(x) - 1) - 1),
+    *(
+        (x**2 / 2 - x + sp.log(1 + x)) / x**2,
+        (x - sp.tanh(x)) / x**3,
+        x - z - sp.tanh(x - z),
+        x / 3 + 1 / x - sp.coth(x),
+    ),
     sp.Piecewise((sp.sin(x) / x, sp.Ne(x, 0)), (1, True)),
     sp.Piecewise((1, sp.Eq(r, 0)), (sp.sin(r) / r, True)),
     sp.Piecewise((1, sp.Eq(x, 0)), (x / (1 - sp.exp(-x)), True)),

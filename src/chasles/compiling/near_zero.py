@@ -65,23 +65,28 @@ def _lessened(total: sympy.Add) -> Any:
             series = with_series(f)
             of: Any = type(series)
             kind, (times, angle) = ANALYTIC.get(of), series.args[0].as_coeff_Mul()
-            inside = {factor.as_base_exp()[0] for factor in sympy.Mul.make_args(angle)}
+            inside = {factor.as_base_exp()[0] for factor in sympy.Mul.make_args(_terms_of(angle)[0])}
             if kind is None or isinstance(f, sympy.atan2) or not (of in _LESSENED or inside <= bases):
                 continue
             taken: list[Any] = []
-            order, factor = kind.first, _cofactor(term, f)
-            while (first := -factor * coefficient_of(of, order) * (times * angle) ** order) in terms:
-                taken, order = [*taken, first], order + kind.step
-            if term not in terms or not taken or (of is sympy.cos and len(taken) == 1):
+            order, count, factor = kind.first, 0, _cofactor(term, f)
+            while set(first := _terms_of(-factor * coefficient_of(of, order) * (times * angle) ** order)) <= set(terms):
+                taken, order, count = [*taken, *first], order + kind.step, count + 1
+            if term not in terms or not taken or (of is sympy.cos and count == 1):
                 # Of 1 - cos(x) programs lose nothing that are cheaper.
                 continue
-            if len(taken) == 1 and of in _LESSENED:
+            if count == 1 and of in _LESSENED:
                 left = factor * _LESSENED[of](f.args[0])
             else:
                 left = factor * angle**order * left_of(of, order, times, angle, square_of(angle))
                 left = near_zero(left, sympy.Add(term, *taken), angle)
             terms = [left, *(each for each in terms if each not in (term, *taken))]
     return _of_differences(terms) if len(terms) < len(total.args) or len(_exponentials(terms)) > 1 else total
+
+
+def _terms_of(total: sympy.Expr) -> tuple[Any, ...]:
+    terms: tuple[Any, ...] = sympy.Add.make_args(total)
+    return terms
 
 
 def _cofactor(term: sympy.Expr, factor: sympy.Expr) -> Any:

@@ -20,6 +20,7 @@ from chasles.compiling.near_zero import near_zero, without_cancellation
 from chasles.compiling.sums_of_angles import (
     KEPT,
     KNOWN,
+    MOST_ORDER,
     QUOTIENTS,
     Sum,
     angle_of,
@@ -37,7 +38,6 @@ from chasles.compiling.taylor import Stumpff, TaylorPolynomial
 from chasles.compiling.variables import Substitution
 from chasles.compiling.whole_angles import WholeAngle
 
-MOST_ORDER = 8
 LEFT = (Stumpff, TaylorPolynomial)
 
 

@@ -22,14 +22,14 @@ QUOTIENTS: Mapping[Any, Callable[[Any], Any]] = {
     sympy.cot: lambda a: sympy.cos(a) / sympy.sin(a),
     sympy.sec: lambda a: 1 / sympy.cos(a),
     sympy.csc: lambda a: 1 / sympy.sin(a),
-    sympy.tanh: lambda a: sympy.sinh(a) / sympy.cosh(a),
-    sympy.coth: lambda a: sympy.cosh(a) / sympy.sinh(a),
+    sympy.coth: lambda a: 1 / sympy.tanh(a),
     sympy.sech: lambda a: 1 / sympy.cosh(a),
     sympy.csch: lambda a: 1 / sympy.sinh(a),
 }
 """What these are in others."""
 KNOWN = (*ANALYTIC, *QUOTIENTS, sympy.log, sympy.atan2)
 MOST_TERMS = 40
+MOST_ORDER = 8
 _PRIME = 2**61 - 1
 _SEEDS = 64
 """So many points are tried; at half of them a root has a value."""
@@ -163,24 +163,20 @@ def _gathered(terms: Iterable[tuple[Term, Any]]) -> Sum:
 
 def limited(found: Sum | None, angle: sympy.Expr, divided: int = 0) -> Any:
     """The sum over so many powers of the angle without a quotient; None where there is no limit."""
-    if found is None or not has_limit(found, divided):
+    order = divided if found is None else order_of(found, MOST_ORDER)
+    if found is None or order < divided:
         return None
     total = []
     for (degree, times, function), coefficient in found.items():
         kind = ANALYTIC[function]
-        singular = range(kind.first, int(divided - degree), kind.step)
-        order = singular.start + kind.step * len(singular)
-        if times and degree >= divided and function not in CIRCULAR:
+        singular = range(kind.first, int(order - degree), kind.step)
+        first = singular.start + kind.step * len(singular)
+        if times and degree >= order and function not in CIRCULAR:
             total.append(coefficient * angle ** (degree - divided) * function(times * angle))
-        elif times or not order:
-            left = left_of(function, order, times, angle, square_of(angle))
-            total.append(coefficient * angle ** (degree - divided + order) * left)
+        elif times or not first:
+            left = left_of(function, first, times, angle, square_of(angle))
+            total.append(coefficient * angle ** (degree - divided + first) * left)
     return reduce(sympy.Add, total, sympy.S.Zero)
-
-
-def has_limit(found: Sum, divided: int) -> bool:
-    """Whether the sum over so many powers of the angle has one: what is singular in its terms cancels."""
-    return order_of(found, divided) == divided
 
 
 def order_of(found: Sum, most: int) -> int:

@@ -35,7 +35,7 @@ ANALYTIC = CIRCULAR | {
     sympy.sinh: Analytic(1, 2, _ANY),
     sympy.erf: Analytic(1, 2, sympy.S.One),
     log1p: Analytic(1, 1, sympy.Rational(1, 3)),
-    **dict.fromkeys((sympy.atan, sympy.asin, sympy.asinh, sympy.atanh), Analytic(1, 2, _HALF)),
+    **dict.fromkeys((sympy.tanh, sympy.atan, sympy.asin, sympy.asinh, sympy.atanh), Analytic(1, 2, _HALF)),
 }
 """By function."""
 
