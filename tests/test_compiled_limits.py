@@ -47,7 +47,6 @@ LIMITS = [
         (x**2 / 2 - x + sp.log(1 + x)) / x**2,
         (x - sp.tanh(x)) / x**3,
         x - z - sp.tanh(x - z),
-        x / 3 + 1 / x - sp.coth(x),
     ),
     sp.Piecewise((sp.sin(x) / x, sp.Ne(x, 0)), (1, True)),
     sp.Piecewise((1, sp.Eq(r, 0)), (sp.sin(r) / r, True)),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import lru_cache
 from itertools import permutations
+from operator import is_
 from typing import Any
 
 import sympy
@@ -51,7 +52,7 @@ def without_cancellation(expression: sympy.Basic) -> Any:
         return expression
     parts = [without_cancellation(part) for part in expression.args]
     held = {"evaluate": False} if isinstance(expression, HELD) else {}
-    found = expression if parts == list(expression.args) else expression.func(*parts, **held)
+    found = expression if all(map(is_, parts, expression.args)) else expression.func(*parts, **held)
     return _lessened(found) if isinstance(found, sympy.Add) else found
 
 

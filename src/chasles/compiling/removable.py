@@ -87,21 +87,26 @@ def _with_limits(expression: sympy.Basic) -> sympy.Basic:
             stated = Substitution(table).of(expression) if table else expression
             if whole:
                 found = whole.back(_regular(whole.of(stated), whole.symbol))
-            else:
+            elif turned:
                 turn = Substitution(turned).of
                 found = turn(_regular(turn(stated), turn(angle)))
+            else:
+                found = _regular(stated, angle)
             made = parts_of(found, ())
             if parts_of_kinds(found, LEFT) or len(_divisors(made)) < len(_divisors(parts)):
-                expression = _as_stated(found, table, made.keys() - parts.keys())
+                expression = _as_stated(found, table, expression)
                 parts = parts_of(expression, ())
     return expression
 
 
-def _as_stated(found: sympy.Basic, table: Mapping[Any, Any], made: Collection[Any]) -> Any:
-    """The expression with functions as they were where they are left; an arctangent is one in the right half-plane."""
+def _as_stated(found: sympy.Basic, table: Mapping[Any, Any], stated: sympy.Basic) -> Any:
+    """What is found, with functions as stated where they are left; an arctangent is one in the right half-plane."""
+    kept = {other: f for f, other in table.items()}
     right = [f.args[1] > 0 for f in table if isinstance(f, sympy.atan2)]
-    near = [part for part in made if isinstance(part, sympy.StrictLessThan)] if right else ()
-    kept = {other: f for f, other in table.items()} | {part: sympy.And(part, *right) for part in near}
+    if right:
+        less = (sympy.StrictLessThan,)
+        made = parts_of_kinds(found, less) - parts_of_kinds(stated, less)
+        kept |= {part: sympy.And(part, *right) for part in made}
     return Substitution(kept).of(found) if kept else found
 
 
