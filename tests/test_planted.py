@@ -151,6 +151,7 @@ INSIDE: list[tuple[Node, Node, tuple[Hypothesis, ...], str]] = [
         (unit(a), unit(b), perpendicular(a, b)),
         "|cos(x) a + sin(x) b|",
     ),
+    (b - sin(x) * a, sin(x) * b - sin(x) * a, (), "sin(x) (b - a)"),
     (norm(a + sin(x) * b), number(1), (unit(a), unit(b), perpendicular(a, b)), "|cos(x) a + sin(x) b|"),
 ]
 

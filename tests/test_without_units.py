@@ -93,6 +93,7 @@ def test_shapes_are(module: Callable[..., Any], text: str, units: bool | None) -
         ('Claim("1.2", rate(dot(x, x)), dot(x, A @ x), given=(system,))', "fails"),
         ('Claim("1.2", rate(cos(a)) + a, a - sin(a) * rate(a))', "holds"),
         ('Claim("1.2", t + m, m + t + a)', "fails"),
+        ('Claim("1.2", t * a, rate(t) * a + t * rate(a))', "fails"),
     ],
 )
 def test_its_claims_are_decided_and_repaired(module: Callable[..., Any], claim: str, verdict: str) -> None:

@@ -9,19 +9,7 @@ from typing import Any
 
 from chasles.checker.division import solved_for
 from chasles.checker.quantities import squeezed
-from chasles.checker.sparse import (
-    ONE,
-    ZERO,
-    Polynomial,
-    Rejected,
-    cleared,
-    exponents,
-    number,
-    parsed,
-    powered,
-    product,
-    variable,
-)
+from chasles.checker.sparse import ZERO, Polynomial, Rejected, cleared, exponents, number, parsed, product, variable
 from chasles.coq.sources import ProofReading, multiples, replaced
 from chasles.vocabulary import Node
 
@@ -69,20 +57,22 @@ class Reckoning:
             yield self._combined(written[i, j], said or {}, said is None, squares)
 
     def _solved(self, name: str, said: Mapping[str, Any]) -> SolvedVariable:
-        places = self.reading.places
-        below = sum(int(power) << 8 * places[squeezed(label)] for label, power in said.get("denominator", {}).items())
+        places, below = self.reading.places, self._below(said)
         place, numerator = places[squeezed(name)], parsed(said["numerator"], places)
         claim = variable(place) - numerator * _inverse(below)
         return SolvedVariable(place, numerator, below, self._combined(claim, said, True))
+
+    def _below(self, said: Mapping[str, Any]) -> int:
+        """The nonzero factors that something is divided by."""
+        places = self.reading.places
+        return sum(int(power) << 8 * places[squeezed(label)] for label, power in said.get("denominator", {}).items())
 
     def _combined(
         self, claim: Polynomial, said: Mapping[str, Any], divides: bool, squares: Mapping[str, Polynomial] | None = None
     ) -> Combination:
         """The claim as a combination; raises `Rejected` if the certificate does not make it one."""
         nonzero, places = self.reading.nonzero, self.reading.places
-        over = ONE
-        for label, power in said.get("denominator", {}).items():
-            over *= powered(places[squeezed(label)], power)
+        over = _inverse(self._below(said))
         found = dict(squares or {})
         for label, text in said.get("cofactors", {}).items():
             found[label] = found.get(label, ZERO) + parsed(text, places) * over

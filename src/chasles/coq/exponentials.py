@@ -39,9 +39,8 @@ def exponential(plain: PlainExpressions, e: Any) -> Any:
     opened = "repeat first [rewrite exp_plus | rewrite exp_Ropp | rewrite exp_0 | rewrite exp_ln by above]"
     logs = "".join(f"rewrite <- ?of'{each}; " for text, each in plain.remembered.items() if text.startswith("ln "))
     equal = f"apply f_equal; {logs}{plain.rewritten}first [lra | reckon]"
-    steps = (
-        f"transitivity ({function} ({' + '.join(parts) or '0'})); [{equal} | unfold tanh, sinh, cosh; {opened}; reckon]"
-    )
+    total = f"{function} ({' + '.join(parts) or '0'})"
+    steps = f"transitivity ({total}); [{equal} | unfold tanh, sinh, cosh; {opened}; reckon]"
     plain.value(name, value, f"(rewrite of'{name}; unfold Rpower; {steps})")
     return value
 

@@ -12,9 +12,12 @@ ATOM, APPLIED, POWER, MINUS, TIMES, PLUS, LOOSE = 0, 10, 30, 35, 40, 50, 200
 Spelled = tuple[str, int]
 EntryOf = tuple[w.Node, int, int]
 """A matrix, a row and a column, counted from 0."""
-
-
 EMPTY: Mapping[w.Node, EntryOf] = {}
+WORDS: Mapping[type[w.Node], str] = {
+    w.Norm: "norm", w.Dot: "dot", w.Trace: "trace", w.Determinant: "det", w.Skew: "CPM", w.Cross: "cross",
+    w.Vect: "vect", w.Cofactor: "cofactor",
+}  # fmt: skip
+"""What the theories call what is made of matrices."""
 
 
 class Unsaid(Exception):
@@ -71,14 +74,6 @@ class Spelling:
                 return "0", ATOM
             case w.Identity():
                 return "1", ATOM
-            case w.Norm(of):
-                return f"norm {self.matrix(of, ATOM)}", APPLIED
-            case w.Dot(left, right):
-                return f"dot {self.matrix(left, ATOM)} {self.matrix(right, ATOM)}", APPLIED
-            case w.Trace(of):
-                return f"trace {self.matrix(of, ATOM)}", APPLIED
-            case w.Determinant(of):
-                return f"det {self.matrix(of, ATOM)}", APPLIED
             case w.Call("cos" | "sin" as function, argument):
                 return f"{function} {self.number(argument, ATOM)}", APPLIED
             case w.Scale(factor, term):
@@ -115,14 +110,6 @@ class Spelling:
             case w.Contract((first, *others)):
                 factors = [self.matrix(first, TIMES), *(self.matrix(factor, TIMES - 1) for factor in others)]
                 return " * ".join(factors), TIMES
-            case w.Skew(of):
-                return f"CPM {self.matrix(of, ATOM)}", APPLIED
-            case w.Cross(left, right):
-                return f"cross {self.matrix(left, ATOM)} {self.matrix(right, ATOM)}", APPLIED
-            case w.Vect(of):
-                return f"vect {self.matrix(of, ATOM)}", APPLIED
-            case w.Cofactor(of):
-                return f"cofactor {self.matrix(of, ATOM)}", APPLIED
             case w.Block(rows):
                 lines = [_folded("beside", [self._matrix(block) for block in row]) for row in rows]
                 return _folded("below", lines)
@@ -147,6 +134,8 @@ class Spelling:
                     sign, other = ("-", term.term) if isinstance(term, w.Negative) else ("+", term)
                     text += f" {sign} {part(other, PLUS - 1)}"
                 return text, PLUS
+        if type(node) in WORDS:
+            return " ".join((WORDS[type(node)], *(self.matrix(of, ATOM) for of in w.children(node)))), APPLIED
         raise Unsaid(f"{getattr(node, 'function', type(node).__name__)} is no word of the theories")
 
 

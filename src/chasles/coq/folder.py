@@ -76,11 +76,8 @@ def files_of(parts: Sequence[Chunk], chosen: Container[str]) -> dict[str, str]:
 
 def _comment(claim: Claimed) -> str:
     """What a statement is, as a comment, in which Coq would begin strings at quotation marks."""
-    what = (
-        f"({claim.number}) {claim.form}"
-        + ("" if claim.whole else ", of what it claims the equations")
-        + f": {claim.says}"
-    )
+    part = "" if claim.whole else ", of what it claims the equations"
+    what = f"({claim.number}) {claim.form}{part}: {claim.says}"
     for mark in ('"', "(*", "*)"):
         what = what.replace(mark, "")
     return f"(* {what} *)"

@@ -18,6 +18,7 @@ from chasles.checker.refutation import Value, quotient_at
 from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, exponents, number, variable
 from chasles.checker.witness import Point
 from chasles.coq.expressions import Unsaid
+from chasles.statements.rules import rated
 
 TIME, NUMBER, OVER = range(3)
 """A function is a polynomial in time, the one transcendental number of a point, and one over `MotionThrough.below`."""
@@ -75,7 +76,7 @@ class MotionThrough:
         made_of: Matrix = []
         match self._reading.variables[place]:
             case ("entry", w.Symbol() as of, int() as order, int() as i, int() as j):
-                node = _rated(of, order + 1)
+                node = rated(of, order + 1)
                 if not of.constant and (node in self._reading.rules or (of, order + 1, i, j) in self._places):
                     return self(self._reading(node)[i][j])
             case ("cos" | "sin", w.Symbol() as angle, _):
@@ -132,27 +133,17 @@ class MotionThrough:
 
     def _columns(self, group: tuple[w.Node, ...], order: int) -> list[Vector]:
         """The columns of what is turned, or of their rates, at the point."""
-        found = []
-        for each in group:
-            places = [[(each, order, i, j) for i in range(3)] for j in range(each.shape[1])]
-            for column in places:
-                found.append([self._now(self._places[at]) if at in self._places else ZERO for at in column])
-        return found
+        places, columns = self._places, [(each, j) for each in group for j in range(each.shape[1])]
+        entries = [[places.get((each, order, i, j)) for i in range(3)] for each, j in columns]
+        return [[ZERO if at is None else self._now(at) for at in column] for column in entries]
 
     def _keep(self, group: tuple[w.Node, ...], columns: list[Vector], top: int) -> None:
         for order in range(top + 1):
             found = iter(_derived(columns, order, self.turn))
-            for each in group:
-                for j in range(each.shape[1]):
-                    for i, function in enumerate(next(found)):
-                        if (each, order, i, j) in self._places:
-                            self._known[self._places[each, order, i, j]] = function
-
-
-def _rated(of: w.Node, order: int) -> w.Node:
-    for _ in range(order):
-        of = w.Rate(of)
-    return of
+            for each, j in ((of, k) for of in group for k in range(of.shape[1])):
+                for i, function in enumerate(next(found)):
+                    if (each, order, i, j) in self._places:
+                        self._known[self._places[each, order, i, j]] = function
 
 
 def _turned(column: Vector, turn: Vector) -> Vector:

@@ -38,17 +38,10 @@ class Instant:
                 self.free[name] = node
         for spin, names in self._spins:
             self.free |= dict.fromkeys(names, spin)
-        self.derived = [
-            node
-            for node in self.defined
-            if isinstance(node, w.Rate) and node not in said.rules and node not in self._turned
-        ]
+        rates = (node for node in self.defined if isinstance(node, w.Rate) and node not in said.rules)
+        self.derived = [node for node in rates if node not in self._turned]
         self.integrals = {node: self.defined[node] for node in self.derived if isinstance(self.told(node), w.Integral)}
-        self._kept = [
-            each
-            for each in said.premises
-            if not each.name.startswith("rate'") and each.name not in ("open'T", "under'")
-        ]
+        self._kept = [each for each in said.premises if not each.name.startswith(("rate'", "open'T", "under'"))]
 
     def _turning(self, spell: Polynomials) -> Iterator[tuple[w.Symbol, tuple[str, ...]]]:
         """The spins of rotations, which rules of the problem say and the statement does not."""
@@ -120,8 +113,7 @@ class Instant:
         said = self.said
         binders = " ".join(name for name, _ in said.binders)
         if not said.timed:
-            if binders:
-                yield f"intros {binders}."
+            yield from [f"intros {binders}."] * bool(binders)
             return
         yield f"intros {binders} {' '.join(each.name for each in said.premises)} t now'."
         yield from self._spun()
@@ -129,8 +121,7 @@ class Instant:
             yield from self._rate(node)
         for source in self._sources:
             yield from self._rate_of(source)
-        facts = [f"({name} t now')" if moves else name for name, moves in self._facts()]
-        if facts:
+        if facts := [f"({name} t now')" if moves else name for name, moves in self._facts()]:
             yield f"generalize {' '.join(facts)}; cbv beta."
         names = [*self.free, *self.defined.values()]
         now = [f"({name} t)" if self._moves(name) else name for name in names]
@@ -166,10 +157,8 @@ class Instant:
             sides, equal = "_ _", f"exact def'{self.said.names.rates[of]}"
         else:
             opened = self._opened(self.said.rules.get(of, of))
-            sides, equal = (
-                f"{self.said.spelling.function(of)} {self.said.spelling.function(opened)}",
-                self._by_definitions(isinstance(opened, w.Integral)),
-            )
+            sides = f"{self.said.spelling.function(of)} {self.said.spelling.function(opened)}"
+            equal = self._by_definitions(isinstance(opened, w.Integral))
         yield (
             f"eassert (def'{name} : forall t, T t -> {name} t = _) by (intros s' now's; eapply ({lemma} T {sides} s'); "
             f"[exact open'T | exact now's | {equal} | exact (rate'{name} s' now's) | clear rate'{name}; rates])."
@@ -185,11 +174,8 @@ class Instant:
                 rules[runs].append(f"?(def'{name}{now}{' b' * runs})")
         steps = [_rewritten(rules[False])] if rules[False] else []
         if integrated:
-            steps += [
-                "apply f_equal",
-                "extensionality b",
-                *([_rewritten(rules[True] + rules[False])] if rules[True] else []),
-            ]
+            steps += ["apply f_equal", "extensionality b"]
+            steps += [_rewritten(rules[True] + rules[False])] if rules[True] else []
         return "; ".join(["intros x' now'x; cbv beta", *steps, "reflexivity"])
 
     def _opened(self, node: w.Node) -> w.Node:

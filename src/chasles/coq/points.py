@@ -123,9 +123,8 @@ class _CoqPoint:
             names.append(f"word'{len(names)}")
             steps = f"{'intros; ' * always}{steps}"
             yield f"assert ({names[-1]} : {text} = {self.values.number(value)}) by ({steps})."
-            self._rewriting = (
-                f"rewrite {', '.join(f'?{each}' for each in reversed(names))}, ?norm_square, ?norm_fourth; "
-            )
+            known = ", ".join(f"?{each}" for each in reversed(names))
+            self._rewriting = f"rewrite {known}, ?norm_square, ?norm_fourth; "
 
     def _turning(self, node: w.Call) -> str:
         """The step by which a cosine or sine is made of those of the angles at the point."""

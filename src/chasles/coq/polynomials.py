@@ -11,6 +11,7 @@ from chasles.checker.sparse import Polynomial, exponents
 from chasles.coq.expressions import Unsaid
 from chasles.coq.sources import ProofReading
 from chasles.coq.statement import CoqStatement
+from chasles.statements.rules import rated
 
 
 class Polynomials:
@@ -49,13 +50,10 @@ class Polynomials:
 
     def angle(self, angle: w.Symbol, unit: Fraction) -> str:
         """A multiple of an angle."""
-        name = self._entry(angle, 0, 0, 0)
-        return multiple(name, unit)
+        return multiple(self._entry(angle, 0, 0, 0), unit)
 
     def _entry(self, symbol: w.Symbol, order: int, i: int, j: int) -> str:
-        node: w.Node = symbol
-        for _ in range(order):
-            node = w.Rate(node)
+        node = rated(symbol, order)
         if symbol in self.spins:
             name = self.spins[symbol][order]
         elif isinstance(node, w.Rate):
@@ -86,9 +84,7 @@ def multiple(name: str, unit: Fraction) -> str:
     """A multiple of an angle."""
     if unit == 1:
         return name
-    return (
-        f"({unit.numerator} * {name} / {unit.denominator})" if unit.numerator > 1 else f"({name} / {unit.denominator})"
-    )
+    return f"({f'{unit.numerator} * ' * (unit.numerator > 1)}{name} / {unit.denominator})"
 
 
 def in_units(reading: Reading, argument: w.Node, name: Callable[[w.Symbol], str]) -> str:

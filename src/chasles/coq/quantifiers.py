@@ -49,11 +49,9 @@ def cover_and_proof(name: str, said: CoqStatement, certificate: Mapping[str, Any
     steps = [f"assert (equation' : {for_all(said, equations(said))}).", "{", *steps_of(said, certificate), "}"]
     steps += [f"intros {bound}. specialize (equation' {bound})."]
     for count, case in enumerate(cases):
-        last = count == len(cases) - 1
-        steps.append(
-            f"destruct (Req_dec ({case}) 0) as [zero'{count}|taken']; [|{'' if last else 'left; '}exact taken']."
-        )
-        steps += [] if last else ["right."]
+        left = "left; " * (count < len(cases) - 1)
+        steps.append(f"destruct (Req_dec ({case}) 0) as [zero'{count}|taken']; [|{left}exact taken'].")
+        steps += ["right."] * bool(left)
     zeros = ", ".join(f"zero'{count}" for count in range(len(cases)))
     steps.append(f"exfalso. rewrite {zeros} in equation'. lra.")
     return text, theorem(name, steps)

@@ -47,11 +47,8 @@ def _root(plain: PlainExpressions, e: Any, kind: str) -> Any:
     said = sympy.together(plain(e.args[0]))
     square = said if kind == "sqrt" else said**2
     name = plain.remember(e)
-    names = [
-        each
-        for each, what, text in plain.certificate.get("words", ())
-        if what == kind and _same(plain, said, kind, text)
-    ]
+    words = plain.certificate.get("words", ())
+    names = [each for each, what, text in words if what == kind and _same(plain, said, kind, text)]
     plain.facts.append(f"pose proof ({LEMMAS[kind]}_positive _ _ of'{name}) as positive'{name}.")
     ways = [_known(plain, square), _other_roots(plain), _other_sides(plain, e)]
     if plain.certificate.get("facts"):

@@ -64,12 +64,8 @@ class ProofReading(Reading):
         self.keeps_squares = any(isinstance(each.base, w.Norm) and each.exponent % 2 == 0 for each in powers)
         self._literal = False
         super().__init__(problem, names)
-        self._stated = [
-            (goal, i, j)
-            for goal in problem.conditions
-            for i, j, entry in self.difference(goal.left, goal.right)
-            if entry
-        ]
+        differences = ((goal, *each) for goal in problem.conditions for each in self.difference(*goal.sides))
+        self._stated = [(goal, i, j) for goal, i, j, entry in differences if entry]
 
     def turned(self, call: w.Call) -> Polynomial:
         """A cosine or sine in those that are variables."""
@@ -126,8 +122,7 @@ class ProofReading(Reading):
         if found["equation"] is None:
             goal, i, j = self._stated[int(found["text"].partition(".")[0]) - 1]
             about: Hypothesis | Goal = goal
-            stem = f"rate'c{self.problem.conditions.index(goal)}"
-            left, right = goal.left, goal.right
+            stem, (left, right) = f"rate'c{self.problem.conditions.index(goal)}", goal.sides
         else:
             place, hypothesis = next((k, h) for k, h in enumerate(self.problem.hypotheses) if h.text == found["text"])
             about, stem = hypothesis, f"rate'h{place}_{equation}"

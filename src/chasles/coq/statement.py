@@ -60,11 +60,9 @@ class CoqStatement:
                     self.names.rate(each)
 
     def _nodes(self) -> Iterator[w.Node]:
-        problem = self.problem
-        goals = problem.sides
-        said = [h for h in problem.hypotheses if h.kind != "given"]
-        pairs = (*problem.rules, *(equation for h in said for equation in h.equations))
-        parts = chain(goals, chain.from_iterable(pairs), *(h.subjects for h in said))
+        said = [h for h in self.problem.hypotheses if h.kind != "given"]
+        pairs = (*self.problem.rules, *(equation for h in said for equation in h.equations))
+        parts = chain(self.problem.sides, chain.from_iterable(pairs), *(h.subjects for h in said))
         return chain.from_iterable(map(opened, parts))
 
     def _differentiated(self, node: w.Node, order: int) -> Iterator[w.Rate]:
@@ -90,10 +88,8 @@ class CoqStatement:
     def _running(self) -> frozenset[w.Node]:
         """What differs from element to element of a body."""
         found: set[w.Node] = {symbol for node in self.integrals for symbol in node.running}
-        while (
-            more := {w.undotted(left)[0] for left, right in self.rules.items() if found.intersection(_outside(right))}
-            - found
-        ):
+        rules = [(w.undotted(left)[0], right) for left, right in self.rules.items()]
+        while more := {base for base, right in rules if found.intersection(_outside(right))} - found:
             found |= more
         return frozenset(found)
 
@@ -138,11 +134,9 @@ class CoqStatement:
 
     def _has_integral(self, node: w.Node) -> bool:
         """Whether an integral is in an expression, definitions put in."""
-        for part in w.walk(node):
-            told = self.rules.get(bare_rate(part))
-            if isinstance(part, w.Integral) or (told is not None and self._has_integral(told)):
-                return True
-        return False
+        told = (self.rules.get(bare_rate(part)) for part in w.walk(node))
+        here = any(isinstance(part, w.Integral) for part in w.walk(node))
+        return here or any(each is not None and self._has_integral(each) for each in told)
 
     def _function(self, node: w.Node) -> str:
         """An expression as a function of time."""
@@ -169,12 +163,7 @@ class CoqStatement:
 
     def _conditions(self) -> Iterator[Premise]:
         for count, goal in enumerate(self.problem.conditions):
-            yield Premise(
-                f"cond'{count}",
-                self.spelling.equation(goal.left, goal.right),
-                self._any_moves(goal.left, goal.right),
-                goal,
-            )
+            yield Premise(f"cond'{count}", self.spelling.equation(*goal.sides), self._any_moves(*goal.sides), goal)
 
     def _hypotheses(self) -> Iterator[Premise]:
         for count, hypothesis in enumerate(self.problem.hypotheses):

@@ -51,16 +51,12 @@ def _claims(decision: Decision, form: str, verdict: Verdict, sentence: Sentence,
         name = _fresh(f"{stem}_fails", taken)
         problem = problem_of(sentence, "printed", decision.accepted)
         found = verdict.counterexample
-        yield _written(
-            Claimed(key, f"{HOW[form]}, which fails", name, sentence.says, whole=not isinstance(sentence, Theorem)),
-            problem,
-            failing,
-            lambda said: refutation(name, said, found),
-        )
+        claim = Claimed(key, f"{HOW[form]}, which fails", name, sentence.says, whole=not isinstance(sentence, Theorem))
+        yield _written(claim, problem, failing, lambda said: refutation(name, said, found))
     elif isinstance(verdict, Fails | IllFormed | Contradictory):
-        yield Claimed(
-            key, HOW[form], _fresh(stem, taken), sentence.says, why_not=f"no theorem says yet that it {_fault(verdict)}"
-        )
+        fault = {"fails": "fails", "ill-formed": "does not fit together"}.get(verdict.name, "is contradictory")
+        why_not = f"no theorem says yet that it {fault}"
+        yield Claimed(key, HOW[form], _fresh(stem, taken), sentence.says, why_not=why_not)
     elif certificate is None:
         return
     elif isinstance(sentence, Inverse):
@@ -77,10 +73,6 @@ def _claims(decision: Decision, form: str, verdict: Verdict, sentence: Sentence,
             yield from _theorem(claim, sentence, problem, certificate)
         else:
             yield from _claimed(claim, problem, certificate)
-
-
-def _fault(verdict: Verdict) -> str:
-    return {"fails": "fails", "ill-formed": "does not fit together"}.get(verdict.name, "is contradictory")
 
 
 def _claimed(claim: Claimed, problem: Problem, certificate: Mapping[str, Any]) -> Iterator[Claimed]:
@@ -123,10 +115,7 @@ def _said_by(
 
 
 def _written(
-    claim: Claimed,
-    problem: Problem,
-    sentence: Callable[[str, CoqStatement], str],
-    proof: Callable[[CoqStatement], str],
+    claim: Claimed, problem: Problem, sentence: Callable[[str, CoqStatement], str], proof: Callable[[CoqStatement], str]
 ) -> Claimed:
     """A claim with its statement and its proof, or why there is none."""
     try:

@@ -161,7 +161,9 @@ def _gathered(terms: tuple[Node, ...], k: int, outer: tuple[Node, _Times, bool])
 
 
 def _of_rates(node: Node, parent: Node | None) -> Iterator[Node]:
-    """A dot too many or too few, or over the other factor of a product."""
+    """A dot too many or too few, also of a whole side, or over the other factor of a product."""
+    if parent is None and not isinstance(node, w.Rate | w.Symbol | w.Inverse):
+        yield w.Rate(node)
     match node:
         case w.Rate(of):
             yield of

@@ -123,9 +123,10 @@ def _refuse_senseless(entry: Entry, defined: Mapping[Node, Node]) -> None:
     named: dict[str, Symbol] = {}
     for side in (*sides, *(side for each in said.given for side in each.printed)):
         for symbol in symbols_of(side):
-            if not (symbol.name.strip() and symbol.letter.strip()):
-                nameless = symbol.name or symbol.letter
-                wrong = f"is about {nameless!r}: declare it with a name and a letter, neither of them empty"
+            if not (symbol.name.strip() and (letter := symbol.letter).strip()):
+                wrong = (
+                    f"is about {symbol.name or letter!r}: declare it with a name and a letter, neither of them empty"
+                )
             if name := next((n for n in _names(symbol) if named.setdefault(n, symbol) != symbol), ""):
                 wrong = f"is about two different quantities that are both named {name!r}: give one another name"
     if wrong:
