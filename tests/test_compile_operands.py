@@ -36,6 +36,7 @@ d1, d2 = sp.Dummy("k"), sp.Dummy("k")
 up, down = sp.Symbol("s"), sp.Symbol("s", positive=True)
 
 VALUES = [
+    (sp.Poly(x**2 + m, x, m), [x, m], (2, 3), 7),
     (m * q1.diff(t, 2) + q1.diff(t) * q2 - g, [q1.diff(t, 2), q1.diff(t), q2, m, g], (2, 3, 5, 7, 11), 18),
     (q1.diff(t, 2) * 100 + q1.diff(t) * 10 + q1, [q1, q1.diff(t), q1.diff(t, 2)], (1, 2, 3), 321),
     (q1.diff(t, 3) - q1.diff(t, 2), [q1.diff(t, 2), q1.diff(t, 3)], (1, 5), 4),

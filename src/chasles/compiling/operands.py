@@ -215,6 +215,7 @@ def _value(item: Any) -> Any:
         if hasattr(item, "to_matrix"):
             raise LoweringError(f"{shown(item)} has components in a frame: give them, as .to_matrix(frame)") from None
         raise LoweringError(f"{item!r} is no SymPy expression") from None
+    value = value.as_expr() if isinstance(value, sympy.Poly) else value
     if not isinstance(value, sympy.Expr | sympy.MatrixBase | sympy.MatrixExpr | sympy.logic.boolalg.Boolean):
         raise LoweringError(f"{shown(value)} is no scalar and no matrix ({type(value).__name__})")
     return value

@@ -15,6 +15,7 @@ from math import factorial
 from typing import Any
 
 import sympy
+from sympy.concrete.expr_with_limits import ExprWithLimits
 
 from chasles.compiling.near_zero import near_zero, without_cancellation
 from chasles.compiling.sums_of_angles import (
@@ -43,6 +44,9 @@ LEFT = (Stumpff, TaylorPolynomial)
 
 def without_removable(expression: sympy.Basic) -> sympy.Basic:
     """The same expression; it has a value where an angle is zero by which it divides, if it has a limit there."""
+    if parts_of_kinds(expression, (ExprWithLimits,)):
+        # There is no program for it: what is said of it shall be said of what was given.
+        return expression
     parts = parts_of(expression, ())
     divided = _divisors(parts)
     table = dict(_by_addition_theorem(parts, divided))
