@@ -46,7 +46,8 @@ def is_said_ahead(claim: Claim, key: Quantity, ahead: Iterable[Claim], premises:
     So it is in A p = b, where b = c - d; and in v = u + w, where u = (v . e) e and w = v - u.
     """
     new = symbols_in(claim.printed) - {symbol for symbol, _ in premises.spoken} - {key[0]}
-    said = {meant[0]: each for each in ahead if not each.fault and (meant := meant_by(each, premises))}
+    found = ((each, meant_by(each, premises)) for each in ahead if not each.fault)
+    said = {meant[0]: each for each, meant in found if meant and not meant[1]}
     parts = [q for q, each in said.items() if q[0] in new and any(key in quantities(side) for side in each.printed)]
     return (key in said and quantity(claim.right) == key) or len(parts) > 1
 
