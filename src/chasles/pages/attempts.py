@@ -137,11 +137,6 @@ def _spoken_of(posed: PosedEquation) -> tuple[Quantity, ...]:
     return (*quantities(posed.left), *quantities(posed.right))
 
 
-def with_everything(claim: Claim, premises: Premises, generation: int) -> Claim:
-    """The claim with all that the page says of its symbols, open equations among it."""
-    return with_premises(claim, premises, *all_said(claim, premises, generation), everything=True)
-
-
 def all_said(claim: Claim, premises: Premises, generation: int) -> Known:
     """All that the page says of the symbols of a claim, open equations among it."""
     rules = chosen_rules(claim.printed, premises.defined(generation))

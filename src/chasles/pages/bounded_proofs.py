@@ -27,8 +27,6 @@ from chasles.vocabulary import Misfit, Node, Power
 
 MOST_TERMS = 500
 """Points are not drawn where hypotheses and sides have more terms than this: each point takes too long."""
-
-
 MOST_WORDS, MOST_IN_BRIEF = 60, 12
 """Problems of functions that have no polynomial form are left where they have more words than this, entry by entry."""
 

@@ -25,7 +25,7 @@ from dataclasses import replace as with_fields
 from functools import cached_property
 
 from chasles.decisions.session import Session
-from chasles.pages.attempts import Attempt, attempts, named, ways, with_everything, with_premises
+from chasles.pages.attempts import Attempt, all_said, attempts, named, ways, with_premises
 from chasles.pages.bounded_proofs import posed_on, proof_of, verdict_on
 from chasles.pages.consequences import Consequences
 from chasles.pages.defining import definition_of, is_new, is_said_ahead, meant_by, said_to_be
@@ -251,8 +251,9 @@ class Deduction:
         """
         said = as_hypothesis(named(claim), *claim.printed, self.session, self.consequences)
         verdict: Verdict = Undecided("no point was looked for")
-        for known in (with_everything(claim, self.premises, 0), with_premises(claim, self.premises, {}, ())):
-            verdict = posed_on(with_fields(known, assuming=(*known.assuming, said)), self.session)
+        for known in (all_said(claim, self.premises, 0), ({}, ())):
+            assumed = with_premises(claim, self.premises, *known, everything=True)
+            verdict = posed_on(with_fields(assumed, assuming=(*assumed.assuming, said)), self.session)
             if not isinstance(verdict, Undecided):
                 break
         return verdict

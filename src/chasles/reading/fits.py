@@ -15,8 +15,6 @@ MOST = 12
 """How many readings of one piece in one shape are kept."""
 UNUSUAL = 4
 """The cost of a reading that counts only where no usual one fits."""
-
-
 OF_ITS_OWN = "a quantity of its own"
 """The meaning of what print has a sign for that is no word: nothing is known of it, hence nothing refuted by it."""
 

@@ -23,8 +23,6 @@ KNOWN = LETTERS | MARKS | TYPEFACES
 ENTRY = re.compile(r"[1-9] ?,? ?[1-9]")
 """The numbers of an entry, which is known by its matrix."""
 PRIMED = re.compile(r"[])] ('(?: ')*)")
-
-
 PROPOSED = """\
 proposed = true  # what does not fit together is left open; delete this line once it says what the letters are"""
 
