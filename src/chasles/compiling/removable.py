@@ -61,13 +61,14 @@ def _by_addition_theorem(
     """Sines and cosines of a sum that occur for a part of it too, the rest of which vanishes with a divisor."""
     for part in parts:
         if isinstance(part, sympy.sin | sympy.cos) and part.args[0].is_Add:
+            factors = {term: sympy.Mul.make_args(term) for term in part.args[0].args}
             for divisor in divided:
-                rest = sympy.Add(*(term for term in part.args[0].args if divisor in sympy.Mul.make_args(term)))
-                of = part.args[0] - rest
-                if rest != 0 and type(part)(of) in parts:
-                    sine, cosine = (f(of) * sympy.cos(rest) for f in (sympy.sin, sympy.cos))
+                rest = [term for term in factors if divisor in factors[term]]
+                of = sympy.Add(*(term for term in factors if term not in rest)) if rest else part.args[0]
+                if rest and type(part)(of) in parts:
                     turned = sympy.cos(of) if isinstance(part, sympy.sin) else -sympy.sin(of)
-                    yield part, (sine if isinstance(part, sympy.sin) else cosine) + turned * sympy.sin(rest)
+                    by = sympy.Add(*rest)
+                    yield part, type(part)(of) * sympy.cos(by) + turned * sympy.sin(by)
 
 
 def _with_limits(expression: sympy.Basic) -> sympy.Basic:
@@ -80,12 +81,13 @@ def _with_limits(expression: sympy.Basic) -> sympy.Basic:
     for part in parts:
         if isinstance(part, KNOWN):
             by_angle.setdefault(angle_of(part), []).append(part)
+    innermost = {f for functions in by_angle.values() for f in functions if not any(map(angles_in, f.args))}
     for angle, functions in by_angle.items():
         square = square_of(angle)
         # Of the root of -x the limits are those of the root of x with the other sign.
         turned = {-square: square} if (-square).is_Symbol else {}
         whole = WholeAngle(angle) if divided and not _is_root(angle) else None
-        held = {*divided, *parts_of(expression, functions)} if angle in below else divided
+        held = {*divided, *parts_of(expression, innermost.union(functions))} if angle in below else divided
         if angle in held or not divided.isdisjoint((square, *turned)) or (whole and whole.occurs_in(held)):
             table = {f: other for f in functions if (other := with_series(f)) != f}
             stated = Substitution(table).of(expression) if table else expression
