@@ -44,14 +44,15 @@ LEFT = (Stumpff, TaylorPolynomial)
 
 def without_removable(expression: sympy.Basic) -> sympy.Basic:
     """The same expression; it has a value where an angle is zero by which it divides, if it has a limit there."""
-    if parts_of_kinds(expression, (ExprWithLimits,)):
+    parts = parts_of(expression, ())
+    if any(isinstance(part, ExprWithLimits) for part in parts):
         # There is no program for it: what is said of it shall be said of what was given.
         return expression
-    parts = parts_of(expression, ())
-    divided = _divisors(parts)
-    table = dict(_by_addition_theorem(parts, divided))
-    apart = _with_limits(Substitution(table).of(expression)) if table else expression
-    found = apart if parts_of_kinds(apart, LEFT) else _with_limits(expression)
+    divided, found = _divisors(parts), expression
+    if divided or any(isinstance(part, tuple(QUOTIENTS)) for part in parts):
+        table = dict(_by_addition_theorem(parts, divided))
+        apart = _with_limits(Substitution(table).of(expression)) if table else expression
+        found = apart if parts_of_kinds(apart, LEFT) else _with_limits(expression)
     return without_cancellation(found)
 
 
