@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import partial
 from typing import Any
@@ -107,6 +108,10 @@ class Splitting:
             if found is None and self._refused is not None:
                 raise self._refused
             return Fails(found) if found else Undecided("a remainder is left, and no counterexample was found")
+        said_needs = [need for text in self.needs if (need := self._read(text, self._whole))]
+        apart = (*whole.nonzero, *(e for e, relation in said_needs if relation != ">="))
+        real = (*self._met, *(sympy.sqrt(e) for e, relation in said_needs if relation != "!="))
+        sampling = Sampling(self._left, self._right, self._rows, whole.pairs, apart, real, still)
         witness = self._witness(sampling)
         if witness is None:
             return Undecided("it follows from its hypotheses, but no point was found that satisfies them all")
@@ -217,11 +222,7 @@ class Splitting:
 
     def _need(self, case: CheckedCase, text: str) -> bool:
         """State a need of a case in the symbols of the question, unless it holds throughout the case."""
-        names = {str(s): s for e in case.spoken for s in e.free_symbols}
-        try:
-            need = said_need(text, names)
-        except (Rejected, sympy.SympifyError, TypeError):
-            return False
+        need = self._read(text, case)
         if need is None:
             return False
         if holds_throughout(case, *need, self.needs) is None:
@@ -229,3 +230,9 @@ class Splitting:
             in_question = not said.free_symbols & {symbol for symbol, _ in case.meant}
             self.needs[text if in_question else f"{case.back(said)} {relation} 0"] = None
         return True
+
+    def _read(self, text: str, case: CheckedCase) -> tuple[Any, str] | None:
+        """What a need speaks of and what it says of that; None for one that is not read."""
+        with suppress(Rejected, sympy.SympifyError, TypeError):
+            return said_need(text, case.named)
+        return None
