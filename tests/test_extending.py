@@ -259,8 +259,8 @@ def test_a_rule_of_decision_is_two_files(copy: Copy) -> None:
     )
     copy.edit(
         "checker/expressions/readings.py",
-        "    sympy.Mul: _product,\n",
-        "    sympy.Mul: _product,\n    versine: lambda reading, e: ONE - reading(sympy.cos(e.args[0])),\n",
+        "    sympy.Add: ",
+        "    versine: lambda reading, e: ONE - reading(sympy.cos(e.args[0])),\n    sympy.Add: ",
     )
     copy.edit(
         "from_sympy/readings.py",

@@ -45,15 +45,22 @@ def _polynomials(found: Any) -> frozenset[Any]:
     return parts_of_kinds(found, (TaylorPolynomial,), (NearZero,))
 
 
-@lru_cache(KEPT)
 def without_cancellation(expression: sympy.Basic) -> Any:
     """The expression, in which functions less the first terms of their series are what is left of these."""
+    changed = _changed(expression)
+    return expression if changed is None else changed
+
+
+@lru_cache(KEPT)
+def _changed(expression: sympy.Basic) -> Any:
+    """What it becomes; None where it stays the object that it is, which an equal one of another call is not."""
     if isinstance(expression, NearZero) or not parts_of_kinds(expression, KNOWN):
-        return expression
+        return None
     parts = [without_cancellation(part) for part in expression.args]
     held = {"evaluate": False} if isinstance(expression, HELD) else {}
     found = expression if all(map(is_, parts, expression.args)) else expression.func(*parts, **held)
-    return _lessened(found) if isinstance(found, sympy.Add) else found
+    found = _lessened(found) if isinstance(found, sympy.Add) else found
+    return None if found is expression else found
 
 
 def _lessened(total: sympy.Add) -> Any:
