@@ -140,7 +140,7 @@ def _form_nodes(part: Any) -> Iterator[tuple[str, int | None, Node]]:
         if isinstance(value, tuple):
             for place, node in enumerate(value):
                 yield field.name, place, node
-        elif isinstance(value, Node) and field.type not in ("Symbol", Symbol):
+        elif isinstance(value, Node) and field.type not in ("Symbol", "w.Symbol", Symbol):
             yield field.name, None, value
 
 
