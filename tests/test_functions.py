@@ -122,6 +122,10 @@ def test_what_is_true_is_proved_and_the_proof_is_checked(said: Claim) -> None:
     if said.left != said.right:
         with pytest.raises(Rejected):
             check(replace(said, right=said.right + said.right + said.left), "printed", verdict.certificate)
+        if "scalars" in verdict.certificate:
+            without = {name: part for name, part in verdict.certificate.items() if name != "point"}
+            with pytest.raises(Rejected):
+                check(said, "printed", without)
 
 
 @pytest.mark.parametrize("said", FALSE, ids=lambda said: f"{said.left} = {said.right}")

@@ -338,3 +338,9 @@ def test_a_quotient_that_is_not_negative_says_nothing_of_its_numerator() -> None
         recheck(replace(verdict, needs=("p != 0", "x/p >= 0")), cubed, product)
     of_quotient = sqrt(x / p) ** 3, x / p * sqrt(x / p)
     recheck(replace(prove(*of_quotient), needs=("p != 0", "x/p >= 0")), *of_quotient)
+
+
+@pytest.mark.parametrize(("lhs", "rhs"), [(sqrt(x) ** 2 * x, x**2), (Abs(x), sp.Max(x, -x)), (x / x, 1)], ids=name)
+def test_a_proof_without_a_witness_is_rejected(lhs: Any, rhs: Any) -> None:
+    with pytest.raises(Rejected, match="no witness"):
+        recheck(replace(prove(lhs, rhs), witness=None), lhs, rhs)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from chasles.checker.any_size.at_sizes import sizes_in
@@ -70,8 +69,7 @@ def _proved(
 ) -> Verdict:
     """The proof of the question as one of the problem; that quantities are positive counts among what it needs."""
     certificate = {"scalars": verdict.certificate, "needs": list(verdict.needs), **({"whole": True} if whole else {})}
-    if all(type(value) is Fraction for value in verdict.witness.values()):
-        certificate["point"] = {name: str(value) for name, value in verdict.witness.items()}
+    certificate["point"] = {name: str(value) for name, value in verdict.witness.items()}
     positive = (h.text for h in problem.hypotheses if h.kind == "positive")
     order = {h.text: place for place, h in enumerate(problem.hypotheses)}
     used = (*positive, *question.used, *_said(verdict.needs, question.sources))

@@ -36,6 +36,8 @@ def check_proof(verdict: Any, lhs: Any, rhs: Any, given: Any = (), nonzero: Any 
     Raises `Rejected` with the reason if the certificate does not prove that.
     """
     with well_formed("certificate"):
+        if verdict.witness is None:
+            raise Rejected("the verdict has no witness")
         asked = Asked(lhs, rhs, given, nonzero)
         if {"proof", "cases"} & verdict.certificate.keys():
             sides = [[*map(side.get, sorted(side)), *asked.hidden] for side in (asked.left, asked.right)]

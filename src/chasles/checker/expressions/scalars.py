@@ -15,6 +15,7 @@ import sympy as sp
 from chasles import vocabulary as w
 from chasles.checker.expressions.counterexample import check_refutation
 from chasles.checker.expressions.proof import check_proof
+from chasles.checker.expressions.widened import plain_expression
 from chasles.checker.expressions.words import EntriesOfWords
 from chasles.checker.sparse import Rejected
 from chasles.statements import Hypothesis, Problem
@@ -115,8 +116,8 @@ def check_scalars(problem: Problem, certificate: Mapping[str, Any]) -> None:
     """The certificate proves the question that the problem asks; raises `Rejected` with the reason if not."""
     question = scalar_question(problem, proving=not certificate.get("whole"))
     needs = tuple(certificate["needs"])
-    shown = certificate.get("point")
-    witness: Any = None if shown is None else {name: Fraction(value) for name, value in shown.items()}
+    point = {name: plain_expression(text, {}) for name, text in certificate["point"].items()}
+    witness = {name: Fraction(int(e.p), int(e.q)) if e.is_Rational else e for name, e in point.items()}
     check_proof(HoldsUnder(needs, certificate["scalars"], witness), *question.asked)
 
 

@@ -57,8 +57,7 @@ def check_widened(
     _Widened(needs, check).tree(whole.each(partial(at_integer, put={})), verdict.certificate)
     if unused := needs.texts - needs.used:
         raise Rejected(f"the verdict needs {min(unused)}, of which the proof does not speak")
-    if verdict.witness is not None:
-        _require_witness(verdict, whole)
+    _require_witness(verdict, whole)
 
 
 class _Stated:
@@ -130,7 +129,7 @@ class _Widened:
         put = self._equal(case, more, node.get("equal", ()))
         given += [sympy.Eq(one, other, evaluate=False) for one, other in more.roots]
         for text in node.get("facts", ()):
-            fact = _parsed(text, {})
+            fact = plain_expression(text, {})
             if not vanishes(fact):
                 raise Rejected(f"{text} is not known to be zero")
             given.append(sympy.Eq(more(fact), 0, evaluate=False))
@@ -167,7 +166,7 @@ class _Widened:
 def said_need(text: str, names: Mapping[str, Any]) -> tuple[Any, str] | None:
     """What a need speaks of, and whether that is !=, > or >= 0; None for another."""
     relation = next((end for end in RELATIONS if text.endswith(end)), None)
-    return (_parsed(text.removesuffix(relation), names), relation.split()[0]) if relation else None
+    return (plain_expression(text.removesuffix(relation), names), relation.split()[0]) if relation else None
 
 
 def holds_throughout(case: CheckedCase, e: Any, relation: str, needs: Iterable[str]) -> set[str] | None:
@@ -225,7 +224,8 @@ def put(e: Any, atom: Any, value: Any) -> Any:
     return e.doit() if e.has(sympy.Derivative) else e
 
 
-def _parsed(text: str, names: Mapping[str, Any]) -> Any:
+def plain_expression(text: str, names: Mapping[str, Any]) -> Any:
+    """The expression that a text says in these names; raises `Rejected` for a text that says anything else."""
     if not PLAIN.fullmatch(text) or "__" in text:
         raise Rejected(f"{text!r} is no plain expression")
     return sympy.sympify(text, locals={"floor": Floor, **names})
@@ -259,7 +259,7 @@ def check_enclosed(
     spoken = {e: _parts(values, e) for e in case.spoken}
     one, other = (spoken[side[place]] for side in case.sides)
     for text, value in zip(said, (one, other), strict=True):
-        if not all(map(Enclosure.meets, value, _parts(values, _parsed(text, {})))):
+        if not all(map(Enclosure.meets, value, _parts(values, plain_expression(text, {})))):
             raise Rejected(f"a side is not {text} at the point")
     if all(map(Enclosure.meets, one, other)):
         raise Rejected("the two sides are not seen to differ at the point")
