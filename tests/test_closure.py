@@ -9,7 +9,7 @@ import pytest
 
 from chasles.report.closure import CHECKERS, closure, lines
 
-MOST = {"declared": 6_204, "prove": 5_399, "all": 15_375}
+MOST = {"declared": 6_201, "prove": 5_399, "all": 15_364}
 """It may become less."""
 
 

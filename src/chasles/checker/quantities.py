@@ -12,6 +12,7 @@ from typing import Any
 from chasles import vocabulary as w
 from chasles.checker.expansion import Formless, expanded, scaled
 from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, cleared, exponents, number, product, variable
+from chasles.vocabulary.letters import entry_names
 
 Matrix = list[list[Polynomial]]
 
@@ -240,8 +241,4 @@ def squeezed(name: str) -> str:
 
 def _names(symbol: w.Symbol, order: int) -> list[list[str]]:
     """The names of the entries: e_1, Q_12, a_dot_3, phi."""
-    rows, columns = symbol.shape
-    stem = symbol.name + (f"_{'d' * order}ot" if order else "")
-    if columns == 1:
-        return [[f"{stem}_{i + 1}" if rows > 1 else stem] for i in range(rows)]
-    return [[f"{stem}_{i + 1}{j + 1}" for j in range(columns)] for i in range(rows)]
+    return entry_names(symbol.name + (f"_{'d' * order}ot" if order else ""), *symbol.shape)

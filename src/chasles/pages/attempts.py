@@ -20,12 +20,10 @@ from chasles.vocabulary import Node
 
 MOST_POSED = 4
 """So many posed equations, the last ones, are tried together for a proof."""
-
-
-Known = tuple[Rules, tuple[PosedEquation, ...]]
-"""Rules to apply and equations to assume."""
 MOST_BALANCED = 8
 """So many rules for what occurs on one side only are tried together."""
+Known = tuple[Rules, tuple[PosedEquation, ...]]
+"""Rules to apply and equations to assume."""
 
 
 @dataclass(frozen=True, slots=True)

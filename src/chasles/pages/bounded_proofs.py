@@ -188,6 +188,4 @@ def _words_in(problem: Problem) -> int:
             known[node] += node.exponent // 10 if isinstance(node, Power) and isinstance(node.exponent, int) else 0
         return known[node]
 
-    goals = problem.sides
-    assumed = problem.assumed_sides
-    return sum(count(side) * side.shape[0] * side.shape[1] for side in (*goals, *assumed))
+    return sum(count(side) * side.shape[0] * side.shape[1] for side in (*problem.sides, *problem.assumed_sides))

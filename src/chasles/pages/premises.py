@@ -73,17 +73,9 @@ class Premises:
     def copy(self) -> Premises:
         """The same, to which something else may be added."""
         definitions = {q: list(known) for q, known in self.definitions.items()}
-        rules = dict(self.proved), dict(self.opened)
-        return Premises(
-            self.facts,
-            definitions,
-            *rules,
-            list(self.said),
-            list(self.posed),
-            set(self.spoken),
-            self.begun,
-            set(self.relied),
-        )
+        rules = with_fields(self, definitions=definitions, proved=dict(self.proved), opened=dict(self.opened))
+        told = with_fields(rules, said=list(self.said), posed=list(self.posed))
+        return with_fields(told, spoken=set(self.spoken), relied=set(self.relied))
 
     def defined(self, generation: int = 0) -> Rules:
         """The rules of the definitions; of an older `generation` those before them, or none for what was free then."""

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from difflib import get_close_matches
 from importlib import import_module
 from importlib.util import find_spec
-from itertools import combinations
+from itertools import chain, combinations
 from os import PathLike
 from pathlib import Path
 from pkgutil import iter_modules
@@ -26,6 +26,7 @@ from chasles.vocabulary import Node, Symbol
 from chasles.vocabulary.arguments import fits
 from chasles.vocabulary.families import indices_of
 from chasles.vocabulary.fitting import measured
+from chasles.vocabulary.letters import entry_names
 from chasles.vocabulary.measure import Misfit, added
 from chasles.vocabulary.tree import symbols_of
 
@@ -136,10 +137,8 @@ def _refuse_senseless(entry: Entry, defined: Mapping[Node, Node]) -> None:
 def _names(symbol: Symbol) -> Iterator[str]:
     """The names of a symbol's entries, as points show them."""
     rows, columns = symbol.shape
-    if symbol.is_scalar or not isinstance(rows, int) or not isinstance(columns, int):
-        yield symbol.name
-    else:
-        yield from (f"{symbol.name}_{i + 1}" + f"{j + 1}" * (columns > 1) for i in range(rows) for j in range(columns))
+    has_entries = isinstance(rows, int) and isinstance(columns, int)
+    yield from chain.from_iterable(entry_names(symbol.name, rows, columns)) if has_entries else (symbol.name,)
 
 
 INEQUALITIES = {"<": "<", ">": ">", "<=": "<=", ">=": ">=", r"\leq": "<=", r"\geq": ">=", r"\le": "<=", r"\ge": ">="}

@@ -20,12 +20,7 @@ from chasles.statements.goals import (
 from chasles.statements.hypotheses import Hypothesis
 from chasles.statements.problem import Goal, Problem
 from chasles.statements.rules import behind, passed_on, rated, refuse_circles
-from chasles.statements.simpler_words import (
-    in_simpler_words,
-    with_rates_said,
-    with_simple_lengths,
-    with_what_is_seen,
-)
+from chasles.statements.simpler_words import in_simpler_words, with_rates_said, with_simple_lengths, with_what_is_seen
 from chasles.statements.statement import (
     Claim,
     Condition,

@@ -62,9 +62,8 @@ class Problem:
     @property
     def has_functions(self) -> bool:
         """Whether functions of scalars occur that have no polynomial form."""
-        return any(
-            part.has_no_polynomial_form for side in (*self.sides_and_rules, *self.assumed_sides) for part in walk(side)
-        )
+        sides = (*self.sides_and_rules, *self.assumed_sides)
+        return any(part.has_no_polynomial_form for side in sides for part in walk(side))
 
     def said_otherwise(
         self,
@@ -77,9 +76,8 @@ class Problem:
         def rewritten(goal: Goal) -> Goal:
             return Goal(goal.label, *map(side, goal.sides))
 
-        rules = tuple(
-            (left, side(right) if at_work is None or left in at_work else right) for left, right in self.rules
-        )
+        changed = dict(self.rules) if at_work is None else at_work
+        rules = tuple((left, side(right) if left in changed else right) for left, right in self.rules)
         return with_fields(
             self,
             goals=tuple(map(rewritten, self.goals)),

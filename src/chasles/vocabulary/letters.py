@@ -32,6 +32,13 @@ class Symbol(Node):
         return self.size
 
 
+def entry_names(stem: str, rows: int, columns: int) -> list[list[str]]:
+    """The names of the entries of a quantity, row by row: e_1, Q_12, phi."""
+    if columns == 1:
+        return [[f"{stem}_{i + 1}" if rows > 1 else stem] for i in range(rows)]
+    return [[f"{stem}_{i + 1}{j + 1}" for j in range(columns)] for i in range(rows)]
+
+
 @word
 class Identity(Node):
     """The identity matrix of the given size."""

@@ -16,6 +16,7 @@ from chasles.checker.sparse import Rejected
 from chasles.checker.witness import root_of
 from chasles.statements import Hypothesis, Problem
 from chasles.vocabulary.functions import FunctionOf
+from chasles.vocabulary.letters import entry_names
 from chasles.vocabulary.sizes import at_sizes, sizes_of
 
 if TYPE_CHECKING:
@@ -64,7 +65,7 @@ class PointAtSizes:
             case w.Symbol(stands_for=w.Node() as of) | w.Group(of) | w.At(of, "t"):
                 return self._of(of)
             case w.Symbol(name):
-                names = [[name + mark for mark in row] for row in _marks(*node.shape)]
+                names = entry_names(name, *node.shape)
                 return [[self.at.get(each, Fraction(0)) for each in row] for row in names]
             case w.Inverse(of):
                 matrix = self._of(of)
@@ -119,13 +120,6 @@ def check_at_sizes(problem: Problem, shown: Counterexample) -> None:
             if sides[0] != sides[1] and tuple(map(str, sides)) == (shown.left, shown.right):
                 return
     raise Rejected("the two sides are equal at the point, or not as shown, or there is no such entry")
-
-
-def _marks(rows: int, columns: int) -> list[list[str]]:
-    """What stands behind a letter in the names of its entries: A_12, x_1."""
-    if rows == columns == 1:
-        return [[""]]
-    return [[f"_{i + 1}" + f"{j + 1}" * (columns > 1) for j in range(columns)] for i in range(rows)]
 
 
 def _over(divisor: Fraction, spelled: w.Node) -> Fraction:

@@ -14,6 +14,7 @@ from chasles.checker.expressions.rates import MOST_RATES
 from chasles.checker.sparse import Rejected
 from chasles.statements import Hypothesis, Problem
 from chasles.vocabulary.functions import Cases, FunctionOf
+from chasles.vocabulary.letters import entry_names
 
 TIME = sp.Symbol("t", real=True)
 FUNCTIONS = {
@@ -174,11 +175,8 @@ class EntriesOfWords:
         if symbol == w.PI:
             yield sp.pi
             return
-        rows, columns = symbol.shape
-        for i in range(1, rows + 1):
-            for j in range(1, columns + 1):
-                place = "" if symbol.is_scalar else f"_{i}" if columns == 1 else f"_{i}{j}"
-                name = f"{symbol.name}{place}"
+        for i, row in enumerate(entry_names(symbol.name, *symbol.shape), 1):
+            for j, name in enumerate(row, 1):
                 if self.named.setdefault(name, (symbol, i, j)) != (symbol, i, j):
                     raise Rejected(f"two different quantities are both named {name}: rename one")
                 sign = self.signs.get(name, {})
