@@ -13,7 +13,7 @@ from chasles.prover.decide import decide_problem
 from chasles.report.words import point_in_words
 from chasles.statements import Claim, problem_of, unit
 from chasles.verdict import Counterexample, Fails, Holds
-from chasles.vocabulary import CPM, PI, Node, column, cos, norm, rate, scalar, sin, vector
+from chasles.vocabulary import CPM, PI, Node, array, column, cos, norm, rate, scalar, sin, uniform, vector
 
 a, b, e = (vector(name, name, "") for name in "abe")
 phi, theta, x = scalar("phi", r"\phi", ""), scalar("theta", r"\theta", ""), scalar("x", "x", "")
@@ -90,3 +90,15 @@ def test_a_multiple_of_pi_is_spelled_as_the_sides_are() -> None:
     spelled = [str(InPi(Fraction(*parts))) for parts in ((0, 1), (1, 1), (-1, 1), (1, 2), (-3, 2), (2, 1))]
     assert spelled == ["0", "pi", "-pi", "1/2 pi", "-3/2 pi", "2 pi"]
     assert InPi(Fraction(1, 2)) + 1 == Fraction(3, 2)
+
+
+def test_entries_of_large_matrices_are_told_apart() -> None:
+    M = array("M", "M", "", uniform((12, 12)))
+    assert isinstance(decide_problem(problem_of(Claim("1", (M @ M).T, M.T @ M.T))), Holds)
+    assert {"M_1,11", "M_11,1"} <= refuted(M[1, 11], M[11, 1]).at.keys()
+    assert f"v = ({', '.join('0' * 11)}, 1)" in point_in_words({f"v_{k}": int(k == 12) for k in range(1, 13)})
+
+
+@pytest.mark.parametrize("entries", ["m_1 m_2", "M_11 M_12 M_21", "M_11 M_12 M_21 M_22", "q_1 q_2 q_4"])
+def test_what_is_no_vector_and_no_large_matrix_is_said_by_itself(entries: str) -> None:
+    assert point_in_words(dict.fromkeys(entries.split(), 1)) == ", ".join(f"{each} = 1" for each in entries.split())

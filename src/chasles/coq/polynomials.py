@@ -102,8 +102,9 @@ def in_units(reading: Reading, argument: w.Node, name: Callable[[w.Symbol], str]
 
 
 def entry_name(name: str, shape: tuple[int, int], i: int, j: int) -> str:
-    """The name of an entry: e'1, Q'12."""
-    return f"{name}'{i + 1}" if shape[1] == 1 else f"{name}'{i + 1}{j + 1}"
+    """The name of an entry: e'1, Q'12, Q'1'12."""
+    apart = "'" if max(i, j) > 8 else ""
+    return f"{name}'{i + 1}" if shape[1] == 1 else f"{name}'{i + 1}{apart}{j + 1}"
 
 
 def taken_apart(name: str, shape: tuple[int, int]) -> str:

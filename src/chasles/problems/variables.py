@@ -12,6 +12,7 @@ from fractions import Fraction
 
 from chasles.statements.angles import linear_terms
 from chasles.vocabulary import At, Node, Symbol, plain
+from chasles.vocabulary.letters import entry_names
 
 Factors = tuple[tuple[str, int], ...]
 """Names of variables and their exponents."""
@@ -102,11 +103,7 @@ def moment_name(factors: Factors) -> str:
 
 def entry_name(symbol: Symbol, order: int, row: int, column: int) -> str:
     """The name of one entry of a symbol or of its rate: e_1, Q_12, a_dot_3, phi."""
-    rows, columns = symbol.shape
-    stem = symbol.name + (f"_{'d' * order}ot" if order else "")
-    if (rows, columns) == (1, 1):
-        return stem
-    return f"{stem}_{row + 1}" if columns == 1 else f"{stem}_{row + 1}{column + 1}"
+    return entry_names(symbol.name + (f"_{'d' * order}ot" if order else ""), *symbol.shape)[row][column]
 
 
 def _entries(symbol: Symbol, order: int) -> Iterator[Variable]:

@@ -5,11 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import replace
-from itertools import product
+from itertools import chain
 from typing import Any
 
 from chasles.reading.glyphs import Glyph, letter_in, spelled
 from chasles.vocabulary import PI, Node, Symbol
+from chasles.vocabulary.letters import entry_names
 
 MAY_LOSE_BOLD = re.compile(r"\\[A-Za-z]+$")
 Meaning = Callable[[Glyph], Node]
@@ -177,7 +178,5 @@ def named_apart(symbol: Symbol, named: dict[str, Symbol], as_printed: bool = Tru
 def _names(symbol: Symbol) -> set[str]:
     """The names of the symbol and of its entries."""
     rows, columns = symbol.shape
-    if not (isinstance(rows, int) and isinstance(columns, int)):
-        return {symbol.name}
-    places = product(range(1, rows + 1), range(1, columns + 1))
-    return {symbol.name, *(f"{symbol.name}_{i}" if columns == 1 else f"{symbol.name}_{i}{j}" for i, j in places)}
+    has_entries = isinstance(rows, int) and isinstance(columns, int)
+    return {symbol.name, *chain.from_iterable(entry_names(symbol.name, rows, columns) if has_entries else ())}

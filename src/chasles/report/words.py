@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
+from itertools import chain
+from math import isqrt
 
 from rich.text import Text
 
 from chasles.algebra.values import InPi
 from chasles.verdict import Verdict
 from chasles.vocabulary import PI
+from chasles.vocabulary.letters import entry_names
 
 VERDICTS: dict[str, tuple[str, str, str, str]] = {
     "holds": ("✓", "+", "holds", "green"),
@@ -70,15 +73,20 @@ def point_in_words(point: Mapping[str, object]) -> str:
     rest = {name: value for name, value in sorted(point.items()) if name not in unsaid}
     while rest:
         name = next(iter(rest))
-        for ending, rows in (("_1", [("_1", "_2", "_3")]), ("_11", [(f"_{i}1", f"_{i}2", f"_{i}3") for i in "123"])):
-            stem = name.removesuffix(ending)
-            entries = [[f"{stem}{place}" for place in row] for row in rows]
-            if stem != name and all(entry in rest for row in entries for entry in row):
-                parts.append(f"{stem} = ({'; '.join(', '.join(str(rest.pop(e)) for e in row) for row in entries)})")
-                break
+        stem = name.rpartition("_")[0]
+        if stem and (rows := _array(stem, {each for each in rest if each.rpartition("_")[0] == stem})):
+            parts.append(f"{stem} = ({'; '.join(', '.join(str(rest.pop(e)) for e in row) for row in rows)})")
         else:
             parts.append(f"{name} = {rest.pop(name)}")
     return ", ".join(parts)
+
+
+def _array(stem: str, names: set[str]) -> list[list[str]]:
+    """The names, row by row, if they are all those of a vector or a square matrix with three rows or more."""
+    size, rows = len(names), isqrt(len(names))
+    column = [list(chain.from_iterable(entry_names(stem, size, 1)))]
+    arrays = (array for array in (column, entry_names(stem, rows, rows)) if len(array[0]) > 2)
+    return next((array for array in arrays if names == {*chain.from_iterable(array)}), [])
 
 
 def seconds(value: float) -> str:

@@ -33,10 +33,10 @@ class Symbol(Node):
 
 
 def entry_names(stem: str, rows: int, columns: int) -> list[list[str]]:
-    """The names of the entries of a quantity, row by row: e_1, Q_12, phi."""
+    """The names of the entries of a quantity, row by row: e_1, Q_12, Q_1,12, phi."""
     if columns == 1:
         return [[f"{stem}_{i + 1}" if rows > 1 else stem] for i in range(rows)]
-    return [[f"{stem}_{i + 1}{j + 1}" for j in range(columns)] for i in range(rows)]
+    return [[f"{stem}_{i + 1}{',' * (max(i, j) > 8)}{j + 1}" for j in range(columns)] for i in range(rows)]
 
 
 @word
