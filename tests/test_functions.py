@@ -291,3 +291,20 @@ def test_two_quantities_of_one_name_are_told_apart() -> None:
         verdict = Session().decide(said).verdict
         assert isinstance(verdict, Undecided)
         assert "rename one" in verdict.reason
+
+
+def test_what_is_real_nowhere_is_not_refuted() -> None:
+    """SymPy has a number for the root of -2; the statement stands nowhere."""
+    for said in (claim(sqrt(number(-2)), number(0)), claim(sqrt(y) + sqrt(-y), number(0), positive(y))):
+        assert Session().decide(said).verdict.name == "contradictory"
+
+
+@pytest.mark.parametrize("angle", [tr(x * Identity(3)) / 3, x / norm(v) * norm(v)])
+def test_a_point_of_scalars_is_accepted_where_polynomials_can_be_read(angle: Node) -> None:
+    """The prover takes an angle for one of symbols by words alone, the checker by its entries."""
+    said = claim(rate(sin(y)), rate(sin(angle)), nonzero(norm(v)))
+    verdict = Session().decide(said).verdict
+    assert isinstance(verdict, Fails)
+    check_counterexample(problem_of(said), verdict.counterexample)
+    with pytest.raises(Rejected):
+        check_counterexample(problem_of(said), replace(verdict.counterexample, left="17"))

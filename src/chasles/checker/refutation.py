@@ -6,24 +6,24 @@ choice, the simplest is made; no other value is looked for.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from chasles.checker.elimination import eliminated
 from chasles.checker.expansion import Formless
 from chasles.checker.motion import require_motion
+from chasles.checker.quantities import squeezed
 from chasles.checker.reading import Reading
 from chasles.checker.sparse import ZERO, Polynomial, Rejected, cleared, product, well_formed
 from chasles.checker.witness import Point, point_of, require, root_of, value_at
 from chasles.statements import Goal, Problem
-from chasles.vocabulary import Node
 
 if TYPE_CHECKING:
     from chasles.verdict import Counterexample
 
 Value = Mapping[int, Fraction]
-SIMPLEST = {
+SIMPLEST: Mapping[str, tuple[int | Fraction, ...]] = {
     **dict.fromkeys(("unit", "direction", "unit column", "positive"), (1,)),
     **dict.fromkeys(("rotation", "orthonormal", "definite"), (1, 0, 0, 0, 1, 0, 0, 0, 1)),
     "half_turn": (1, 0, 0, 0, -1, 0, 0, 0, -1),
@@ -38,38 +38,39 @@ def check_counterexample(problem: Problem, shown: Counterexample) -> None:
     if sizes_in(problem):
         check_at_sizes(problem, shown)
         return
+    polynomial = all(h.kind != "inequality" for h in problem.hypotheses)
     try:
         with well_formed("counterexample"):
-            reasons = list(_objections(problem, shown))
-        if not all(reasons):
-            return
-        reason = reasons[0] if reasons else f"no equation of the statement is called {shown.goal!r}"
-    except (Formless, Rejected) as error:
-        reason = "" if isinstance(error, Formless) else str(error)
-    # Where the roots by which inequalities are said are not rational, it is a point of scalars.
-    if reason and not any(h.kind == "inequality" for h in problem.hypotheses):
+            if not (reason := _objections(problem, shown)):
+                return
+    except Rejected as error:  # it is no point of polynomials, and may be one of scalars
+        reason, polynomial = "" if isinstance(error, Formless) else str(error), False
+    if polynomial:
         raise Rejected(reason)
     from chasles.checker.expressions.scalars import check_scalar_counterexample  # loads SymPy
 
-    check_scalar_counterexample(problem, shown)
+    try:
+        check_scalar_counterexample(problem, shown)
+    except Rejected as error:
+        raise Rejected(reason or str(error)) from None
 
 
-def _objections(problem: Problem, shown: Counterexample) -> Iterator[str]:
-    """Why the counterexample does not refute each of the equations with that label."""
+def _objections(problem: Problem, shown: Counterexample) -> str:
+    """Why the counterexample refutes no equation with that label; empty if it does one, or `Rejected`."""
     reading = Reading(problem, shown.at)
-    units = [(what[1], what[2]) for what in reading.variables if what[0] == "cos"]
-    if len({symbol for symbol, _ in units}) < len(units):
-        raise Rejected("the point does not say by which fraction of an angle its cosine and sine are measured")
-    for goal in problem.goals:
-        if goal.label == shown.goal:
-            yield _objection(reading, goal, shown)
+    turned = [what[1] for what in reading.variables if what[0] == "cos"]
+    found = [_objection(reading, goal, shown) for goal in problem.goals if goal.label == shown.goal]
+    if len({*turned}) < len(turned):
+        found = ["the point does not say by which fraction of an angle its cosine and sine are measured"]
+    if found and all(found) and not reading.places.keys() >= {*map(squeezed, shown.at)}:
+        raise Rejected(found[0])
+    return min(found, default=f"no equation of the statement is called {shown.goal!r}", key=bool)
 
 
 def _objection(reading: Reading, goal: Goal, shown: Counterexample) -> str:
     """Why the counterexample does not refute this equation; empty if it does."""
     row, column = shown.entry
-    rows, columns = goal.left.shape
-    if not (1 <= row <= rows and 1 <= column <= columns):
+    if not (1 <= row <= goal.left.shape[0] and 1 <= column <= goal.left.shape[1]):
         return f"the equation has no entry {row}, {column}"
     sides = [reading(side)[row - 1][column - 1] for side in goal.sides]
     relevant = bound_in(reading, sides[0].places | sides[1].places)
@@ -83,9 +84,8 @@ def _objection(reading: Reading, goal: Goal, shown: Counterexample) -> str:
     if left == right:
         return f"both sides are {_text(reading, left, point, shown.at)} at the point"
     texts = (_text(reading, left, point, shown.at), _text(reading, right, point, shown.at))
-    if texts != (shown.left, shown.right):
-        return f"the sides are {texts[0]} and {texts[1]} at the point, not {shown.left} and {shown.right}"
-    return ""
+    same = texts == (shown.left, shown.right)
+    return "" if same else f"the sides are {' and '.join(texts)} at the point, not {shown.left} and {shown.right}"
 
 
 def bound_in(reading: Reading, places: set[int]) -> set[int]:
@@ -103,10 +103,10 @@ def completed(reading: Reading, at: Mapping[str, Fraction], relevant: set[int]) 
     _angle(reading, point, angles.keys() & (relevant | point.keys()))
     _choose(reading, point, relevant)
     _norms(reading, point, relevant)
-    unknown = sorted(relevant - point.keys() - angles.keys())
-    entries = [place for place in unknown if reading.variables[place][0] == "entry"]
-    determined = [place for place in entries if reading.variables[place][1] in reading.problem.unknowns]
-    _linear(reading, point, [place for place in determined if not reading.variables[place][2]], whole=False)
+    variables = reading.variables
+    entries = [p for p in sorted(relevant - point.keys() - angles.keys()) if variables[p][0] == "entry"]
+    determined = [p for p in entries if variables[p][1] in reading.problem.unknowns and not variables[p][2]]
+    _linear(reading, point, determined, whole=False)
     _linear(reading, point, [place for place in entries if place not in point])
     _norms(reading, point, relevant)
     return point
@@ -120,7 +120,6 @@ def _angle(reading: Reading, point: Point, angles: set[int]) -> None:
 
 def _choose(reading: Reading, point: Point, relevant: set[int]) -> None:
     """What is left out altogether is as simple as its hypothesis, or its norm, allows."""
-    wanted: list[tuple[tuple[Node, ...], tuple[int | Fraction, ...]]]
     wanted = [(h.subjects, SIMPLEST[h.kind]) for h in reading.problem.hypotheses if h.kind in SIMPLEST]
     for place, (kind, *what) in enumerate(reading.variables):
         if kind == "norm" and place in point:

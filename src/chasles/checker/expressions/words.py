@@ -161,8 +161,8 @@ class EntriesOfWords:
         return [divisor for divisor in self.divisors if not (divisor.is_nonzero or divisor in left)]
 
     def lost_domains(self, sides: Any) -> list[Any]:
-        """What is not negative where functions are real that have been simplified away."""
-        return [domain for value, domain in self.applied.items() if not sides.has(value) and not domain.is_nonnegative]
+        """What is not negative where functions are real that have been simplified away, or to what is not real."""
+        return [d for v, d in self.applied.items() if (not sides.has(v) or v.has(sp.I)) and not d.is_nonnegative]
 
     def _shorter(self, argument: Any) -> Any:
         found, texts = in_fewer_squares(argument, self.units)
