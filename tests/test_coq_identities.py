@@ -59,7 +59,8 @@ x, y, t, phi = symbols("x y t phi")
 p = symbols("p", positive=True)
 A, B = MatrixSymbol("A", 2, 2), MatrixSymbol("B", 2, 2)
 k = symbols("k", integer=True)
-f, g = Function("f")(t), Function("g")(t)
+f, g, ln = Function("f")(t), Function("g")(t), Function("ln")(t)
+q = symbols("q", positive=True)
 e = Matrix(symbols("e1:4"))
 CROSS = Matrix([[0, -e[2], e[1]], [e[2], 0, -e[0]], [-e[1], e[0], 0]])
 Q = e * e.T + cos(phi) * (eye(3) - e * e.T) + sin(phi) * CROSS
@@ -84,10 +85,13 @@ FIRST: list[tuple[Any, ...]] = [
     (cos(atan2(p, y) - x) * sqrt(p**2 + y**2), y * cos(x) + p * sin(x)),
     (Piecewise((x - y, (x > y) & Ne(x, 0)), (0, True)), Max(x - y, 0) * sign(x) ** 2),
     (exp(I * x) ** 2, cos(2 * x) + I * sin(2 * x)),
+    (sign(x**2 - 4 * x * y + 4 * y**2 + 1), 1),
+    (exp(ln) * exp(ln.diff(t)), exp(ln + ln.diff(t))),
 ]
 """One of each class: quotients, half angles, matrices, functions of time, roots with absolute values, nested roots,
 parts of pi, cases, roots of functions, hyperbolic functions, logarithms, exponentials of time, inverses, sums,
-angles by their tangents and cosines, angles of points, cases by conditions, complex numbers."""
+angles by their tangents and cosines, angles of points, cases by conditions, complex numbers, sums of squares,
+functions that are called as a word of Coq is."""
 MORE: list[tuple[Any, ...]] = [
     (cos(3 * x), 4 * cos(x) ** 3 - 3 * cos(x)),
     (tan(x + y), (tan(x) + tan(y)) / (1 - tan(x) * tan(y))),
@@ -122,6 +126,8 @@ MORE: list[tuple[Any, ...]] = [
     ((p**3 + p**2) ** Rational(1, 3), p ** Rational(2, 3) * (p + 1) ** Rational(1, 3)),
     (sqrt((x * cos(t) - y * sin(t)) ** 2 + (x * sin(t) + y * cos(t)) ** 2), sqrt(x**2 + y**2)),
     (A**2 - Trace(A) * A + Determinant(A) * Identity(2), ZeroMatrix(2, 2)),
+    (Abs(p + q - 2 * sqrt(p) * sqrt(q)), p + q - 2 * sqrt(p) * sqrt(q)),
+    (sign(2 - cos(x)), 1),
 ]
 
 

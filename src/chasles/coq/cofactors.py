@@ -45,8 +45,18 @@ class Reckoning:
             for label, term in certificate.get("division", ())
         ]
         self.solved = [self._solved(name, said) for name, said in certificate.get("solved", {}).items()]
+        self._require_no_rates({each.place for each in self.solved})
         reading.settle({each.place: each.numerator * _inverse(each.below) for each in self.solved})
         self._entries = certificate.get("entries", {})
+
+    def _require_no_rates(self, solved: set[int]) -> None:
+        """Raises `Rejected` where the goals speak of the rate of what conditions determine, but not it."""
+        goals = self.reading.problem.goals
+        places = {k for goal in goals for *_, entry in self.reading.difference(*goal.sides) for k in entry.places}
+        of = {(what[1], *what[3:]) for k, what in enumerate(self.reading.variables) if k in solved and what[0] == "entry"}
+        for what in (self.reading.variables[k] for k in places - solved):
+            if what[0] == "entry" and what[2] and (what[1], *what[3:]) in of:
+                raise Rejected(f"no proof is written of the rate of {what[1]}, which conditions determine")
 
     def goal(self, count: int, left: Node, right: Node) -> Iterator[Combination]:
         """The entries of one goal, row by row."""

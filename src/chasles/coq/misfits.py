@@ -2,14 +2,22 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from chasles import vocabulary as w
-from chasles.coq.expressions import Spelling
+from chasles.coq.expressions import Spelling, Unsaid
 from chasles.coq.names import CoqNames
 from chasles.coq.statement import opened
+from chasles.statements import Statement
+from chasles.vocabulary.dimension import NO_DIMENSION
+from chasles.vocabulary.measure import uniform
 
 
-def misfit(name: str, left: w.Node, right: w.Node) -> str:
-    """A command that succeeds if the equation, at one instant, is no statement. Raises `Unsaid`."""
+def misfit(name: str, statement: Statement) -> str:
+    """A command that succeeds if the equation, at one instant, is no statement. Raises `Unsaid` if its sizes fit."""
+    left, right = statement.printed
+    if not _bare(statement).fault:
+        raise Unsaid("its sizes fit together, and Coq is told neither of dimensions nor of divisors")
     names = CoqNames()
     sizes: dict[str, str] = {}
 
@@ -23,3 +31,14 @@ def misfit(name: str, left: w.Node, right: w.Node) -> str:
     equation = Spelling(names, applied).equation(left, right)
     bound = " ".join(f"({each} : {size})" for each, size in sizes.items())
     return f"Fail Definition {name} : Prop :=\n  forall {bound},\n  {equation}.\n"
+
+
+def _bare(statement: Statement) -> Statement:
+    """The statement without dimensions."""
+    symbols = {part for side in statement.printed for part in opened(side) if isinstance(part, w.Symbol)}
+    bare: dict[w.Node, w.Node] = {
+        each: w.Symbol(each.name, each.name, uniform(each.shape, NO_DIMENSION), home=each.home, has_units=False)
+        for each in symbols
+    }
+    left, right = (w.replace(side, bare) for side in statement.printed)
+    return replace(statement, left=left, right=right, kernel=None, sic=True)

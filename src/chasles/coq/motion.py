@@ -152,6 +152,8 @@ class Instant:
         of = bare_rate(node.of)
         if self.said.runs(node):
             raise Unsaid(f"the rate of {node.of}, which differs from element to element")
+        if any(isinstance(part, w.Determinant | w.Cofactor) for part in w.walk(self._opened(self.told(node)))):
+            raise Unsaid("the rate of a determinant")
         lemma = "equal_scalar_rates" if node.shape == (1, 1) else "equal_rates"
         if of in self.derived or of in self._turned:
             sides, equal = "_ _", f"exact def'{self.said.names.rates[of]}"

@@ -15,8 +15,10 @@ BINDERS = ("T", "t", "B", "b", "integral")
 """Instants, one of them, the elements of a body, one of them, the integral over them."""
 OF_COQ = (
     "as at by cofix else end exists exists2 fix for forall fun if in let match mod return then using where with "
-    "Prop Set Type SProp R M PI sin cos tan sqrt eq open_set IZR Rplus Rminus Rmult Rdiv Ropp Rinv nat bool unit"
+    "Prop Set Type SProp R M PI sin cos tan sqrt eq open_set IZR Rplus Rminus Rmult Rdiv Ropp Rinv nat bool unit "
+    "exp ln sinh cosh tanh asin acos atan Rpower Rabs Rmax Rmin Rlt_dec Rle_dec Req_EM_T"
 )
+"""Words of Coq that statements spell: where a symbol had their name, it would be meant instead."""
 
 
 def theory(name: str) -> str:
@@ -32,7 +34,7 @@ def hash_of_theories(version: str) -> str:
 
 @cache
 def _taken() -> frozenset[str]:
-    words = (re.findall(r"^(?:Definition|Fixpoint) (\w+)", theory(name), re.MULTILINE) for name in THEORIES)
+    words = (re.findall(r"^(?:Definition|Fixpoint|Lemma) (\w+)", theory(name), re.MULTILINE) for name in THEORIES)
     return frozenset((*BINDERS, *OF_COQ.split(), *(word for found in words for word in found)))
 
 

@@ -107,6 +107,8 @@ class ScalarStatement(CoqStatement):
 
     def is_of_cases(self, certificate: Mapping[str, Any]) -> bool:
         """Whether something is spoken of whose value is told by cases, all else being rational and at rest."""
+        if all(left.func is sympy.sign and right == 1 for left, right in self.goals):  # an inequality, without cases
+            return False
         everything = sympy.Tuple(*self.asked.expressions)
         others = everything.atoms(sympy.Function) - everything.atoms(sympy.Abs, *BY_CASES)
         return (everything.has(*BY_CASES) or "cases" in certificate) and not others

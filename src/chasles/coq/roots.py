@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import suppress
+from fractions import Fraction
 from functools import reduce
 from itertools import chain, product
 from operator import mul
@@ -11,6 +12,7 @@ from typing import Any
 
 import sympy
 
+from chasles.algebra.squares import sum_of_squares
 from chasles.coq.expressions import Unsaid
 from chasles.coq.plain import PlainExpressions
 from chasles.coq.rational import divisors_of, text_of
@@ -34,7 +36,9 @@ def words_named(plain: PlainExpressions) -> None:
 
 
 def root(plain: PlainExpressions, e: Any) -> Any:
-    """A power of a root, or an absolute value, in what is known or a symbol with its square; None for what is none."""
+    """A power of a root, an absolute value or a sign in what is known or a symbol with its square; None for others."""
+    if e.func is sympy.sign:
+        return _positive(plain, e)
     if e.func is sympy.Abs:
         return _root(plain, e, "abs")
     if e.is_Pow and e.exp.is_Rational and e.exp.q == 2:
@@ -60,10 +64,37 @@ def _root(plain: PlainExpressions, e: Any, kind: str) -> Any:
             continue
         plain.facts += plain.nonzero(value)
         equal = f"apply (by_parts _ _ ({total})); [vanish | {plain.rewritten}identity]"
+        plain.facts += _squares(plain, value)
         plain.value(name, value, f"(apply ({LEMMAS[kind]}_value _ _ _ of'{name}); [nonnegative | {equal}])")
         return value
     plain.named |= dict.fromkeys(names, _symbol(plain, name, kind, square))
     return plain.symbol(name)
+
+
+def _positive(plain: PlainExpressions, e: Any) -> Any:
+    """The sign of what is positive: one."""
+    of, name = plain(e.args[0]), plain.remember(e)
+    plain.facts += [*plain.nonzero(1 / of), *_squares(plain, of)]
+    shown = f"match goal with |- 0 < ?a => replace a with {text_of(of)} by reckon end; first [above | lra]"
+    steps = f"destruct (Rlt_dec 0 _) as [|no']; [reflexivity | exfalso; apply no'; first [above | {shown}]]"
+    steps = f"rewrite of'{name}; unfold sign; {plain.rewritten}{steps}"
+    plain.value(name, sympy.Integer(1), f"({steps})")
+    return sympy.Integer(1)
+
+
+def _squares(plain: PlainExpressions, value: Any) -> Iterator[str]:
+    """The steps by which the squares become known, if there are such, whose sum is the numerator."""
+    known = {square: head**2 for head, (rule, _) in plain.rules.items() if (square := head**2 - rule).is_Symbol}
+    above = sympy.expand(sympy.fraction(sympy.together(value))[0]).subs(known)
+    symbols = sorted(above.free_symbols, key=str)
+    if above.is_nonnegative or not symbols:
+        return
+    places = [place for place, symbol in enumerate(symbols) if symbol.is_nonnegative]
+    terms = {m: Fraction(int(c.p), int(c.q)) for m, c in sympy.Poly(above, *symbols).terms()}
+    for _, odd, base in sum_of_squares(terms, places) or ():
+        factor, *others = (sympy.Mul(*map(sympy.Pow, symbols, m)) for m in (odd, *base))
+        of = sympy.Add(*map(sympy.Mul, others, (sympy.Rational(c) for c in base.values())))
+        yield f"assert (0 <= {text_of(factor)} * {text_of(of)}^2) by nonnegative."
 
 
 def _symbol(plain: PlainExpressions, name: str, kind: str, square: Any) -> Any:

@@ -77,14 +77,20 @@ def _claims(decision: Decision, form: str, verdict: Verdict, sentence: Sentence,
 
 def _claimed(claim: Claimed, problem: Problem, certificate: Mapping[str, Any]) -> Iterator[Claimed]:
     """The statement, entry by entry where it has functions, and that there is what satisfies all that it assumes."""
-    if "scalars" in certificate:
+    if {"scalars", "squares"} & certificate.keys():
         from chasles.checker.expressions.scalars import scalar_question  # loads SymPy
         from chasles.coq.identities import as_theorem
+        from chasles.prove import prove
 
         question = scalar_question(problem, proving=not certificate.get("whole"))
-        verdict = HoldsUnder(tuple(certificate["needs"]), certificate["scalars"], {})
-        sides = question.left, question.right
-        found = as_theorem(verdict, *sides, question.given, question.nonzero, claim.name)
+        if "scalars" in certificate:
+            verdict: Verdict = HoldsUnder(tuple(certificate["needs"]), certificate["scalars"], {})
+        else:
+            verdict = prove(*question.asked)
+        if not verdict.true:
+            yield replace(claim, why_not="no proof is written of what is shown by such squares")
+            return
+        found = as_theorem(verdict, *question.asked, claim.name)
         yield replace(claim, said=found.said, proof=found.proof, why_not=found.why_not)
         return
     yield _written(claim, problem, holding, lambda said: proof_of(claim.name, said, certificate))
@@ -129,7 +135,7 @@ def _written(
 def _misfit(key: str, form: str, name: str, statement: Statement) -> Claimed:
     proof, why_not = "", ""
     try:
-        proof = misfit(name, statement.left, statement.right)
+        proof = misfit(name, statement)
     except Unsaid as reason:
         why_not = str(reason)
     said = f"(* It is no statement: {name} is refused. *)\n"
