@@ -15,9 +15,12 @@ from chasles.coq.expressions import Unsaid
 from chasles.coq.quantifiers import cover_and_proof, theorem_and_proof
 from chasles.coq.sentences import failing, holding, satisfiable
 from chasles.coq.statement import CoqStatement
+from chasles.coq.theorems import claims_of
 from chasles.decisions.decision import Decision
-from chasles.statements import Inverse, Theorem, load, problem_of
+from chasles.decisions.session import Session
+from chasles.statements import Claim, Condition, Inverse, Theorem, load, problem_of
 from chasles.statements.forms import Always, Form, Iff, Minimum
+from chasles.statements.inequalities import says_that
 from chasles.statements.inversion import COVER, problems_of_inverse
 from chasles.statements.problem import Goal, Problem
 from chasles.verdict import Holds, HoldsUnder
@@ -394,3 +397,25 @@ def test_what_cannot_be_said_is_refused() -> None:
     assert x is not None
     with pytest.raises(Unsaid):
         CoqStatement(Problem(())).spelling.number(abs(x))
+
+
+x, y, a = (w.scalar(name, name, name, w.LENGTH) for name in "xya")
+mass, u = w.scalar("mass", "m", "a mass", w.MASS), w.vector("u", "u", "a vector")
+SUM, DIFFERENCE = Condition("1", x + y, a, on=(x, y)), Condition("2", x - y, w.number(0) * a, on=(x, y))
+
+
+@pytest.mark.parametrize(
+    ("claim", "reason"),
+    [
+        (Claim("3", x, u, sic=True), ""),
+        (Claim("4", x, mass, sic=True), "its sizes fit together"),
+        (Claim("5", w.norm(u) ** 2 / w.norm(u), w.norm(u)), "its sizes fit together"),
+        (Claim("6", w.rate(x), w.rate(a) / 2, given=(SUM, DIFFERENCE)), "the rate of x, which conditions determine"),
+        (Claim("7", w.rate(w.det(w.CPM(u) @ w.CPM(u))), w.number(0)), "the rate of a determinant"),
+        (Claim("8", *says_that(w.dot(u, u) >= 0)), ""),
+    ],
+)
+def test_what_coq_is_not_told_has_a_reason(claim: Claim, reason: str) -> None:
+    first, *_ = claims_of([Session().decide(claim)])
+    assert bool(first.proof) == (not reason)
+    assert reason in first.why_not

@@ -53,7 +53,9 @@ class Reckoning:
         """Raises `Rejected` where the goals speak of the rate of what conditions determine, but not it."""
         goals = self.reading.problem.goals
         places = {k for goal in goals for *_, entry in self.reading.difference(*goal.sides) for k in entry.places}
-        of = {(what[1], *what[3:]) for k, what in enumerate(self.reading.variables) if k in solved and what[0] == "entry"}
+        of = {
+            (what[1], *what[3:]) for k, what in enumerate(self.reading.variables) if k in solved and what[0] == "entry"
+        }
         for what in (self.reading.variables[k] for k in places - solved):
             if what[0] == "entry" and what[2] and (what[1], *what[3:]) in of:
                 raise Rejected(f"no proof is written of the rate of {what[1]}, which conditions determine")

@@ -10,13 +10,13 @@ from chasles.coq.names import CoqNames
 from chasles.coq.statement import opened
 from chasles.statements import Statement
 from chasles.vocabulary.dimension import NO_DIMENSION
-from chasles.vocabulary.measure import uniform
+from chasles.vocabulary.measure import Misfit, uniform
 
 
 def misfit(name: str, statement: Statement) -> str:
     """A command that succeeds if the equation, at one instant, is no statement. Raises `Unsaid` if its sizes fit."""
     left, right = statement.printed
-    if not _bare(statement).fault:
+    if _sizes_fit(statement):
         raise Unsaid("its sizes fit together, and Coq is told neither of dimensions nor of divisors")
     names = CoqNames()
     sizes: dict[str, str] = {}
@@ -33,12 +33,15 @@ def misfit(name: str, statement: Statement) -> str:
     return f"Fail Definition {name} : Prop :=\n  forall {bound},\n  {equation}.\n"
 
 
-def _bare(statement: Statement) -> Statement:
-    """The statement without dimensions."""
+def _sizes_fit(statement: Statement) -> bool:
+    """Whether the statement is a good one if nothing has a dimension."""
     symbols = {part for side in statement.printed for part in opened(side) if isinstance(part, w.Symbol)}
     bare: dict[w.Node, w.Node] = {
-        each: w.Symbol(each.name, each.name, uniform(each.shape, NO_DIMENSION), home=each.home, has_units=False)
+        each: w.Symbol(each.name, each.name, uniform(each.shape, NO_DIMENSION), home=__name__, has_units=False)
         for each in symbols
     }
-    left, right = (w.replace(side, bare) for side in statement.printed)
-    return replace(statement, left=left, right=right, kernel=None, sic=True)
+    try:
+        left, right = (w.replace(side, bare) for side in statement.printed)
+        return not replace(statement, left=left, right=right, kernel=None, reading=None, corrected=None, sic=True).fault
+    except Misfit:
+        return False

@@ -90,7 +90,8 @@ def _claimed(claim: Claimed, problem: Problem, certificate: Mapping[str, Any]) -
         if not verdict.true:
             yield replace(claim, why_not="no proof is written of what is shown by such squares")
             return
-        found = as_theorem(verdict, *question.asked, claim.name)
+        sides = question.left, question.right
+        found = as_theorem(verdict, *sides, question.given, question.nonzero, claim.name)
         yield replace(claim, said=found.said, proof=found.proof, why_not=found.why_not)
         return
     yield _written(claim, problem, holding, lambda said: proof_of(claim.name, said, certificate))
