@@ -340,6 +340,7 @@ def test_conditions_and_theorems() -> None:
         (det(A @ B), det(B @ A), True),
         (det(A @ B), det(A) * det(B), True),
         (det(A.T), det(A), True),
+        (det(2 * A - B.T), det(2 * A.T - B), True),
         (det(inverse(A)), inverse(det(A)), True),
         (det(inverse(A) @ B @ A), det(B), True),
         (det(A @ (B + Q)), det(A) * det(B + Q), True),
@@ -351,6 +352,7 @@ def test_conditions_and_theorems() -> None:
         (det(2 * A), 2 * det(A), False),
         (det(U @ V), det(V @ U), False),
         (det(A.T), -det(A), False),
+        (det(A + B.T), det(A + B), False),
         (det(inverse(A)), det(A), False),
     ],
 )

@@ -90,7 +90,7 @@ def _equal(text: str, left: w.Node, right: w.Node) -> Iterator[Definition | Cond
             pairs.append((other @ one, right))
             letter = one if isinstance(one, w.Symbol) else other
             if isinstance(letter, w.Symbol) and w.Transpose(letter) in (one, other):
-                yield Hypothesis("rotation", (letter,), tuple(pairs), text=text)
+                yield Hypothesis("orthogonal", (letter,), tuple(pairs), text=text)
                 return
             if isinstance(one, w.Symbol) and one not in w.symbols_of(other):
                 yield Definition(text, one, w.inverse(other))

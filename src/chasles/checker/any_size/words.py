@@ -157,7 +157,8 @@ class SymbolicReading(KnownRelations):
         monomial = max(words, default=((), ()))
         is_square = all(self.shapes[k >> 1] == (size, size) for k in monomial[1])
         if words != {monomial: Fraction(1)} or monomial[0] or not is_square:
-            return self.letter(("determinant", tuple(sorted(words.items()))), f"det({self.spelled_sum(words)})", 1, 1)
+            least = min(sorted(words.items()), sorted(self.transposed(words).items()))  # either has this determinant
+            return self.letter(("determinant", tuple(least)), f"det({self.spelled_sum(dict(least))})", 1, 1)
         for place in (letter >> 1 for letter in monomial[1]):
             spelled = self.names[place]
             one = self.letter(("determinant", place), f"det({spelled})", 1, 1)
