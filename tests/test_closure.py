@@ -9,7 +9,7 @@ import pytest
 
 from chasles.report.closure import CHECKERS, closure, lines
 
-MOST = {"declared": 6_201, "prove": 5_399, "all": 15_364}
+MOST = {"declared": 6_199, "prove": 5_397, "all": 15_362}
 """It may become less."""
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import gcd
 
-from chasles.checker.sparse import Polynomial, Rejected, exponents
+from chasles.checker.sparse import MOST_POWER, Polynomial, Rejected, exponents, packed
 
 Division = tuple[int, int, Polynomial]
 """The factors of a term, a bit above each of their exponents, and what the term equals."""
@@ -18,7 +18,7 @@ def solved_for(factors: int, vanishing: Polynomial) -> Division:
     terms = vanishing.terms
     common = gcd(*terms.values())
     rest = {monomial: -c // common for monomial, c in terms.items() if monomial != factors}
-    guard = sum(128 << 8 * place for place, _ in exponents(factors))
+    guard = sum(packed(place, MOST_POWER + 1) for place, _ in exponents(factors))
     return factors, guard, Polynomial(rest, terms[factors] // common)
 
 

@@ -11,7 +11,7 @@ from typing import Any
 
 from chasles import vocabulary as w
 from chasles.checker.expansion import Formless, expanded, scaled
-from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, cleared, exponents, number, product, variable
+from chasles.checker.sparse import ZERO, Polynomial, Rejected, cleared, exponents, number, packed, product, variable
 from chasles.vocabulary.letters import entry_names
 
 Matrix = list[list[Polynomial]]
@@ -147,7 +147,7 @@ class Quantities:
             for place, power in exponents(monomial):
                 match self.variables[place]:
                     case ("entry", w.Symbol() as symbol, order, i, j) if symbol in running:
-                        inside |= power << 8 * place
+                        inside |= packed(place, power)
                         factors += [_names(symbol, order)[i][j]] * power
                     case _ if self._differs(place, running):
                         raise Rejected("what is integrated is no polynomial in what differs from element to element")
@@ -180,7 +180,7 @@ class Quantities:
 
     def _turned(self, angle: w.Node) -> tuple[Polynomial, Polynomial]:
         """Cosine and sine of a sum of multiples of symbols, by the addition formulas."""
-        cosine, sine = ONE, ZERO
+        cosine, sine = number(1), ZERO
         value = self(angle)[0][0]
         for monomial, multiple in value.terms.items():
             match [(*self.variables[place], power) for place, power in exponents(monomial)]:
@@ -196,7 +196,7 @@ class Quantities:
             name += f"/{unit.denominator}" if unit.denominator > 1 else ""
             c = self.variable(f"cos({name})", "cos", symbol, unit)
             s = self.variable(f"sin({name})", "sin", symbol, unit)
-            self.vanish(f"circle {name}", c * c + s * s - ONE)
+            self.vanish(f"circle {name}", c * c + s * s - number(1))
             turns = multiple / (unit * value.below)
             if turns.denominator != 1:
                 raise Rejected(f"{angle} is no whole multiple of {name}")
@@ -211,7 +211,7 @@ class Quantities:
         tops = [max(factor.terms, default=-1) for factor in self.nonzero]
         for places in (each for size in range(4) for each in combinations_with_replacement(range(len(tops)), size)):
             if (top := sum(tops[k] for k in places)) == max(value.terms, default=-1):
-                nonzero = reduce(mul, (self.nonzero[k] for k in places), ONE)
+                nonzero = product(self.nonzero, sum(map(packed, places)))
                 scale = Fraction(value.terms[top] * nonzero.below, nonzero.terms[top] * value.below)
                 if not value - nonzero * number(scale):
                     return reduce(mul, map(variable, places), product(self.nonzero, below) * number(1 / scale))

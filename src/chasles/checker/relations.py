@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from chasles.checker.elimination import eliminated
-from chasles.checker.sparse import Polynomial
+from chasles.checker.sparse import Polynomial, packed
 from chasles.checker.witness import Point
 
 Row = dict[int, Fraction]
@@ -25,7 +25,7 @@ def independent(polynomials: Sequence[Polynomial], point: Point) -> list[Polynom
     if len(multiples) > MOST_MULTIPLES:
         return kept
     products = [
-        {m + (1 << 8 * place if place >= 0 else 0): Fraction(c, kept[k].below) for m, c in kept[k].terms.items()}
+        {m + (packed(place) if place >= 0 else 0): Fraction(c, kept[k].below) for m, c in kept[k].terms.items()}
         for k, place in multiples
     ]
     relations: list[list[Fraction]] = []

@@ -9,10 +9,11 @@ from fractions import Fraction
 from functools import reduce
 from math import lcm
 from operator import add, mul, or_
+from struct import unpack
 
 MALFORMED = (ArithmeticError, AssertionError, AttributeError, LookupError, RuntimeError, TypeError, ValueError)
-MOST_PRODUCTS = 10_000_000
-"""So many products of terms does a check form at most."""
+MOST_PRODUCTS, MOST_POWER = 10_000_000, 2**15 - 1
+"""So many products of terms does a check form at most, and no higher power of a variable."""
 _left: ContextVar[list[int]] = ContextVar("left", default=[])  # noqa: B039 - nothing is counted there
 
 
@@ -42,15 +43,8 @@ def well_formed(what: str) -> Iterator[None]:
         raise Rejected(f"the {what} is malformed: {type(error).__name__}: {error}") from error
 
 
-def _count(products: int) -> None:
-    if left := _left.get():
-        left[0] -= products
-        if left[0] < 0:
-            raise Rejected("it takes more products of terms than are formed at most")
-
-
 class Polynomial:
-    """Integers by monomial, none of them zero, over one integer; byte k of a monomial is variable k's exponent."""
+    """Integers by monomial, none of them zero, over one integer; 16 bits of a monomial are variable k's exponent."""
 
     __slots__ = ("below", "terms")
 
@@ -64,7 +58,7 @@ class Polynomial:
         """The sum with a multiple of another."""
         below = lcm(self.below, other.below)
         one, another = below // self.below, below // other.below * times
-        total = dict(self.terms) if one == 1 else {monomial: c * one for monomial, c in self.terms.items()}
+        total = {monomial: c * one for monomial, c in self.terms.items()} if one > 1 else dict(self.terms)
         for monomial, coefficient in other.terms.items():
             if value := total.get(monomial, 0) + coefficient * another:
                 total[monomial] = value
@@ -82,16 +76,17 @@ class Polynomial:
         return ZERO.plus(self, -1)
 
     def __mul__(self, other: Polynomial) -> Polynomial:
-        if not self or not other:
-            return ZERO
-        _count(len(self.terms) * len(other.terms))
+        if left := _left.get():
+            left[0] -= len(self.terms) * len(other.terms)
+            if left[0] < 0:
+                raise Rejected("it takes more products of terms than are formed at most")
         total: dict[int, int] = {}
         for one, coefficient in self.terms.items():
             for another, factor in other.terms.items():
                 total[one + another] = total.get(one + another, 0) + coefficient * factor
-        # With every exponent below 128, two monomials are multiplied by adding them, and none spills over its byte.
-        if not _bytes(reduce(or_, total, 0)).isascii():
-            raise Rejected("an exponent is larger than 127")
+        # With a bit to spare, two monomials are multiplied by adding them, and no exponent spills over into the next.
+        if any(power > MOST_POWER for _, power in exponents(reduce(or_, total, 0))):
+            raise Rejected(f"an exponent is larger than {MOST_POWER}")
         return Polynomial({monomial: c for monomial, c in total.items() if c}, self.below * other.below)
 
     @property
@@ -104,7 +99,7 @@ class Polynomial:
         total: dict[int, dict[int, int]] = {}
         for monomial, coefficient in self.terms.items():
             for place, exponent in exponents(monomial):
-                total.setdefault(place, {})[monomial - (1 << 8 * place)] = coefficient * exponent
+                total.setdefault(place, {})[monomial - packed(place)] = coefficient * exponent
         return {place: Polynomial(terms, self.below) for place, terms in total.items()}
 
 
@@ -113,7 +108,7 @@ def cleared(polynomial: Polynomial, nonzero: Factors, mask: int | None = None) -
 
     Variable k is the inverse of nonzero factor k, as long as there are any; or where the mask has bits.
     """
-    mask = (1 << 8 * len(nonzero)) - 1 if mask is None else mask
+    mask = packed(len(nonzero)) - 1 if mask is None else mask
     parts: dict[int, dict[int, int]] = {}
     for monomial, coefficient in polynomial.terms.items():
         inverses = monomial & mask
@@ -121,7 +116,7 @@ def cleared(polynomial: Polynomial, nonzero: Factors, mask: int | None = None) -
     if parts.keys() <= {0}:
         return polynomial, 0
     powers = sorted(pair for inverses in parts for pair in exponents(inverses))
-    top = sum(power << 8 * place for place, power in dict(powers).items())
+    top = sum(packed(*pair) for pair in dict(powers).items())
     terms = (Polynomial(part, polynomial.below) * product(nonzero, top - inverses) for inverses, part in parts.items())
     return reduce(add, terms), top
 
@@ -135,18 +130,21 @@ Factors = list[Polynomial] | dict[int, Polynomial]
 """Polynomials by place."""
 
 
-def _bytes(monomial: int) -> bytes:
-    return monomial.to_bytes(monomial.bit_length() // 8 + 1, "little")
+def packed(place: int, power: int = 1) -> int:
+    """The monomial that is this power of a variable; that of a product is the sum of those of its factors."""
+    return power << 16 * place
 
 
 def exponents(monomial: int) -> list[tuple[int, int]]:
     """The variables of a monomial with their exponents."""
-    return [(place, exponent) for place, exponent in enumerate(_bytes(monomial)) if exponent]
+    count = monomial.bit_length() // 16 + 1
+    powers = unpack(f"<{count}H", monomial.to_bytes(2 * count, "little"))
+    return [(place, power) for place, power in enumerate(powers) if power]
 
 
 def variable(place: int, power: int = 1) -> Polynomial:
     """A power of a variable."""
-    return Polynomial({power << 8 * place: 1})
+    return Polynomial({packed(place, power): 1})
 
 
 def number(value: int | Fraction) -> Polynomial:
@@ -174,6 +172,6 @@ def parsed(text: str, places: Mapping[str, int]) -> Polynomial:
 
 def powered(place: int, power: str | int) -> Polynomial:
     """A power of a variable; raises `Rejected` for an exponent that is none."""
-    if not 1 <= int(power) <= 127:
-        raise Rejected(f"the certificate has {power!r} where an exponent from 1 to 127 is due")
+    if not 1 <= int(power) <= MOST_POWER:
+        raise Rejected(f"the certificate has {power!r} where an exponent from 1 to {MOST_POWER} is due")
     return variable(place, int(power))

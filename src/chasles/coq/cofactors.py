@@ -9,7 +9,18 @@ from typing import Any
 
 from chasles.checker.division import solved_for
 from chasles.checker.quantities import squeezed
-from chasles.checker.sparse import ZERO, Polynomial, Rejected, cleared, exponents, number, parsed, product, variable
+from chasles.checker.sparse import (
+    ZERO,
+    Polynomial,
+    Rejected,
+    cleared,
+    exponents,
+    number,
+    packed,
+    parsed,
+    product,
+    variable,
+)
 from chasles.coq.sources import ProofReading, multiples, replaced
 from chasles.vocabulary import Node
 
@@ -77,7 +88,7 @@ class Reckoning:
     def _below(self, said: Mapping[str, Any]) -> int:
         """The nonzero factors that something is divided by."""
         places = self.reading.places
-        return sum(int(power) << 8 * places[squeezed(label)] for label, power in said.get("denominator", {}).items())
+        return sum(packed(places[squeezed(label)], int(power)) for label, power in said.get("denominator", {}).items())
 
     def _combined(
         self, claim: Polynomial, said: Mapping[str, Any], divides: bool, squares: Mapping[str, Polynomial] | None = None
@@ -133,7 +144,7 @@ def _joined(*tops: int) -> int:
     for top in tops:
         for place, power in exponents(top):
             powers[place] = max(powers.get(place, 0), power)
-    return sum(power << 8 * place for place, power in powers.items())
+    return sum(packed(*pair) for pair in powers.items())
 
 
 def _times(polynomial: Polynomial, top: int, nonzero: list[Polynomial]) -> Polynomial:

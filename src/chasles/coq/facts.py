@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from chasles import vocabulary as w
 from chasles.checker.quantities import squeezed
-from chasles.checker.sparse import ZERO, Polynomial, cleared, exponents
+from chasles.checker.sparse import ZERO, Polynomial, cleared, exponents, packed
 from chasles.coq.expressions import ATOM, Unsaid
 from chasles.coq.motion import Instant
 from chasles.coq.polynomials import Polynomials, in_units, literal
@@ -137,7 +137,7 @@ class KnownFacts:
         parts: dict[int, Polynomial] = {}
         for monomial, coefficient in entry.terms.items():
             kinds = [(k, e, self.reading.variables[k]) for k, e in exponents(monomial)]
-            inside = sum(e << 8 * k for k, e, what in kinds if what[0] == "entry" and what[1] in running)
+            inside = sum(packed(k, e) for k, e, what in kinds if what[0] == "entry" and what[1] in running)
             parts[inside] = parts.get(inside, ZERO) + Polynomial({monomial - inside: coefficient}, entry.below)
         products = [f"{self.spell(rest)} * {self.spell(Polynomial({inside: 1}))}" for inside, rest in parts.items()]
         products = products or ["0 * 0"]

@@ -15,7 +15,7 @@ from chasles import vocabulary as w
 from chasles.checker.determinants import Matrix
 from chasles.checker.reading import Reading
 from chasles.checker.refutation import Value, quotient_at
-from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, exponents, number, variable
+from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, exponents, number, packed, variable
 from chasles.checker.witness import Point
 from chasles.coq.expressions import Unsaid
 from chasles.statements.rules import rated
@@ -168,7 +168,8 @@ def _rate_of(function: Polynomial, speed: Polynomial) -> Polynomial:
 
 def _at_once(function: Polynomial) -> Polynomial:
     """The value at the instant 0, where what is divided by is one."""
-    parts = (Polynomial({m & 255 << 8: c}, function.below) for m, c in function.terms.items() if not m & 255)
+    powers = ((dict(exponents(monomial)), c) for monomial, c in function.terms.items())
+    parts = (Polynomial({packed(NUMBER, at.get(NUMBER, 0)): c}, function.below) for at, c in powers if TIME not in at)
     return reduce(add, parts, ZERO)
 
 

@@ -10,7 +10,7 @@ from operator import mul
 
 from chasles import vocabulary as w
 from chasles.checker.reading import Reading
-from chasles.checker.sparse import ZERO, Polynomial, cleared, exponents
+from chasles.checker.sparse import MOST_POWER, ZERO, Polynomial, cleared, exponents, packed
 from chasles.coq.expressions import Unsaid
 from chasles.statements import Goal, Hypothesis, Problem
 
@@ -44,7 +44,7 @@ class StatedEntry:
 
 def multiples(polynomial: Polynomial, factors: int) -> Polynomial:
     """By what a product of variables, packed as a monomial, is multiplied in a polynomial."""
-    guard = sum(128 << 8 * place for place, _ in exponents(factors))
+    guard = sum(packed(place, MOST_POWER + 1) for place, _ in exponents(factors))
     terms = {m - factors: c for m, c in polynomial.terms.items() if (m | guard) - factors & guard == guard}
     return Polynomial(terms, polynomial.below)
 
@@ -103,8 +103,8 @@ class ProofReading(Reading):
                 continue
             equal = self(w.Dot(what[1], what[1]))[0][0]
             below = Polynomial({cleared(equal, self.nonzero)[1]: 1})
-            while quotient := multiples(polynomial, 2 << 8 * place):
-                polynomial = replaced(polynomial, 2 << 8 * place, quotient, equal)
+            while quotient := multiples(polynomial, packed(place, 2)):
+                polynomial = replaced(polynomial, packed(place, 2), quotient, equal)
                 found[label] = found.get(label, ZERO) + quotient * below
         if polynomial:
             raise Unsaid("norms whose squares are not told apart")

@@ -10,7 +10,7 @@ from typing import Any
 from chasles import vocabulary as w
 from chasles.checker.reading import Reading
 from chasles.checker.refutation import Value, bound_in, completed, quotient_at
-from chasles.checker.sparse import Polynomial, Rejected, variable
+from chasles.checker.sparse import Polynomial, Rejected, packed, variable
 from chasles.checker.witness import value_at
 from chasles.coq.expressions import Unsaid
 from chasles.coq.functions import MOVING, MotionThrough
@@ -66,7 +66,7 @@ class PointValues:
             of = node.of if isinstance(node, w.Norm) else node
             entries = [entry for each in (node, of) for row in self.reading(each) for entry in row]
             for place, name in names.items():
-                alone = entries[0].terms == {1 << 8 * place: 1}
+                alone = entries[0].terms == {packed(place): 1}
                 if alone and given.isdisjoint(place for entry in entries for place in entry.places):
                     found[name] = Fraction(1)
         return found

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from math import gcd
 
-from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, cleared, exponents, number, product, variable
+from chasles.checker.sparse import ZERO, Polynomial, Rejected, cleared, exponents, number, packed, product, variable
 
 Key = frozenset[tuple[int, int]]
 
@@ -38,7 +38,7 @@ class QuotientRing:
         place = len(self.names) - 1
         if square is not None:
             self.squares[place] = square
-            self._twice |= 0xFE << 8 * place
+            self._twice |= packed(place + 1) - packed(place, 2)
         return place
 
     def normal(self, polynomial: Polynomial) -> Polynomial:
@@ -47,7 +47,7 @@ class QuotientRing:
             parts: dict[int, dict[int, int]] = {}
             for monomial, coefficient in polynomial.terms.items():
                 pairs = exponents(monomial & self._twice)
-                halves = sum(power // 2 << 8 * place for place, power in pairs)
+                halves = sum(packed(place, power // 2) for place, power in pairs)
                 parts.setdefault(halves, {})[monomial - 2 * halves] = coefficient
             total = ZERO
             for halves, terms in parts.items():
@@ -69,7 +69,7 @@ class QuotientRing:
 
     def divisors(self, powers: Mapping[int, int]) -> Polynomial:
         """The product of what is divided by, to these powers."""
-        return product(self.inverses, sum(power << 8 * place for place, power in powers.items()))
+        return product(self.inverses, sum(packed(*pair) for pair in powers.items()))
 
     def inverse(self, polynomial: Polynomial) -> Polynomial:
         """One over the polynomial: a variable of its own, unless it is a number; raises `Rejected` for zero."""
@@ -84,7 +84,7 @@ class QuotientRing:
         if key not in self._inverse_of:
             place = self._inverse_of[key] = self.fresh(f"inverse {len(self.inverses) + 1}")
             self.inverses[place] = base
-            self._below |= 0xFF << 8 * place
+            self._below |= packed(place + 1) - packed(place)
         return above * variable(self._inverse_of[key]) * number(1 / scale)
 
     def inverse_place(self, polynomial: Polynomial) -> int | None:
@@ -95,7 +95,7 @@ class QuotientRing:
         """A power with a natural exponent."""
         if (value := constant(base)) is not None:
             return number(value**exponent)
-        total = ONE
+        total = number(1)
         while exponent:
             total = self.normal(total * base) if exponent % 2 else total
             exponent //= 2
@@ -104,7 +104,7 @@ class QuotientRing:
 
     def complex_power(self, x: Polynomial, y: Polynomial, exponent: int) -> tuple[Polynomial, Polynomial]:
         """The two parts of a power of x + i y with a natural exponent."""
-        real, imaginary = ONE, ZERO
+        real, imaginary = number(1), ZERO
         for _ in range(exponent):
             real, imaginary = self.normal(real * x - imaginary * y), self.normal(real * y + imaginary * x)
         return real, imaginary

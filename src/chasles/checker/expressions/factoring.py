@@ -6,7 +6,7 @@ from fractions import Fraction
 from math import isqrt, prod
 
 from chasles.checker.expressions.algebra import constant, primitive
-from chasles.checker.sparse import ZERO, Polynomial, exponents
+from chasles.checker.sparse import MOST_POWER, ZERO, Polynomial, exponents, packed
 
 Terms = frozenset[tuple[int, int]]
 
@@ -57,7 +57,7 @@ def quotient(polynomial: Polynomial, divisor: Polynomial) -> Polynomial | None:
 
 def divides(one: int, other: int) -> bool:
     """Whether a product of powers divides another: then no bit of the guard is borrowed from."""
-    guard = sum(128 << 8 * place for place, _ in exponents(one))
+    guard = sum(packed(place, MOST_POWER + 1) for place, _ in exponents(one))
     return (other | guard) - one & guard == guard
 
 

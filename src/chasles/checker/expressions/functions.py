@@ -16,7 +16,7 @@ from chasles.checker.expressions.elementary import FUNCTIONS
 from chasles.checker.expressions.factoring import Terms, quotient, terms_of
 from chasles.checker.expressions.known_roots import KnownRoots
 from chasles.checker.expressions.signs import is_positive
-from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, exponents, number, variable
+from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, exponents, number, packed, variable
 
 LARGEST_FACTOR = 100
 Positive = tuple[Polynomial, frozenset[Terms], int]
@@ -121,7 +121,7 @@ class Functions:
         self.reading.calls[root] = "root", (base, number(exponent))
         self.reading.positive.add(root)
         place = min(base.places, default=-1)
-        place = place if place >= 0 and base.terms.keys() == {1 << 8 * place} else -1
+        place = place if place >= 0 and base.terms.keys() == {packed(place)} else -1
         if place in self.reading.atoms:
             self.reading.values[self.reading.atoms[place]] = variable(root, exponent.denominator)
             self.reading.rooted.add(self.reading.atoms[place])
@@ -223,7 +223,7 @@ class Functions:
         common = reduce(and_, (frozenset(k for k, _ in exponents(m)) for m in base.terms)) if base.terms else ()
         for place in common:
             power = min(dict(exponents(m))[place] for m in base.terms)
-            base = Polynomial({m - (power << 8 * place): c for m, c in base.terms.items()})
+            base = Polynomial({m - packed(place, power): c for m, c in base.terms.items()})
             yield variable(place), power
         for known in [b for b in self.bases.values() if len(b.terms) > 1]:
             while len(base.terms) > 1 and (rest := quotient(base, known)) is not None:

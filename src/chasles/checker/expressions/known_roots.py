@@ -11,7 +11,7 @@ from operator import and_, mul
 from chasles.checker.expressions.algebra import constant, primitive
 from chasles.checker.expressions.factoring import Terms, quotient, root_of_square
 from chasles.checker.expressions.signs import SignedReading, is_nonnegative
-from chasles.checker.sparse import ONE, Polynomial, Rejected, exponents, number, variable
+from chasles.checker.sparse import ONE, Polynomial, Rejected, exponents, number, packed, variable
 
 
 class KnownRoots(SignedReading):
@@ -86,7 +86,7 @@ class KnownRoots(SignedReading):
         scale, key = _key(inside)
         if key not in self._roots:
             even = reduce(and_, (_powers(monomial, self.positive) for monomial in inside.terms))
-            half = sum(max(n for k, n in even if k == place) // 2 << 8 * place for place in {k for k, _ in even})
+            half = sum(packed(place, max(n for k, n in even if k == place) // 2) for place in {k for k, _ in even})
             inside = Polynomial({monomial - 2 * half: c for monomial, c in inside.terms.items()}, inside.below)
             outside = outside * Polynomial({half: 1})
             if (square := constant(inside)) is not None:

@@ -22,7 +22,7 @@ from chasles.checker.expressions.quantities import atoms_of
 from chasles.checker.expressions.rates import MOST_RATES
 from chasles.checker.expressions.signs import is_nonnegative
 from chasles.checker.expressions.spoken import Spoken
-from chasles.checker.sparse import ONE, Polynomial, Rejected, exponents, parsed, variable
+from chasles.checker.sparse import ONE, Polynomial, Rejected, exponents, packed, parsed, variable
 
 TURNED = re.compile(r"(?:cos|sin)\(([1-9]\d*)?(.+?)(?:/([1-9]\d*))?\)")
 
@@ -112,7 +112,7 @@ class Proven(KnownRoots):
         common = reduce(and_, map(_places, numerator.terms)) if numerator else frozenset()
         outside = ONE
         for place in common & (self.positive | self.words) if below or len(numerator.terms) > 1 else ():
-            numerator = Polynomial({m - (1 << 8 * place): c for m, c in numerator.terms.items()}, numerator.below)
+            numerator = Polynomial({m - packed(place): c for m, c in numerator.terms.items()}, numerator.below)
             inverse = self.inverse(self.squares[place] if place in self.words else variable(place))
             outside = outside * inverse * (variable(place) if place in self.words else ONE)
         if outside is ONE:

@@ -9,7 +9,7 @@ from itertools import chain, islice
 from chasles.checker.expressions.algebra import primitive
 from chasles.checker.expressions.factoring import Terms, divides
 from chasles.checker.expressions.symbolic import Symbolic
-from chasles.checker.sparse import ZERO, Polynomial, exponents, number, variable
+from chasles.checker.sparse import ZERO, Polynomial, exponents, number, packed, variable
 
 MOST_SQUARES, MOST_TERMS, MOST_BOUNDS = 6, 8, 2
 """So many squares are completed, each with fewer terms; and so often a bound of roots or of an angle is taken."""
@@ -99,7 +99,7 @@ def _grouped(polynomial: Polynomial, places: Collection[int]) -> dict[int, Polyn
     """By each product of the variables at these places what it is multiplied by."""
     groups: dict[int, Polynomial] = {}
     for monomial, coefficient in polynomial.terms.items():
-        key = sum(power << 8 * place for place, power in exponents(monomial) if place in places)
+        key = sum(packed(place, power) for place, power in exponents(monomial) if place in places)
         groups[key] = groups.get(key, ZERO) + Polynomial({monomial - key: coefficient}, polynomial.below)
     return groups
 
@@ -110,7 +110,7 @@ def _completed(polynomial: Polynomial) -> Iterator[Polynomial]:
         half = [(place, power // 2) for place, power in exponents(square)]
         if not half or not _is_square(square, c):
             continue
-        m = sum(power << 8 * place for place, power in half)
+        m = sum(packed(*pair) for pair in half)
         terms = {k: n for k, n in polynomial.terms.items() if divides(m, k) and not _is_square(k, n)}
         b = Polynomial({k - m: n for k, n in terms.items()}, polynomial.below)
         if len(terms) in range(1, MOST_TERMS):
