@@ -17,6 +17,7 @@ from chasles.decisions.memory import Memory
 from chasles.decisions.session import Session
 from chasles.numerics.reference import evaluate
 from chasles.statements import Claim, Definition, definite, nonzero, positive, rotation, unit
+from chasles.statements.inequalities import inequality
 from chasles.statements.posing import problem_of
 from chasles.verdict import Fails, HoldsUnder, Undecided
 from chasles.vocabulary import (
@@ -308,3 +309,19 @@ def test_a_point_of_scalars_is_accepted_where_polynomials_can_be_read(angle: Nod
     check_counterexample(problem_of(said), verdict.counterexample)
     with pytest.raises(Rejected):
         check_counterexample(problem_of(said), replace(verdict.counterexample, left="17"))
+
+
+@pytest.mark.parametrize(
+    ("said", "verdict"),
+    [
+        (claim(abs(x), x, inequality(exp(x) > 1)), "undecided"),
+        (claim(abs(x), x, inequality(abs(x) < 1)), "fails"),
+        (claim(x, y, inequality(abs(x) < 0)), "undecided"),
+        (claim(x, number(0), inequality(abs(x) <= 0)), "holds-under"),
+        (claim(abs(x - 1), 1 - x, inequality(arccos(x) < 1)), "holds-under"),
+        (claim(abs(log(x)), -log(x), inequality(log(x) > 0)), "fails"),
+    ],
+)
+def test_an_inequality_with_functions_is_not_read_by_itself(said: Claim, verdict: str) -> None:
+    """Read as a word, the absolute value of what is assumed positive is the same, and nothing would be assumed."""
+    assert Session().decide(said).verdict.name == verdict

@@ -57,7 +57,7 @@ def _by_scalars(problem: Problem, own: tuple[Hypothesis, ...]) -> Verdict:
                 return Undecided("a counterexample was found, which may not satisfy all that is assumed")
             return Fails(Counterexample(found.at, entry, found.left, found.right, label))
         case Contradictory(hypotheses, certificate):
-            return Contradictory(_said(hypotheses, question.sources), certificate)
+            return Contradictory(tuple(dict.fromkeys(_said(hypotheses, question.sources))), certificate)
         case Holds() | HoldsUnder():
             return _proved(verdict, problem, own, question, asked_whole)
         case _:

@@ -63,24 +63,26 @@ def scalar_question(problem: Problem, proving: bool = True) -> ScalarQuestion:
     sides = [[entries(side) for side in goal.sides] for goal in problem.goals]
     left, right = (sp.Matrix([entry for pair in sides for entry in pair[k]]) for k in (0, 1))
     settled = entries.by_sign | (entries.settled if proving else frozenset())
-    given: list[Any] = []
+    given: dict[Any, str] = {}
     nonzero: list[Any] = []
     sources: dict[str, str] = {}
     stated = [("", goal.left, goal.right) for goal in problem.conditions]
     assumed = [hypothesis for hypothesis in problem.hypotheses if hypothesis.text not in settled]
     # That a condition holds is given: it is no condition of a verdict.
-    stated += [("" if h.kind in ASSUMED else h.text, *_spoken(h, p)) for h in assumed for p in h.equations]
+    stated += [("" if h.kind in ASSUMED else h.text, *p) for h in assumed if not _turns(h) for p in h.equations]
     stated += [(h.text, abs(s), s) for h in assumed if h.kind == "positive" for s in h.subjects if s in entries.rules]
     stated += [("", abs(symbol), symbol) for symbol in problem.nonnegative if symbol in entries.rules]
     for text, one, other in stated:
         for equation in entries.equations(one, other):
             # That a matrix is symmetric says of each pair of entries twice that they are equal.
-            if sp.Eq(equation.rhs, equation.lhs, evaluate=False) in given:
-                continue
-            given.append(equation)
-            sources[f"{equation.lhs} = {equation.rhs}"] = text
+            if sp.Eq(equation.rhs, equation.lhs, evaluate=False) not in given:
+                given[equation] = text
+    for hypothesis in filter(_turns, assumed):
+        value = entries(hypothesis.subjects[0])[0]  # read as a word, by the hypothesis itself, it would say nothing
+        said = (sp.sign(value), sp.Integer(1)) if hypothesis.nonvanishing else (sp.Abs(value), value)
+        given[sp.Eq(*said, evaluate=False)] = hypothesis.text
     for hypothesis in assumed:
-        known = hypothesis.kind == "positive" and hypothesis.subjects[0] not in entries.rules
+        known = _turns(hypothesis) or (hypothesis.kind == "positive" and hypothesis.subjects[0] not in entries.rules)
         most = 0 if known else 1 if hypothesis.kind == "inequality" else None
         for node in hypothesis.nonvanishing[:most]:
             value = entries(node)[0]
@@ -91,11 +93,11 @@ def scalar_question(problem: Problem, proving: bool = True) -> ScalarQuestion:
     if not proving:
         nonzero += lost
         for domain in entries.lost_domains(both):
-            given.append(sp.Eq(sp.Abs(domain), domain, evaluate=False))
-            sources[f"{given[-1].lhs} = {given[-1].rhs}"] = f"{spelled(domain)} >= 0"
+            given[sp.Eq(sp.Abs(domain), domain, evaluate=False)] = f"{spelled(domain)} >= 0"
     shapes = [(goal.label, *goal.left.shape) for goal in problem.goals]
     places = tuple((label, (i + 1, j + 1)) for label, m, n in shapes for i in range(m) for j in range(n))
     partial = any(h.kind in BY_MORE for h in problem.hypotheses)
+    sources |= {f"{equation.lhs} = {equation.rhs}": text for equation, text in given.items()}
     used = (*entries.reasons, *(f"{spelled(divisor)} != 0" for divisor in lost))
     return ScalarQuestion(left, right, tuple(given), tuple(nonzero), places, sources, used, partial)
 
@@ -105,11 +107,10 @@ def spelled(e: Any) -> str:
     return str(e).replace("**", "^").replace("*", " ")
 
 
-def _spoken(hypothesis: Hypothesis, equation: tuple[w.Node, w.Node]) -> tuple[w.Node, w.Node]:
-    """An equation of a hypothesis: that a sine or the like is a square is said by its absolute value."""
-    difference = equation[0]
-    turns = any(isinstance(part, w.Call | FunctionOf) for part in w.walk(difference))
-    return (abs(difference), difference) if hypothesis.kind == "inequality" and turns else equation
+def _turns(hypothesis: Hypothesis) -> bool:
+    """Whether it is an inequality with functions: said by a sign, not by a square."""
+    words = w.walk(hypothesis.subjects[0]) if hypothesis.kind == "inequality" else ()
+    return any(isinstance(part, w.Call | FunctionOf) for part in words)
 
 
 def check_scalars(problem: Problem, certificate: Mapping[str, Any]) -> None:

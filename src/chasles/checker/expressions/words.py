@@ -42,6 +42,10 @@ class EntriesOfWords:
         self.divisors: dict[Any, None] = {}
         self.applied: dict[Any, Any] = {}
         self.used: dict[str, None] = {}
+        self.units: dict[str, list[Any]] = {}
+        self.bounds: dict[Any, Bounds] = {}
+        positive: dict[Any, str] = {}
+        self.principal = PrincipalValues(self.bounds, positive)
         assumed = [h for h in problem.hypotheses if h.kind != "inequality"]
         self.stated = [goal.sides for goal in problem.conditions]
         self.stated += [pair for h in assumed for pair in h.equations]
@@ -51,13 +55,8 @@ class EntriesOfWords:
         inequalities = [h for h in problem.hypotheses if h.kind == "inequality"]
         self.by_sign = frozenset(h.text for h in inequalities if self._signed(h))
         self.known.clear()
-        self.units: dict[str, list[Any]] = {}
-        for h in assumed:
-            if h.kind == "unit" and h.subjects[0] not in self.rules:
-                self.units[h.text] = list(self(h.subjects[0]))
-        self.bounds: dict[Any, Bounds] = {}
-        positive: dict[Any, str] = {}
-        self.principal = PrincipalValues(self.bounds, positive)
+        units = (h for h in assumed if h.kind == "unit" and h.subjects[0] not in self.rules)
+        self.units |= {h.text: list(self(h.subjects[0])) for h in units}
         for h in inequalities:
             difference = self(h.subjects[0])[0]
             if h.nonvanishing:
