@@ -128,6 +128,7 @@ MORE: list[tuple[Any, ...]] = [
     (A**2 - Trace(A) * A + Determinant(A) * Identity(2), ZeroMatrix(2, 2)),
     (Abs(p + q - 2 * sqrt(p) * sqrt(q)), p + q - 2 * sqrt(p) * sqrt(q)),
     (sign(2 - cos(x)), 1),
+    (Abs(sqrt(x**2 + y**2) - x * cos(t) - y * sin(t)), sqrt(x**2 + y**2) - x * cos(t) - y * sin(t)),
 ]
 
 

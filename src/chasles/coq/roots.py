@@ -83,18 +83,47 @@ def _positive(plain: PlainExpressions, e: Any) -> Any:
 
 
 def _squares(plain: PlainExpressions, value: Any) -> Iterator[str]:
-    """The steps by which the squares become known, if there are such, whose sum is the numerator."""
+    """The steps by which it is known that the numerator is a sum of squares, or a difference with such a square."""
     known = {square: head**2 for head, (rule, _) in plain.rules.items() if (square := head**2 - rule).is_Symbol}
-    above = sympy.expand(sympy.fraction(sympy.together(value))[0]).subs(known)
-    symbols = sorted(above.free_symbols, key=str)
-    if above.is_nonnegative or not symbols:
+    above = sympy.expand(sympy.fraction(sympy.together(value))[0])
+    greater = sympy.Add(*(term for term in sympy.Add.make_args(above) if term.is_nonnegative))
+    less = greater - above
+    if not less or not above.free_symbols:
         return
+    if total := _sum_of_squares(above.subs(known)):
+        yield from (f"try (assert (0 <= {text_of(each)}) by nonnegative)." for each in sympy.Add.make_args(total))
+    elif less.is_Add and (total := _sum_of_squares(_on_circles(plain, sympy.expand(greater**2 - less**2)))):
+        with suppress(Unsaid):
+            equal = plain.total(greater**2 - less**2 - total)
+            yield f"try (assert (0 <= {text_of(total)}) by nonnegative)."
+            steps = f"apply (by_parts _ _ ({equal})); [vanish | identity]"
+            yield f"try (assert ({text_of(greater)}^2 - {text_of(less)}^2 = {text_of(total)}) by ({steps}))."
+            steps = "apply Rsqr_incr_0_var; [unfold Rsqr; lra | nonnegative]"
+            yield f"try (assert ({text_of(less)} <= {text_of(greater)}) by ({steps}))."
+
+
+def _on_circles(plain: PlainExpressions, e: Any) -> Any:
+    """A polynomial with squares of roots as they are, and in cosines and sines of as equal degrees as can be."""
+    for head, (rule, _) in plain.rules.items():
+        if str(head).startswith("(cos "):
+            (sine,) = rule.free_symbols - {head}
+            e = sympy.expand(e + e.subs({head: 0, sine: 0}) * (head**2 + sine**2 - 1))
+        else:
+            e = e.subs(head**2, head**2 - rule)
+    return e
+
+
+def _sum_of_squares(e: Any) -> Any:
+    """A polynomial as a sum of squares, each with what it is multiplied by; zero if it is not seen to be one."""
+    symbols = sorted(e.free_symbols, key=str)
     places = [place for place, symbol in enumerate(symbols) if symbol.is_nonnegative]
-    terms = {m: Fraction(int(c.p), int(c.q)) for m, c in sympy.Poly(above, *symbols).terms()}
-    for _, odd, base in sum_of_squares(terms, places) or ():
+    terms = {m: Fraction(int(c.p), int(c.q)) for m, c in sympy.Poly(e, *symbols).terms()} if symbols else {}
+    total = []
+    for number, odd, base in sum_of_squares(terms, places) or ():
         factor, *others = (sympy.Mul(*map(sympy.Pow, symbols, m)) for m in (odd, *base))
         of = sympy.Add(*map(sympy.Mul, others, (sympy.Rational(c) for c in base.values())))
-        yield f"assert (0 <= {text_of(factor)} * {text_of(of)}^2) by nonnegative."
+        total.append(sympy.Mul(sympy.Rational(number) * factor, sympy.Pow(of, 2), evaluate=False))
+    return sympy.Add(*total, evaluate=False)
 
 
 def _symbol(plain: PlainExpressions, name: str, kind: str, square: Any) -> Any:
