@@ -54,13 +54,28 @@ def without_cancellation(expression: sympy.Basic) -> Any:
 @lru_cache(KEPT)
 def _changed(expression: sympy.Basic) -> Any:
     """What it becomes; None where it stays the object that it is, which an equal one of another call is not."""
-    if isinstance(expression, NearZero) or not parts_of_kinds(expression, KNOWN):
+    if isinstance(expression, NearZero) or not parts_of_kinds(expression, (*KNOWN, sympy.Pow)):
         return None
     parts = [without_cancellation(part) for part in expression.args]
     held = {"evaluate": False} if isinstance(expression, HELD) else {}
     found = expression if all(map(is_, parts, expression.args)) else expression.func(*parts, **held)
+    found = _of_roots(found) if isinstance(found, sympy.Add) else found
     found = _lessened(found) if isinstance(found, sympy.Add) else found
     return None if found is expression else found
+
+
+def _of_roots(total: sympy.Add) -> Any:
+    """The sum, in which c (1 + u)^(1/2) - c is c u/(1 + (1 + u)^(1/2)) where u is small, and so for (1 + u)^(-1/2)."""
+    for term in total.args:
+        for root in sympy.Mul.make_args(term):
+            base, power = root.as_base_exp()
+            factor = _cofactor(term, root)
+            if abs(power) == sympy.S.Half and base.is_Add and sympy.S.One in base.args and -factor in total.args:
+                small = sympy.Add(*(part for part in base.args if part is not sympy.S.One))
+                left = factor * small * (1 if power > 0 else -root) / (1 + sympy.sqrt(base))
+                near = NearZero((left, sympy.Abs(small) < 1), (term - factor, True), evaluate=False)
+                return sympy.Add(near, *(other for other in total.args if other not in (term, -factor)))
+    return total
 
 
 def _lessened(total: sympy.Add) -> Any:
