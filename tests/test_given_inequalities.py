@@ -144,6 +144,35 @@ def test_what_fails_somewhere_where_they_hold_is_refuted_there(left: Any, right:
 
 
 @pytest.mark.parametrize(
+    ("side", "given", "pole"),
+    [
+        (1 / tan(x), [x > 0, x <= 2 * pi], cos(x)),
+        (1 / (1 + tan(x)), [x > 0, x <= 2 * pi], cos(x)),
+        (tan(x) ** -2, [x > 0, x <= pi], cos(x)),
+        (1 / (1 + 1 / x), [x > -1, x < 1], x),
+        (1 / (1 + 1 / (x - y)), [x > -1, x < 1, y >= 0], x - y),
+    ],
+    ids=str,
+)
+@pytest.mark.parametrize("other", [0, 1, 2])
+def test_no_counterexample_is_where_something_inside_of_a_divisor_is_divided_by_zero(
+    side: Any, given: list[Any], pole: Any, other: int
+) -> None:
+    verdict = prove(side, other, given=given)
+    assert isinstance(verdict, Fails)
+    recheck(verdict, side, other, given=given)
+    at = verdict.counterexample.at
+    assert pole.xreplace({e: sp.sympify(at.get(e.name, 0)) for e in (x, y)}) != 0
+
+
+def test_what_is_divided_by_inside_of_a_divisor_is_needed() -> None:
+    verdict = prove(1 / (1 + 1 / x), x / (x + 1), given=[x > -1, x < 1])
+    assert isinstance(verdict, HoldsUnder)
+    assert "d_1 - 1 != 0" in verdict.needs
+    assert not verdict.unused
+
+
+@pytest.mark.parametrize(
     "given", [[x > 1, x < 0], [x > y, y > x], [x > y, y >= x], [p < 0], [x > 1, Eq(x, 1)]], ids=str
 )
 def test_what_nothing_satisfies_is_contradictory(given: list[Any]) -> None:

@@ -82,7 +82,8 @@ def prove(
         raise Untreatable("it is nested too deeply, or SymPy does not come to an end with it") from error
     if not isinstance(verdict, Holds | HoldsUnder):
         return verdict
-    if used := [text for text in definitions(said, asked) if text in verdict.unused]:
+    poles = (f"{e} != 0" for e in set(expressions_in(asked[3])) - set(expressions_in(said)))
+    if used := [text for text in (*definitions(said, asked), *sorted(poles)) if text in verdict.unused]:
         unused = tuple(text for text in verdict.unused if text not in used)
         verdict = HoldsUnder((*used, *verdict.needs), verdict.certificate, verdict.witness, unused)
     return replace(verdict, asked=asked)

@@ -16,6 +16,7 @@ from chasles.from_sympy.angles_between import between, closed
 from chasles.from_sympy.atoms import assumed_of
 from chasles.from_sympy.complex_symbols import expressions_in
 from chasles.from_sympy.decimals import each_replaced, with_values
+from chasles.from_sympy.divisors import in_sines, is_reciprocal
 from chasles.from_sympy.opening import atoms_of, excerpt
 from chasles.from_sympy.side_conditions import listed
 from chasles.problems.variables import Untreatable
@@ -163,10 +164,23 @@ def _ends(said: Said, symbol: Any) -> tuple[End, End] | None:
 def _defined(said: Said, symbol: Any, value: Any, ends: tuple[End, ...]) -> Said:
     """What is said, with the value of a symbol instead of the inequalities that it satisfies by itself."""
     stated = [item for item in said[2] if all(item is not end for _, _, end in ends)]
-    put = with_values((*said[:2], stated, said[3]), {symbol: value})
+    poles = {pole: None for e in expressions_in((*said[:2], stated)) for pole in _poles(e) if pole.has(symbol)}
+    apart = (_numerator(pole.xreplace({symbol: value})) for pole in poles)
+    put = with_values((*said[:2], stated, [*said[3], *(e for e in apart if not e.is_nonzero)]), {symbol: value})
     new = value.free_symbols - {e for other in expressions_in(said) for e in other.free_symbols}
     lhs, rhs, given, nonzero = (each_replaced(each, lambda e: {e: _with_signs_seen(e, new)}) for each in put)
     return lhs, rhs, [sympy.Eq(symbol, value, evaluate=False), *given], nonzero
+
+
+def _numerator(e: Any) -> Any:
+    """What vanishes where the expression does, without a number before it."""
+    return sympy.fraction(sympy.together(sympy.expand_trig(e)))[0].as_coeff_Mul()[1]
+
+
+def _poles(e: Any) -> Iterator[Any]:
+    """What is divided by inside of what is divided by: where SymPy puts a value in, nothing may be left of it."""
+    for power in filter(is_reciprocal, e.atoms(sympy.Pow)):
+        yield from (part.base for part in in_sines(power.base).atoms(sympy.Pow) if is_reciprocal(part))
 
 
 def _with_signs_seen(e: Any, new: set[Any]) -> Any:
