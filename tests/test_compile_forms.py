@@ -77,6 +77,7 @@ CLOSE = [
     (1 - sp.cos(x / 3), "sine"),
     (1 - sp.sqrt(1 - x**2), "divide"),
     (3 / sp.sqrt(1 + x) - 3, "divide"),
+    (sp.acos(1 - x**2), "arctangent2"),
 ]
 
 

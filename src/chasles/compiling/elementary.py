@@ -12,6 +12,7 @@ from sympy.codegen import cfunctions
 from chasles.compiling.elimination import solved
 from chasles.compiling.taylor import Stumpff, TaylorPolynomial, horner
 from chasles.lowering.builder import Builder
+from chasles.lowering.program import Op
 from chasles.lowering.refusal import LoweringError
 
 MOST_FACTORS = 32
@@ -156,8 +157,12 @@ def _where_nonnegative(build: Builder, a: int, value: int) -> int:
 
 
 def _leg(build: Builder, a: int) -> int:
-    """The root of 1 - a^2, in factors, which lose nothing near 1."""
-    return build.square_root(build.multiply(build.subtract(build.one, a), build.add(build.one, a)))
+    """The root of 1 - a^2, in factors, which lose nothing near 1; of 1 - b and b - 1 one of them is b as it stands."""
+    step, less, more = build.step(a), build.subtract(build.one, a), build.add(build.one, a)
+    if step.op is Op.SUBTRACT:
+        less = step.operands[1] if step.operands[0] == build.one else less
+        more = step.operands[0] if step.operands[1] == build.one else more
+    return build.square_root(build.multiply(less, more))
 
 
 def _arcsine(build: Builder, a: int) -> int:
