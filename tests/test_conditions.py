@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from chasles.decisions.session import Session
-from chasles.statements import Claim, Condition, Definition, nonzero, rotation
+from chasles.statements import Claim, Condition, Definition, nonzero, rotation, unit
 from chasles.statements.matrices import invertible
 from chasles.verdict import Posed, Undecided
 from chasles.vocabulary import CPM, inverse, rate, scalar, square, vector
@@ -36,6 +36,7 @@ area = Condition("0", V * w - K * i, R, on=(w,))
 turn, s, s_ = square("turn", "R", ""), vector("s", "s", ""), vector("s_", "s'", "")
 spin = Condition("0", CPM(s_), rate(turn) @ turn.T, on=(turn,), assuming=(rotation(turn),))
 spin_in_body = Condition("0", CPM(s), turn.T @ rate(turn), on=(s,), assuming=(rotation(turn),))
+axis = Condition("0", s.x, lifted(1), assuming=(unit(s),))
 
 TRUE = [
     claim(V * K, i * R * K + w, given=(motor,)),
@@ -51,6 +52,7 @@ TRUE = [
     claim(V * w, R + K * i, given=(area,)),
     claim(w, (R + K * i) / V, nonzero(V), given=(area,)),
     claim(a * b, a**2, given=(Condition("0", a, b),)),
+    claim(s.x, 1, given=(axis,)),
     claim(s, turn.T @ s_, rotation(turn), given=(spin, spin_in_body)),
     claim(rate(turn), turn @ CPM(s), rotation(turn), given=(spin_in_body,)),
     claim(x * V, x * i + x * w, given=(Condition("0", x, 2 * V, given=(Definition("0", V, i + w),), on=(x,)),)),
@@ -64,6 +66,7 @@ FALSE = [
     claim(rate(V), v.T @ P @ v, given=(*decay, lyapunov)),
     claim(V * w, R - K * i, given=(area,)),
     claim(a * b, 2 * a**2, given=(Condition("0", a, b),)),
+    claim(s.y, 1, given=(axis,)),
     claim(x, i + w, given=(Condition("0", x, 2 * V, given=(Definition("0", V, i + w),), on=(x,)),)),
 ]
 

@@ -286,12 +286,12 @@ def test_a_family_given_is_a_rule_for_each_member() -> None:
 
 def test_conditions_determine_their_symbols() -> None:
     on_plane, on_line = Condition("1", e.T @ p, number(0) * norm(p), on=(p,)), Condition("2", p, a, on=(p,))
-    only_named = Condition("3", dot(e, e), number(1), assuming=(unit(e),))
-    problem = problem_of(Claim("4", p, a, given=(on_plane, on_line, only_named)))
+    on_nothing = Condition("3", dot(e, e), number(1), assuming=(unit(e),))
+    problem = problem_of(Claim("4", p, a, given=(on_plane, on_line, on_nothing)))
     assert problem.unknowns == (p,)
     assert [goal.label for goal in problem.conditions] == ["(1)", "(2)"]
     assert problem.rules == ()
-    assert problem.hypotheses == (unit(e),)
+    assert [h.text for h in problem.hypotheses] == ["|e| = 1", "(3.1)"]
 
 
 def test_hypotheses_of_all_that_a_statement_rests_on_are_collected_once() -> None:

@@ -189,8 +189,8 @@ class Session:
     def _posed(self, sentence: Condition, problem: Problem) -> Verdict:
         """A condition is posed if a point satisfies it.
 
-        One that determines its symbols does so by its own equations; one that says no more than its named hypotheses,
-        or gives its solution, must first be decided to follow.
+        One that determines its symbols does so by its own equations; that of one that gives its solution must first be
+        decided to follow, and one on nothing is assumed.
         """
         if sentence.on and sentence.solution is None:
             return pose(determining(problem, sentence.on))

@@ -182,7 +182,7 @@ def _agreeing(rules: Mapping[Node, Node]) -> Iterator[Hypothesis]:
 def _hypotheses(statement: Decidable) -> Iterator[Hypothesis]:
     """What the statement and all that it rests on assume, its own first."""
     yield from statement.assuming
-    if isinstance(statement, Condition) and not (statement.on or statement.named_by):
+    if isinstance(statement, Condition) and not statement.on:
         yield from assumed((*equations_of(f"({statement.number}.{statement.part})", *default_sides(statement)),))
     if isinstance(statement, Claim) and (statement.left.expands or statement.right.expands):
         from chasles.statements.expanding import presupposed  # of no use to most claims

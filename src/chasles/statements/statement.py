@@ -11,7 +11,7 @@ from chasles.display import Displayed
 from chasles.statements.forms import Form
 from chasles.statements.hypotheses import Hypothesis
 from chasles.statements.kernel import Kernel, nodes_of
-from chasles.vocabulary import At, Group, Misfit, Node, Rate, Symbol, plain, replace, symbols_of, undotted
+from chasles.vocabulary import At, Group, Misfit, Node, Rate, Symbol, plain, replace, undotted
 from chasles.vocabulary.arguments import Declared, WrongArgument
 from chasles.vocabulary.measure import added
 
@@ -127,12 +127,6 @@ class Condition(Statement):
     role: ClassVar[str] = "condition"
     on: tuple[Symbol, ...] = ()
     solution: Node | None = None
-
-    @property
-    def named_by(self) -> tuple[Hypothesis, ...]:
-        """The hypotheses of its own that are on all of its letters."""
-        letters = {*symbols_of(self.left), *symbols_of(self.right)}
-        return tuple(h for h in self.assuming if letters <= {part for s in h.subjects for part in symbols_of(s)})
 
     def at(self, values: Mapping[Node, Node]) -> Self:
         moved = (values.get(symbol, symbol) for symbol in self.on)
