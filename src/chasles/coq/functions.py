@@ -69,7 +69,9 @@ class MotionThrough:
         now, rate = self._now(place), self._rate(place)
         if OVER in rate.places:
             raise Unsaid("a motion that is no polynomial in time")
-        grown = (Polynomial({m + 1: c}, rate.below * ((m & 255) + 1)) for m, c in rate.terms.items())
+        grown = (
+            Polynomial({m + 1: c}, rate.below * (dict(exponents(m)).get(TIME, 0) + 1)) for m, c in rate.terms.items()
+        )
         return reduce(add, grown, now)
 
     def _rate(self, place: int) -> Polynomial:

@@ -10,10 +10,10 @@ from typing import Any
 from chasles import vocabulary as w
 from chasles.checker.reading import Reading
 from chasles.checker.refutation import Value, bound_in, completed, quotient_at
-from chasles.checker.sparse import Polynomial, Rejected, packed, variable
+from chasles.checker.sparse import Polynomial, Rejected, exponents, packed, variable
 from chasles.checker.witness import value_at
 from chasles.coq.expressions import Unsaid
-from chasles.coq.functions import MOVING, MotionThrough
+from chasles.coq.functions import MOVING, NUMBER, OVER, TIME, MotionThrough
 from chasles.coq.polynomials import literal, multiple, spelled
 from chasles.coq.statement import CoqStatement
 
@@ -122,9 +122,12 @@ class PointValues:
     def _function(self, function: Polynomial, angle: str = "") -> str:
         """A function of time, that has the value of an angle at the instant 0 if one is named."""
         terms = []
-        for below in sorted({m >> 16 for m in function.terms} | {0}):
-            found = {m: Fraction(c, function.below) for m, c in function.terms.items() if m >> 16 == below}
-            part = {(m & 255, m >> 8 & 255): c for m, c in found.items()}
+        parts: dict[int, dict[tuple[int, int], Fraction]] = {0: {}}
+        for monomial, c in function.terms.items():
+            powers = dict(exponents(monomial))
+            part = parts.setdefault(powers.get(OVER, 0), {})
+            part[powers.get(TIME, 0), powers.get(NUMBER, 0)] = Fraction(c, function.below)
+        for below, part in sorted(parts.items()):
             top = max((t for t, _ in part), default=0)
             *others, text = (self.number({x: c for (t, x), c in part.items() if t == k}) for k in range(top + 1))
             if angle:
