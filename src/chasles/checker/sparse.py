@@ -49,7 +49,7 @@ class Polynomial:
     __slots__ = ("below", "terms")
 
     def __init__(self, terms: dict[int, int], below: int = 1) -> None:
-        self.terms, self.below = terms, below
+        self.terms, self.below = terms, below if terms else 1
 
     def __bool__(self) -> bool:
         return bool(self.terms)
