@@ -13,9 +13,9 @@ import pytest
 from chasles.decisions.session import Session
 from chasles.report.findings import slips_in_words
 from chasles.report.html.citing import place_of_number
+from chasles.report.html.overview import Trusted
 from chasles.report.html.page import PageContents, page
 from chasles.report.html.palette import DARK, LIGHT
-from chasles.report.html.trusted import Trusted
 from chasles.report.latex_page import escaped, latex_page
 from chasles.statements import Chapter, Claim, Entry, Section, Statement, load, nonzero
 from chasles.verdict import Undecided

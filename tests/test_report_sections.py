@@ -22,8 +22,8 @@ from chasles.report.html.error_plots import plotted
 from chasles.report.html.exercises import worked_exercises, worked_view
 from chasles.report.html.formulas import displayed
 from chasles.report.html.measured import DamagedEvidence, ErrorAtAngle, ErrorCurve, measured
+from chasles.report.html.overview import Trusted
 from chasles.report.html.page import PageContents, page
-from chasles.report.html.trusted import Trusted
 from chasles.report.words import counted
 from chasles.statements import Chapter, Claim, Entry, Section, load
 from chasles.statements.exercises import exercise_numbers

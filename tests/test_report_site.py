@@ -10,9 +10,9 @@ import pytest
 
 import chasles
 from chasles.decisions.session import Session
+from chasles.report.html.overview import Trusted
 from chasles.report.html.page import PageContents
 from chasles.report.html.site import site
-from chasles.report.html.trusted import checked_again
 from chasles.report.html.words import with_formulas
 from chasles.statements import Chapter
 from chasles.vocabulary import plain
@@ -26,7 +26,7 @@ def files() -> dict[str, str | bytes]:
     chapter = Chapter("Some equations", chasles.chapter.select(NUMBERS), source="Angeles & others")
     judge = Session(book=chasles.chapter, memory=None)
     decisions = {entry.name: judge.decide(entry.statement) for entry in chapter}
-    return dict(site(chapter, decisions, PageContents(checked_again(0, 0, 0)), "https://example.org/book"))
+    return dict(site(chapter, decisions, PageContents(Trusted(0, 0, 0, 1)), "https://example.org/book"))
 
 
 def test_every_number_has_a_page(files: dict[str, str | bytes]) -> None:

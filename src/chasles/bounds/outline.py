@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -172,7 +172,10 @@ def _is_held_back(number: int, step: Step, program: Program) -> bool:
         return False
     if steps[step.operands[0]].op is not Op.EQUAL or any(number in result.entries for result in program.results):
         return False
-    tests = {k for k, test in enumerate(steps) if test.op is Op.EQUAL and _compares(test, number, steps)}
+    zeros = {k for k, other in enumerate(steps) if _is_zero(other)}
+    tests = {
+        k for k, s in enumerate(steps) if s.op is Op.EQUAL and number in s.operands and not zeros.isdisjoint(s.operands)
+    }
     guards = {
         k for k, s in enumerate(steps) if s.op is Op.SELECT and s.operands[0] in tests and _is_guard(k, s, program)
     }
@@ -181,11 +184,6 @@ def _is_held_back(number: int, step: Step, program: Program) -> bool:
         for k, reader in enumerate(steps)
         if number in reader.operands
     ) and all(k in guards for k, reader in enumerate(steps) if not tests.isdisjoint(reader.operands))
-
-
-def _compares(test: Step, number: int, steps: Sequence[Step]) -> bool:
-    """Whether a comparison is one of a step with zero."""
-    return number in test.operands and any(_is_zero(steps[k]) for k in test.operands)
 
 
 def _is_of_the_finite(step: Step, program: Program) -> bool:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from chasles.bounds import Bound, bound_of, key_of, remembered
 from chasles.cli.answers import answers
+from chasles.cli.book import decisions
 from chasles.cli.checkout import installed_folder
 from chasles.cli.failures import BAD_INPUT, Failure
 from chasles.decisions.prediction import predict
@@ -17,7 +18,6 @@ from chasles.decisions.session import Session
 from chasles.lowering.program import Program
 from chasles.lowering.request import Request
 from chasles.report.pages import pages
-from chasles.report.waiting import progress
 from chasles.statements import Chapter, Entry
 from chasles.statements import Kernel as Asked
 from chasles.statements.packages import BOOK
@@ -69,19 +69,14 @@ def commissioned(entries: Sequence[Entry], session: Session, *folders: Path | No
             return f"{asked[0].place}{error}"
 
     asking = [(entry, kernel) for entry in entries for kernel in entry.kernels]
-    _decide(session, entries)
+    # All is decided before the work is spread, so that nothing is decided twice.
+    predict(session, [entry.statement for entry in entries])
+    list(decisions(entries, session))
     found = spread(made, asking, A_KERNEL)
     refused = [why for why in found if isinstance(why, str)]
     if refused:
         raise Failure(f"nothing was emitted; {len(refused)} of {len(asking)} kernels refused: {'; '.join(refused)}")
     return tuple(kernel for kernel in found if isinstance(kernel, TargetKernel))
-
-
-def _decide(session: Session, entries: Sequence[Entry]) -> None:
-    """Let the session decide all there is to decide before the work is spread, so that nothing is decided twice."""
-    predict(session, [entry.statement for entry in entries])
-    for _ in progress(session.decide_all(entries), len(entries), "Deciding"):
-        pass
 
 
 def _known(manifest: Path) -> Mapping[str, Bound]:

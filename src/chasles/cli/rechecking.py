@@ -14,7 +14,7 @@ from chasles.decisions.memory import Memory
 from chasles.decisions.processes import spread
 from chasles.decisions.session import Decision
 from chasles.report.decisions import Decided
-from chasles.statements import Entry, Inverse, problem_of
+from chasles.statements import Entry, Inverse, Problem, problem_of
 from chasles.verdict import Contradictory, Fails, Verdict
 
 A_CHECK = 0.004
@@ -35,8 +35,13 @@ def recheck(decided: Sequence[Decided], memory: Memory) -> Rechecked:
     """Check every certificate and every counterexample that the memory has not checked when it recalled it."""
     started = perf_counter()
     certified = [(entry, decision, _prove) for entry, decision in decided if decision.certificate is not None]
-    refuted = [(entry, decision, _refute) for entry, decision in decided if _is_refuted(decision)]
-    empty = [(entry, decision, _contradict) for entry, decision in decided if _is_contradictory(decision)]
+    equations = [(entry, decision) for entry, decision in decided if not isinstance(decision.statement, Inverse)]
+    refuted = [(entry, decision, _refute) for entry, decision in equations if isinstance(decision.verdict, Fails)]
+    empty = [
+        (entry, decision, _contradict)
+        for entry, decision in equations
+        if isinstance(decision.verdict, Contradictory) and decision.verdict.certificate is not None
+    ]
     asked = [
         (entry, decision, check_again)
         for entry, decision, check_again in (*certified, *refuted, *empty)
@@ -62,16 +67,6 @@ def _rejection(asked: tuple[Callable[[Decision], None], Decision]) -> str | None
     return None
 
 
-def _is_refuted(decision: Decision) -> bool:
-    return isinstance(decision.verdict, Fails) and not isinstance(decision.statement, Inverse)
-
-
-def _is_contradictory(decision: Decision) -> bool:
-    verdict = decision.verdict
-    is_equation = not isinstance(decision.statement, Inverse)
-    return isinstance(verdict, Contradictory) and verdict.certificate is not None and is_equation
-
-
 def _prove(decision: Decision) -> None:
     """Raises `Rejected` unless the certificate proves what stands."""
     certificate = decision.certificate
@@ -82,9 +77,7 @@ def _prove(decision: Decision) -> None:
 def _refute(decision: Decision) -> None:
     """Raises `Rejected` unless the counterexample refutes the printed equation."""
     assert isinstance(decision.verdict, Fails)
-    assert not isinstance(decision.statement, Inverse)
-    problem = problem_of(decision.statement, "printed", decision.accepted)
-    check_counterexample(problem, decision.verdict.counterexample)
+    check_counterexample(_printed(decision), decision.verdict.counterexample)
 
 
 def _contradict(decision: Decision) -> None:
@@ -92,6 +85,9 @@ def _contradict(decision: Decision) -> None:
     verdict = decision.verdict
     assert isinstance(verdict, Contradictory)
     assert verdict.certificate is not None
+    check_contradiction(_printed(decision), verdict.hypotheses, verdict.certificate)
+
+
+def _printed(decision: Decision) -> Problem:
     assert not isinstance(decision.statement, Inverse)
-    problem = problem_of(decision.statement, "printed", decision.accepted)
-    check_contradiction(problem, verdict.hypotheses, verdict.certificate)
+    return problem_of(decision.statement, "printed", decision.accepted)

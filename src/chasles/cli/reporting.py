@@ -12,13 +12,14 @@ from chasles.cli.checkout import manifest
 from chasles.cli.derivations import all_derivations
 from chasles.cli.failures import Failure
 from chasles.cli.outcome import Outcome, decide
+from chasles.report.closure import lines
 from chasles.report.html.derivations import walked
 from chasles.report.html.exercises import worked_exercises
 from chasles.report.html.measured import ERRORS, TIMES, DamagedEvidence
+from chasles.report.html.overview import Trusted
 from chasles.report.html.page import PageContents, page
 from chasles.report.html.shown import DerivationView
 from chasles.report.html.site import site
-from chasles.report.html.trusted import checked_again
 from chasles.report.latex_page import latex_page
 from chasles.report.words import seconds
 from chasles.statements import Chapter
@@ -68,7 +69,7 @@ def reported(book: Chapter, as_site: bool = False, address: str = "") -> Reporte
     again = outcome.rechecked
     assert again is not None
     exercises = worked_exercises(book)
-    trusted = checked_again(again.certificates, again.counterexamples, len(again.rejected))
+    trusted = Trusted(again.certificates, again.counterexamples, len(again.rejected), lines("declared"))
     try:
         sources = PageContents(trusted, manifest(book), _evidence(book), roads, exercises)
         files: dict[str, str | bytes] = (

@@ -68,20 +68,14 @@ def _form(form: str) -> str:
 
 @dataclass(frozen=True, slots=True)
 class SolutionStep:
-    """One step: what is done and why, the equations of the book that it uses, the formulas that come of it."""
+    """What is done and why, the equations of the book that are used, the formulas that come of it.
+
+    A check is one, too: the answer substituted into what was asked, where the two sides are equal, exactly.
+    """
 
     says: str
     cites: tuple[Citation, ...] = ()
     lines: tuple[Formula, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
-class SubstitutionCheck:
-    """The answer substituted into what was asked: the two sides are equal, exactly."""
-
-    says: str
-    lines: tuple[Formula, ...] = ()
-    cites: tuple[Citation, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -100,7 +94,7 @@ class Solution(Displayed):
     answers: Mapping[str, Any]
     assumptions: tuple[str, ...]
     steps: tuple[SolutionStep, ...]
-    checks: tuple[SubstitutionCheck, ...]
+    checks: tuple[SolutionStep, ...]
     picture: Picture | None = field(default=None, repr=False)
     means: Mapping[str, str] = field(default_factory=dict, repr=False)
 

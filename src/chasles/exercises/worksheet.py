@@ -19,7 +19,7 @@ from chasles.exact.spelling import SpelledValue, text_of, words_in_latex
 from chasles.exercises.decided import Decided, Refuted, Sentence
 from chasles.exercises.formulas import chain, compared, confirmed, equation, scalar_or_matrix, solved
 from chasles.exercises.picture import Picture
-from chasles.exercises.solution import Formula, SolutionStep, SubstitutionCheck
+from chasles.exercises.solution import Formula, SolutionStep
 from chasles.problems.variables import angle_multiples
 from chasles.statements import Hypothesis, Inverse, Statement
 from chasles.statements.statement import bare
@@ -45,7 +45,7 @@ class Worksheet(Decided):
         super().__init__(chapter)
         self.data = data
         self.values: dict[Node, Any] = {}
-        self.checks: list[SubstitutionCheck] = []
+        self.checks: list[SolutionStep] = []
         self.tests: list[tuple[Node, Node, Mapping[Any, Any], str]] = []
         """What is substituted back: two sides, values for these alone, what it says."""
         self.answers: dict[str, Any] = {}
@@ -166,7 +166,7 @@ class Worksheet(Decided):
             self.tests.append((left, right, at or {}, says))
         says_more = isinstance(left, Node) and isinstance(right, Node) and plain(left) != plain(right)
         lines = (confirmed(left, right, values[1]),) if says_more else ()
-        self.checks.append(SubstitutionCheck(says, lines, tuple(map(self.cite, cited))))
+        self.checks.append(SolutionStep(says, tuple(map(self.cite, cited)), lines))
 
     def answer(self, **answers: Any) -> None:
         """The answers, by the names of the interface."""

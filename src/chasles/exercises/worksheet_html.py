@@ -13,7 +13,7 @@ from latex2mathml.converter import convert
 
 from chasles.exact.spelling import decimal_text, latex_of
 from chasles.exercises.formulas import Proofs
-from chasles.exercises.solution import Formula, Solution, SolutionStep, SubstitutionCheck, cited
+from chasles.exercises.solution import Formula, Solution, SolutionStep, cited
 
 _PAGE = """
 :root { color-scheme: light dark; }
@@ -65,7 +65,7 @@ def _parts(solution: Solution) -> Iterator[str]:
     yield "</section>"
 
 
-def _step(step: SolutionStep | SubstitutionCheck) -> str:
+def _step(step: SolutionStep) -> str:
     cites = cited(step.cites)
     beside = f' <span class="cites">{escape(cites)}</span>' if cites else ""
     return f"<li>{escape(step.says)}{beside}{''.join(map(_line, step.lines))}</li>"

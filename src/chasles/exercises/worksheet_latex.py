@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from chasles.exact.spelling import latex_of, plain_in_latex, words_in_latex
-from chasles.exercises.solution import Solution, SolutionStep, SubstitutionCheck, cited
+from chasles.exercises.solution import Solution, SolutionStep, cited
 
 
 def as_latex(solution: Solution) -> str:
@@ -27,6 +27,6 @@ def _parts(solution: Solution) -> Iterator[str]:
         yield from (rf"\[ {line.latex} \]" for line in check.lines)
 
 
-def _said(step: SolutionStep | SubstitutionCheck) -> str:
+def _said(step: SolutionStep) -> str:
     cites = cited(step.cites)
     return plain_in_latex(step.says) + (f" ({plain_in_latex(cites)})" if cites else "")

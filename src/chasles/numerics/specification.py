@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from chasles.evaluation.matrices import Matrix
 from chasles.numerics.reference import MissingValue, Singular, evaluate
-from chasles.statements import Hypothesis, Kernel, Packed, Statement, problem_of, symmetric
+from chasles.statements import Hypothesis, Inverse, Kernel, Packed, Statement, problem_of, symmetric
 from chasles.statements.arrays import argument_name, core_shape
 from chasles.statements.goals import AcceptedSides
 from chasles.statements.kernel import Argument, nodes_of, places_of
@@ -117,15 +117,14 @@ def specification_of(
     names of the kernel's results. Raises TypeError if the statement asks for no kernel, or if the results are not as
     many as the blocks of the right side.
     """
-    kernel = kernel or (statement.kernel and statement.kernel.variants(name)[0])
-    if kernel is None:
-        raise TypeError(f"({statement.number}) asks for no kernel: give it one, or leave it out")
+    kernel = kernel or kernel_asked_by(statement, name)
     left, right = accepted(statement)
     problem = problem_of(statement.saying(left, right), "printed", accepted)
     rules = dict(problem.rules)
     parts = _parts(statement, kernel, right)
     names = results or kernel.results or (plain(statement.left),)
     packed = bare(statement.left) in kernel.symmetric
+    symbols = frozenset(node for argument in kernel.of for node in nodes_of(argument))
 
     def reference(values: Values, digits: int) -> tuple[Matrix, ...]:
         exact = (evaluate(part, values, rules, digits) for part in parts)
@@ -133,14 +132,21 @@ def specification_of(
 
     return Specification(
         name,
-        inputs_of(kernel),
+        tuple(map(KernelInput, kernel.of)),
         tuple(expected_output(word, part, packed) for word, part in zip(names, parts, strict=True)),
         reference,
         (*problem.hypotheses, *(symmetric(of.matrix) for of in kernel.of if isinstance(of, Packed))),
         rules,
-        frozenset(angle for part in parts for angle in _angles(part, _symbols(kernel), rules)),
+        frozenset(angle for part in parts for angle in _angles(part, symbols, rules)),
         roundings,
     )
+
+
+def kernel_asked_by(sentence: Statement | Inverse, name: str) -> Kernel:
+    """The kernel of that name that the sentence asks for. Raises TypeError if it asks for none."""
+    if sentence.kernel is None:
+        raise TypeError(f"({sentence.number}) asks for no kernel: give it one, or leave it out")
+    return sentence.kernel.variants(name)[0]
 
 
 def _parts(statement: Statement, kernel: Kernel, right: Node) -> tuple[Node, ...]:
@@ -154,15 +160,6 @@ def _parts(statement: Statement, kernel: Kernel, right: Node) -> tuple[Node, ...
             f"{len(kernel.results)} blocks, and it is {right}"
         )
     return blocks
-
-
-def inputs_of(kernel: Kernel) -> tuple[KernelInput, ...]:
-    """The kernel's inputs, named as in its program."""
-    return tuple(map(KernelInput, kernel.of))
-
-
-def _symbols(kernel: Kernel) -> frozenset[Node]:
-    return frozenset(node for argument in kernel.of for node in nodes_of(argument))
 
 
 def expected_output(name: str, node: Node, packed: bool = False) -> ExpectedOutput:

@@ -8,7 +8,14 @@ from typing import Any
 from chasles.evaluation.matrices import Matrix
 from chasles.numerics.enclosures import plain_context
 from chasles.numerics.reference import Singular, evaluate
-from chasles.numerics.specification import ROUNDINGS, Specification, Values, expected_output, inputs_of
+from chasles.numerics.specification import (
+    ROUNDINGS,
+    KernelInput,
+    Specification,
+    Values,
+    expected_output,
+    kernel_asked_by,
+)
 from chasles.problems.variables import angle_multiples
 from chasles.statements import Branch, Inverse, Kernel, Statement
 from chasles.statements.goals import AcceptedSides
@@ -35,9 +42,7 @@ def specification_of_inverse(
     Off its hypotheses an inverse depends on how it is written, so its reference is taken at the exact point of which
     the inputs are the rounding. Raises TypeError if the inverse asks for no kernel.
     """
-    kernel = kernel or (sentence.kernel and sentence.kernel.variants(name)[0])
-    if kernel is None:
-        raise TypeError(f"({sentence.number}) asks for no kernel: give it one, or leave it out")
+    kernel = kernel or kernel_asked_by(sentence, name)
     rules = dict(_rule(given, accepted) for given in sentence.given if is_rule(given))
     names = results or kernel.results or map(plain, sentence.gives)
 
@@ -47,7 +52,7 @@ def specification_of_inverse(
 
     return Specification(
         name,
-        inputs_of(kernel),
+        tuple(map(KernelInput, kernel.of)),
         tuple(map(expected_output, names, sentence.gives)),
         reference,
         sentence.assuming,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -76,6 +77,12 @@ def replacements(entry: Entry, decision: Decision) -> tuple[Replacement, ...]:
     return tuple(
         Replacement(r.left, r.right, statement.sign, r.verdict, "repair", r.changes, r.modulo, r.by) for r in found
     )
+
+
+def replaced_by(decided: Pairs) -> Counter[str]:
+    """How many equations that are wrong as printed a "repair" replaces, how many what is "declared", or "nothing"."""
+    wrong = (replacements(*each) for each in decided if each[1].verdict.wrong)
+    return Counter(found[0].found if found else "nothing" for found in wrong)
 
 
 def slips(decided: Pairs) -> dict[str, Pairs]:

@@ -12,6 +12,7 @@ from chasles.report.findings import (
     Replacement,
     numbers_of,
     ordered,
+    replaced_by,
     replacements,
     slips_in_words,
 )
@@ -62,13 +63,12 @@ def _totals(book: Chapter, decided: Pairs) -> Iterator[str]:
     earlier = f", {count.earlier} of earlier chapters," if count.earlier else ""
     yield f"{count.own} numbered equations{earlier} and {count.others} theorems, displays and exercises without one,"
     yield f"in {number_of(len(decided), 'statement')}: {counted(d.verdict for _, d in decided)}."
-    wrong = [(e, d) for e, d in decided if d.verdict.wrong]
-    found = [replacement[0].found if (replacement := replacements(e, d)) else "nothing" for e, d in wrong]
-    if wrong:
+    found = replaced_by(decided)
+    if wrong := found.total():
         yield (
-            f"{len(wrong)} {'is' if len(wrong) == 1 else 'are'} not true as printed: {slips_in_words(decided)}. "
-            f"{found.count('repair')} are repaired by the search, {found.count('declared')} by what is declared, "
-            f"{found.count('nothing')} by nothing."
+            f"{wrong} {'is' if wrong == 1 else 'are'} not true as printed: {slips_in_words(decided)}. "
+            f"{found['repair']} are repaired by the search, {found['declared']} by what is declared, "
+            f"{found['nothing']} by nothing."
         )
 
 

@@ -11,7 +11,7 @@ from rich.table import Table
 from rich.text import Text
 
 from chasles.exact.spelling import decimal_text, text_of
-from chasles.exercises.solution import Formula, Solution, SolutionStep, SubstitutionCheck, cited
+from chasles.exercises.solution import Formula, Solution, SolutionStep, cited
 
 WIDE, SHORT = 100, 24
 """Signs on a line, and in what stands before a value on the same line."""
@@ -44,7 +44,7 @@ def hints_page(solution: Solution, count: int) -> Iterator[RenderableType]:
         yield _step(str(number), SolutionStep(step.says, step.cites), signs=True)
 
 
-def _step(mark: str, step: SolutionStep | SubstitutionCheck, signs: bool) -> RenderableType:
+def _step(mark: str, step: SolutionStep, signs: bool) -> RenderableType:
     grid = Table.grid(padding=(0, 1, 0, 0))
     grid.add_column(justify="right", style="dim", width=3)
     grid.add_column(overflow="fold")

@@ -13,12 +13,11 @@ from chasles.decisions.processes import spread
 from chasles.decisions.session import Session
 from chasles.deriving import CheckedDerivation, CheckedStep, walk
 from chasles.report.derivation_page import equations_of, objections_of, outcome_of
-from chasles.report.html.formulas import latex_for_mathml, markup, tree_of
-from chasles.report.html.shown import DerivationView, Equation, StepShown, badge_of
-from chasles.report.html.statements import equation
+from chasles.report.html.shown import DerivationView, StepShown, badge_of
+from chasles.report.html.statements import equation, expression
 from chasles.report.html.words import with_formulas
 from chasles.statements.derivation import Consider, Derivation, Step
-from chasles.vocabulary import Node, plain
+from chasles.vocabulary import Node
 
 A_DERIVATION = 0.3
 """About how many seconds one takes."""
@@ -49,7 +48,7 @@ def _step(step: CheckedStep, declared: Step) -> StepShown:
     considers = isinstance(declared, Consider)
     shown = tuple(equation(left, right, label=label) for label, left, right in equations_of(step))
     if considers:
-        shown = tuple(_expression(right) for _, right in step.equations)
+        shown = tuple(expression(right) for _, right in step.equations)
     return StepShown(
         kind=step.kind,
         reason=Markup() if considers else with_formulas(step.reason, _spoken_of(step, declared)),
@@ -64,7 +63,3 @@ def _spoken_of(step: CheckedStep, declared: Any) -> Iterator[Node]:
     held = (getattr(declared, each.name) for each in fields(declared))
     parts = (part for value in held for part in (value if isinstance(value, tuple) else (value,)))
     yield from (part for part in chain(parts, *step.equations) if isinstance(part, Node))
-
-
-def _expression(node: Node) -> Equation:
-    return Equation(markup(tree_of(latex_for_mathml(node))), plain(node))

@@ -14,7 +14,7 @@ from markupsafe import Markup
 from chasles.decisions.decision import DoesNotStand
 from chasles.decisions.processes import spread
 from chasles.exact.spelling import decimal_text, latex_of, text_of
-from chasles.exercises.solution import Citation, Formula, Solution, SolutionStep, SubstitutionCheck, cited
+from chasles.exercises.solution import Citation, Formula, Solution, SolutionStep, cited
 from chasles.exercises.solving import solve_with
 from chasles.report.html.citing import Link, place_of_number, slug
 from chasles.report.html.drawn import are_kept, drawn
@@ -86,7 +86,8 @@ def worked_view(chapter: Chapter, number: str) -> WorkedView:
     try:
         solution, unsolved = solve_with(number, {}, chapter.package), ""
     except DoesNotStand as error:
-        solution, unsolved = _unsolved(asked), str(error)
+        solution = Solution(asked.number, asked.title, asked.asked, "unsolved", {}, {}, asked.assumed(()), (), ())
+        unsolved = str(error)
     place = f"exercise-{slug(number)}"
     pictures, without = _picture(solution, place)
     known = frozenset(chapter.numbers)
@@ -106,11 +107,6 @@ def worked_view(chapter: Chapter, number: str) -> WorkedView:
         without=without,
         unsolved=unsolved,
     )
-
-
-def _unsolved(asked: Exercise) -> Solution:
-    """What is asked, without an answer."""
-    return Solution(asked.number, asked.title, asked.asked, "unsolved", {}, {}, asked.assumed(()), (), ())
 
 
 def _ready_to_draw() -> None:
@@ -148,7 +144,7 @@ def _words(value: Any) -> Iterator[str]:
                 yield "; ".join(text_of(part).rstrip(".") for part in told.values() if part)
 
 
-def _step(known: frozenset[str], step: SolutionStep | SubstitutionCheck) -> WorkedStep:
+def _step(known: frozenset[str], step: SolutionStep) -> WorkedStep:
     return WorkedStep(step.says, tuple(_cites(known, step.cites)), tuple(map(_line, step.lines)))
 
 

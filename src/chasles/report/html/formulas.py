@@ -87,13 +87,9 @@ def equation_tree(left: Node, right: Node, sign: str = "=") -> Element:
     return tree_of(f"{latex_for_mathml(left)} {sign} {latex_for_mathml(right)}")
 
 
+@cache
 def math(latex: str) -> Markup:
     """The formula as MathML within a line of text."""
-    return _inline(latex)
-
-
-@cache
-def _inline(latex: str) -> Markup:
     found = WORDS_AFTER.fullmatch(latex)
     formula, words = found.groups() if found else (latex, "")
     return markup(tree_of(formula), block=False) + words

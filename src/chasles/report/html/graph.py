@@ -58,7 +58,9 @@ def graph_of(book: Book, sections: Sequence[Section]) -> dict[str, Any]:
             name = number.cited.strip("()")
             lines = tuple(_curve(places[basis], places[name]) for basis in bases.get(name, ()) if basis in places)
             x, y = places[name]
-            boxes.append(Box(f"#{number.place}", _short(name), _title(number), number.badge.name, x, y, lines))
+            short = name.removeprefix("text ").replace("Thm ", "T").replace("Cor ", "C")
+            title = f"{number.cited} {number.badge.word}. {number.parts[0].says}"
+            boxes.append(Box(f"#{number.place}", short, title, number.badge.name, x, y, lines))
     return {
         "width": 2 * LEFT + ACROSS * STEP_X - (STEP_X - WIDTH),
         "height": height,
@@ -107,14 +109,6 @@ def _curve(basis: tuple[int, int], resting: tuple[int, int]) -> str:
         start, y1 = y0, y1 + HEIGHT
     middle = (start + y1) // 2
     return f"M{x0} {start}C{x0} {middle} {x1} {middle} {x1} {y1}"
-
-
-def _short(number: str) -> str:
-    return number.removeprefix("text ").replace("Thm ", "T").replace("Cor ", "C")
-
-
-def _title(number: NumberShown) -> str:
-    return f"{number.cited} {number.badge.word}. {number.parts[0].says}"
 
 
 def _most_used(bases: dict[str, tuple[str, ...]]) -> str:

@@ -32,11 +32,6 @@ def _row(book: Book, name: str, kernel: Mapping[str, Any]) -> KernelRow:
         needs=tuple(book.condition(text) for text in kernel["hypotheses"]),
         total=sum(counts.values()),
         operations=", ".join(f"{count} {kind.replace('_', ' ')}" for kind, count in counts.items()) or "none",
-        bound=_bound(kernel.get("bound")),
+        bound=Bound.from_data(kernel["bound"]).in_words if kernel.get("bound") else (),
         form=FORMS.get(kernel["form"], kernel["form"]),
     )
-
-
-def _bound(data: Mapping[str, Any] | None) -> tuple[str, ...]:
-    """How large an error can be, a line for each result; nothing where the manifest says nothing."""
-    return Bound.from_data(data).in_words if data else ()

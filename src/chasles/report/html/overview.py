@@ -5,12 +5,21 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from chasles.report.findings import Pairs, numbers_of, replacements, slips_in_words
+from chasles.report.findings import Pairs, numbers_of, replaced_by, slips_in_words
 from chasles.report.html.citing import Book
 from chasles.report.html.shown import Badge, DerivationView, badge_of
-from chasles.report.html.trusted import Trusted
 from chasles.report.summary import Tally, tallies
 from chasles.report.words import VERDICTS, counted
+
+
+@dataclass(frozen=True, slots=True)
+class Trusted:
+    """What the verdicts rest on: how much was checked again, how much was rejected, how many lines the checker has."""
+
+    certificates: int
+    counterexamples: int
+    rejected: int
+    lines: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,8 +39,7 @@ def overview(book: Book, decided: Pairs, roads: tuple[DerivationView, ...], trus
     `without` how it is repaired; `postulates` are the laws that are assumed. A row is a section with its counts, in the
     order of the shares.
     """
-    wrong = [(entry, decision) for entry, decision in decided if decision.verdict.wrong]
-    how = [found[0].found if (found := replacements(*each)) else "nothing" for each in wrong]
+    how = replaced_by(decided)
     sections = tallies(decided)
     shares = _shares(sections)
     return {
@@ -40,11 +48,11 @@ def overview(book: Book, decided: Pairs, roads: tuple[DerivationView, ...], trus
         "in_words": counted(decision.verdict for _, decision in decided),
         "shares": shares,
         "rows": [(tally, [tally.verdicts[share.badge.name] for share in shares]) for tally in sections],
-        "wrong": len(wrong),
+        "wrong": how.total(),
         "slips": slips_in_words(decided),
-        "found": how.count("repair"),
-        "declared": how.count("declared"),
-        "without": how.count("nothing"),
+        "found": how["repair"],
+        "declared": how["declared"],
+        "without": how["nothing"],
         "postulates": book.links(entry.key for entry, decision in decided if decision.verdict.name == "assumed"),
         "roads": len(roads),
         "steps": sum(len(road.steps) for road in roads),

@@ -19,11 +19,10 @@ from chasles.report.html.graph import graph_of
 from chasles.report.html.kernels import kernel_rows
 from chasles.report.html.measured import measured
 from chasles.report.html.notation import notation_of
-from chasles.report.html.overview import overview
+from chasles.report.html.overview import Trusted, overview
 from chasles.report.html.palette import DARK, LIGHT
-from chasles.report.html.shown import Badge, DerivationView, KernelRow, NumberShown, StatementShown, badge_of
+from chasles.report.html.shown import DerivationView, KernelRow, NumberShown, StatementShown, badge_of
 from chasles.report.html.statements import part_of, place_of_part
-from chasles.report.html.trusted import Trusted
 from chasles.report.verdict_page import WORST_FIRST
 from chasles.report.words import VERDICTS
 from chasles.statements import Chapter, Entry, Section
@@ -138,7 +137,10 @@ def _number(
 ) -> NumberShown:
     """A number with the parts of it that stand in one section; its verdict is the worst of theirs."""
     names = [decision.verdict.name for _, decision in group]
-    parts = tuple(part_of(book, entry, decision, _kernels(entry, kernels)) for entry, decision in group)
+    parts = tuple(
+        part_of(book, entry, decision, [kernels[k.name] for k in entry.kernels if k.name in kernels])
+        for entry, decision in group
+    )
     return NumberShown(
         place=place_of_number(number) if times == 1 else f"{place_of_number(number)}-again-{times}",
         cited=number_in_words(number),
@@ -147,10 +149,6 @@ def _number(
         parts=parts,
         roads=tuple(roads),
     )
-
-
-def _kernels(entry: Entry, kernels: Mapping[str, KernelRow]) -> tuple[KernelRow, ...]:
-    return tuple(kernels[kernel.name] for kernel in entry.kernels if kernel.name in kernels)
 
 
 def _within(section: Section) -> str:
@@ -163,7 +161,7 @@ def _verdict_filters(numbers: Sequence[NumberShown]) -> Iterator[Chosen]:
     present = {name for number in numbers for name in number.classes.split()}
     for name in VERDICTS:
         if f"is-{name}" in present:
-            badge: Badge = badge_of(name)
+            badge = badge_of(name)
             yield Chosen(f"verdict-{name}", f"is-{name}", f"{badge.sign} {badge.word}")
 
 

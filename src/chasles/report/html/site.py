@@ -26,7 +26,7 @@ def site(chapter: Chapter, decisions: DecisionsByName, sources: PageContents, ad
     yield "index.html", str(filled("index.html.jinja", **values, has_pages=True))
     yield "style.css", str(filled("theme.css.jinja", **values))
     listed = [(section, number) for section in values["sections"] for number in section.numbers]
-    places = {place: number.place for _, number in listed for place in _places(number)}
+    places = {part.place: number.place for _, number in listed for part in (number, *number.parts)}
     for k, (section, number) in enumerate(listed):
         links = [
             Link(f"{other.place}.html", other.cited)
@@ -66,7 +66,3 @@ def _page(
         return found[0] if home == number.place else f'href="{home}.html#{place}"'
 
     return _WITHIN.sub(led, text)
-
-
-def _places(number: NumberShown) -> tuple[str, ...]:
-    return number.place, *(part.place for part in number.parts)

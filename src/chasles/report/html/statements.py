@@ -16,7 +16,7 @@ from chasles.report.findings import Replacement, likely_slip, replacements
 from chasles.report.html.certificates import proof_in_words
 from chasles.report.html.citing import Book, Link, place_of_number
 from chasles.report.html.differences import mark_differences
-from chasles.report.html.formulas import equation_tree, latex_for_mathml, markup, math
+from chasles.report.html.formulas import equation_tree, latex_for_mathml, markup, math, tree_of
 from chasles.report.html.shown import Equation, Fact, KernelRow, Related, Repaired, StatementShown, badge_of
 from chasles.report.html.words import with_formulas
 from chasles.report.records import certificate_hash
@@ -58,6 +58,11 @@ def part_of(book: Book, entry: Entry, decision: Decision, kernels: Sequence[Kern
 def equation(left: Node, right: Node, sign: str = "=", label: str = "") -> Equation:
     """An equation as the page shows it."""
     return Equation(markup(equation_tree(left, right, sign)), f"{plain(left)} = {plain(right)}", label)
+
+
+def expression(node: Node) -> Equation:
+    """An expression as the page shows it."""
+    return Equation(markup(tree_of(latex_for_mathml(node))), plain(node))
 
 
 def as_printed(sentence: Sentence, found: Sequence[Replacement]) -> tuple[Equation, ...]:

@@ -9,7 +9,7 @@ from itertools import groupby
 from chasles.decisions.decision import Sentence
 from chasles.report.details import number_in_words
 from chasles.report.html.citing import Book
-from chasles.statements import Chapter, Entry, Section, Statement
+from chasles.statements import Chapter, Entry, Inverse, Section, Statement, Theorem
 from chasles.statements.chapter import bases
 from chasles.verdict import Verdict
 
@@ -41,6 +41,11 @@ class Alone(Book):
 def entry_of(sentence: Sentence) -> Entry:
     """The sentence as an entry, of no name and no section."""
     return Entry("", NOWHERE, sentence)
+
+
+def as_displayed(value: object) -> object:
+    """The value; of a sentence, its entry."""
+    return entry_of(value) if isinstance(value, Statement | Theorem | Inverse) else value
 
 
 def rests_on(sentence: Sentence) -> tuple[Statement, ...]:

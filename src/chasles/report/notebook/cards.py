@@ -20,18 +20,17 @@ from chasles.repairs.repair import Repair
 from chasles.report.details import number_in_words
 from chasles.report.equations import signature_in_words
 from chasles.report.html.derivations import derivation_view
-from chasles.report.html.formulas import latex_for_mathml, markup, tree_of
-from chasles.report.html.shown import Equation, Fact, badge_of
-from chasles.report.html.statements import CODE, as_printed, equation, part_of
+from chasles.report.html.shown import Fact, badge_of
+from chasles.report.html.statements import CODE, as_printed, equation, expression, part_of
 from chasles.report.html.words import with_formulas
 from chasles.report.notebook.alone import Alone, cited, entry_of, needs_of, rests_on, sections_of
 from chasles.report.notebook.shown import Card
 from chasles.report.records import certificate_hash
 from chasles.report.words import number_of, point_in_words, reason
-from chasles.statements import Chapter, Entry, Inverse, Statement, Theorem
+from chasles.statements import Chapter, Entry
 from chasles.statements.derivation import Derivation
 from chasles.verdict import Counterexample, Verdict
-from chasles.vocabulary import Node, plain
+from chasles.vocabulary import Node
 
 
 @singledispatch
@@ -42,7 +41,7 @@ def card_of(value: object) -> Card:
 
 @card_of.register
 def _(value: Node) -> Card:
-    return Card(equations=(Equation(markup(tree_of(latex_for_mathml(value))), plain(value)),))
+    return Card(equations=(expression(value),))
 
 
 @card_of.register
@@ -62,13 +61,6 @@ def _(value: Entry) -> Card:
         equations=as_printed(sentence, ()),
         facts=_told(facts),
     )
-
-
-@card_of.register(Statement)
-@card_of.register(Theorem)
-@card_of.register(Inverse)
-def _(value: Statement | Theorem | Inverse) -> Card:
-    return card_of(entry_of(value))
 
 
 @card_of.register

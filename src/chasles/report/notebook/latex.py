@@ -14,10 +14,10 @@ from chasles.report.derivation_page import equations_of
 from chasles.report.details import number_in_words, refuted
 from chasles.report.equations import in_latex
 from chasles.report.latex_page import Item, escaped, item_of
-from chasles.report.notebook.alone import Alone, entry_of, needs_of
+from chasles.report.notebook.alone import Alone, as_displayed, entry_of, needs_of
 from chasles.report.notebook.text import text
 from chasles.report.words import VERDICTS, reason
-from chasles.statements import Entry, Inverse, Statement, Theorem
+from chasles.statements import Entry
 from chasles.verdict import Counterexample, Verdict
 from chasles.vocabulary import Node
 from chasles.vocabulary import latex as spelled
@@ -25,7 +25,7 @@ from chasles.vocabulary import latex as spelled
 
 def latex(value: object) -> str:
     """The value in LaTeX, formulas between dollars and in displays."""
-    return "\n\n".join(part for part in _parts(value) if part) + "\n"
+    return "\n\n".join(part for part in _parts(as_displayed(value)) if part) + "\n"
 
 
 @singledispatch
@@ -53,13 +53,6 @@ def _(value: Entry) -> Iterator[str]:
     if sentence.assuming:
         known = {hypothesis.text: hypothesis.latex for hypothesis in sentence.assuming}
         yield f"assuming {_listed(known, known)}"
-
-
-@_parts.register(Statement)
-@_parts.register(Theorem)
-@_parts.register(Inverse)
-def _(value: Statement | Theorem | Inverse) -> Iterator[str]:
-    yield from _parts(entry_of(value))
 
 
 @_parts.register

@@ -22,12 +22,12 @@ from chasles.pages.page_equation import PageEquation
 from chasles.repairs.repair import Repair
 from chasles.report.derivation_page import derivation_page
 from chasles.report.details import Lines, evidence, indented, number_in_words, objections, printed, refuted
-from chasles.report.notebook.alone import cited, entry_of, needs_of, sections_of
+from chasles.report.notebook.alone import as_displayed, cited, entry_of, needs_of, sections_of
 from chasles.report.records import certificate_hash
 from chasles.report.screen import Screen
 from chasles.report.words import labelled, number_of, point_in_words, reason
 from chasles.report.worked_page import worked_page
-from chasles.statements import Chapter, Entry, Inverse, Statement, Theorem
+from chasles.statements import Chapter, Entry
 from chasles.statements.derivation import Derivation
 from chasles.verdict import Counterexample, Verdict
 from chasles.vocabulary import Node, plain
@@ -37,7 +37,7 @@ def text(value: object) -> str:
     """The value as a terminal shows it, without colours. Raises TypeError for what is not displayed."""
     file = StringIO()
     screen = Screen(file, terminal=False)
-    screen.show(*_pages(value, screen))
+    screen.show(*_pages(as_displayed(value), screen))
     return file.getvalue().rstrip("\n")
 
 
@@ -62,13 +62,6 @@ def _(value: Entry, screen: Screen) -> Iterator[RenderableType]:
     assumed = (("assuming", hypothesis.text) for hypothesis in sentence.assuming)
     yield Text(f"{number_in_words(sentence.number, sentence.part)}  {sentence.role}")
     yield indented(chain(printed(value), assumed))
-
-
-@_pages.register(Statement)
-@_pages.register(Theorem)
-@_pages.register(Inverse)
-def _(value: Statement | Theorem | Inverse, screen: Screen) -> Iterator[RenderableType]:
-    yield from _pages(entry_of(value), screen)
 
 
 @_pages.register
