@@ -78,6 +78,13 @@ CLOSE = [
     (1 - sp.sqrt(1 - x**2), "divide"),
     (3 / sp.sqrt(1 + x) - 3, "divide"),
     (sp.acos(1 - x**2), "arctangent2"),
+    ((sp.sqrt(1 + x) - 1) / x, "divide"),
+    (1 / (1 + x) - 1, "divide"),
+    (sp.sqrt(1 + x**2) - 1, "divide"),
+    ((1 - sp.sech(x)) / x**2, "divide"),
+    ((sp.tan(x) - sp.sin(x)) / x**3, "function"),
+    ((1 - x * sp.cot(x)) / x**2, "function"),
+    (sp.log(sp.cosh(x)), "function"),
 ]
 
 
@@ -86,9 +93,26 @@ def test_what_cancels_near_zero_is_respelled(expression, has):
     kernel = chasles.compile(expression, x)
     assert has in kernel.operations
     exact = sp.lambdify(x, expression, "mpmath")
-    with mpmath.workdps(80):
+    with mpmath.workdps(160):
         for at in (1e-1, 1e-4, 1e-8, -1e-12, 1e-30):
             assert kernel(at) == pytest.approx(float(exact(mpmath.mpf(at))), rel=2e-15, abs=0)
+
+
+@pytest.mark.parametrize("expression", [(sp.sqrt(1 + x) - 1) / x, y * sp.sqrt(1 + x) - y, sp.log(sp.cosh(x))], ids=str)
+def test_derivatives_of_what_is_respelled_keep_their_digits(expression):
+    kernel = chasles.compile(expression, [x, y], jacobian=True)
+    exact = [sp.lambdify([x, y], expression.diff(by), "mpmath") for by in (x, y)]
+    with mpmath.workdps(160):
+        for at in (1e-1, 1e-4, 1e-8, -1e-12, 1e-30):
+            true = [float(f(mpmath.mpf(at), 3)) for f in exact]
+            assert kernel(at, 3)[1] == pytest.approx(true, rel=2e-15, abs=0)
+
+
+def test_derivatives_of_what_is_respelled_are_those_stated_where_nothing_cancels():
+    stated = chasles.compile(sp.sqrt(1 + x**2), x, jacobian=True).operations
+    respelled = chasles.compile((sp.sqrt(1 + x**2) - 1) ** 2, x, jacobian=True).operations
+    assert respelled["square_root"] == 1
+    assert respelled["divide"] == stated["divide"] + 1
 
 
 @pytest.mark.parametrize(

@@ -12,16 +12,18 @@ import sympy
 from sympy.codegen.cfunctions import expm1
 
 from chasles.compiling.sums_of_angles import KEPT, KNOWN, angle_of, parts_of_kinds, square_of, with_series
-from chasles.compiling.taylor import ANALYTIC, CIRCULAR, TaylorPolynomial, coefficient_of, left_of
+from chasles.compiling.taylor import ANALYTIC, CIRCULAR, NearZero, TaylorPolynomial, coefficient_of, left_of
 from chasles.compiling.variables import HELD, Substitution
 from chasles.compiling.whole_angles import ROOT
 
 _LESSENED = {sympy.exp: expm1, sympy.cosh: lambda a: 2 * sympy.sinh(a / 2) ** 2}
 """Functions less one, which lose nothing where what goes in is small."""
-
-
-class NearZero(sympy.Piecewise):  # type: ignore[misc]
-    """What holds where an angle is small, and what is stated of all others."""
+_POWERS: dict[Any, Any] = {
+    sympy.S.Half: lambda root: 1 / (1 + root),
+    -sympy.S.Half: lambda root: -1 / root / (1 + root),
+    sympy.S.NegativeOne: lambda root: -1 / root**2,
+}
+"""Powers of 1 + u less one, in parts of u, of its root."""
 
 
 def near_zero(found: Any, stated: sympy.Expr, angle: sympy.Expr) -> Any:
@@ -61,20 +63,41 @@ def _changed(expression: sympy.Basic) -> Any:
     found = expression if all(map(is_, parts, expression.args)) else expression.func(*parts, **held)
     found = _of_roots(found) if isinstance(found, sympy.Add) else found
     found = _lessened(found) if isinstance(found, sympy.Add) else found
+    found = _cancelled(found) if isinstance(found, sympy.Mul) else found
+    if isinstance(found, sympy.log) and isinstance(found.args[0], sympy.cosh):
+        found = sympy.log(1 + _LESSENED[sympy.cosh](found.args[0].args[0]))
     return None if found is expression else found
 
 
+def _cancelled(product: sympy.Mul) -> Any:
+    """The product; where in a case near zero what is divided by cancels, its factors are within the cases."""
+    for case in product.args:
+        if isinstance(case, NearZero):
+            (left, near), (stated, _) = case.args
+            rest = _cofactor(product, case)
+            found = rest * left
+            if _divisors_of(rest) - _divisors_of(found):
+                return NearZero((found, near), (rest * stated, True), evaluate=False)
+    return product
+
+
+def _divisors_of(product: sympy.Expr) -> set[sympy.Basic]:
+    powers = (factor.as_base_exp() for factor in sympy.Mul.make_args(product))
+    return {base for base, exponent in powers if exponent.is_negative}
+
+
 def _of_roots(total: sympy.Add) -> Any:
-    """The sum, in which c (1 + u)^(1/2) - c is c u/(1 + (1 + u)^(1/2)) where u is small, and so for (1 + u)^(-1/2)."""
+    """The sum, in which c (1 + u)^(1/2) - c is c u/(1 + (1 + u)^(1/2)) where u is small, and so for other powers."""
     for term in total.args:
         for root in sympy.Mul.make_args(term):
             base, power = root.as_base_exp()
             factor = _cofactor(term, root)
-            if abs(power) == sympy.S.Half and base.is_Add and sympy.S.One in base.args and -factor in total.args:
-                small = sympy.Add(*(part for part in base.args if part is not sympy.S.One))
-                left = factor * small * (1 if power > 0 else -root) / (1 + sympy.sqrt(base))
-                near = NearZero((left, sympy.Abs(small) < 1), (term - factor, True), evaluate=False)
-                return sympy.Add(near, *(other for other in total.args if other not in (term, -factor)))
+            exact = base.is_Symbol or (base.is_Add and sympy.S.One in base.args)
+            if power in _POWERS and exact and -factor in total.args:
+                small = base - 1
+                left = small * _POWERS[power](sympy.sqrt(base))
+                near = NearZero((left, sympy.Abs(small) < 1), (root - 1, True), evaluate=False)
+                return sympy.Add(factor * near, *(other for other in total.args if other not in (term, -factor)))
     return total
 
 

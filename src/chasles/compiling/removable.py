@@ -222,10 +222,32 @@ def _orders(term: sympy.Expr, angle: sympy.Expr) -> tuple[Any, Any, list[Factor]
         return left, left, [(base, exponent, None, 0) for base, exponent in others]
     factors: list[Factor] = []
     for (base, exponent), is_whole in zip(others, whole, strict=True):
-        part = sum_of(base, angle) if is_whole else None
-        order = 0 if part is None else max(order_of(part, MOST_ORDER), 0)
-        factors.append((base, exponent, part, order))
+        sides = [(base, exponent)]
+        if is_whole and base.is_Add and sum_of(base, angle) is None:
+            above, below = _fraction(base, angle)
+            if _order(above, angle) > 0:
+                sides = [(above, exponent), (below, -exponent)]
+        for side, power in sides:
+            known = (sum_of(side, angle), _order(side, angle)) if is_whole else (None, 0)
+            factors.append((side, power, *known))
     return left + sum(order * exponent for _, exponent, _, order in factors), left, factors
+
+
+def _fraction(total: sympy.Add, angle: sympy.Expr) -> tuple[Any, Any]:
+    """The sum over one denominator, of what its terms are divided by that holds the angle."""
+    powers: dict[Any, Any] = {}
+    for factor in (factor for term in total.args for factor in sympy.Mul.make_args(term)):
+        base, exponent = factor.as_base_exp()
+        if exponent.is_Integer and angle in angles_in(base):
+            powers[base] = min(powers.get(base, 0), exponent)
+    below = sympy.Mul(*(base**-exponent for base, exponent in powers.items()))
+    return sympy.Add(*(term * below for term in total.args)), below
+
+
+def _order(base: sympy.Expr, angle: sympy.Expr) -> int:
+    """With which power of the angle a sum vanishes; nothing is known of what is none."""
+    part = sum_of(base, angle)
+    return 0 if part is None else max(order_of(part, MOST_ORDER), 0)
 
 
 def _product(expression: sympy.Expr, angle: sympy.Expr) -> Any:

@@ -18,6 +18,7 @@ from sympy.core.relational import Relational
 from sympy.simplify.cse_main import Unevaluated
 
 from chasles.compiling.elementary import functions_by_class, power
+from chasles.compiling.taylor import NearZero
 from chasles.lowering.builder import Builder
 from chasles.lowering.refusal import LoweringError
 
@@ -78,6 +79,10 @@ class Scalars:
                 value = build.not_a_number()
                 for piece, condition in reversed(expression.args):
                     value = self._chosen(condition, self.of(piece), value)
+                stated = expression.args[-1][0]
+                if isinstance(expression, NearZero) and len(stated.args) == 2 and stated.args[0].is_Number:
+                    # In the derivative of one term and a number nothing cancels.
+                    build.rate_as(value, self.of(stated))
                 return value
             case sympy.log():
                 return self._logarithm(expression.args[0])

@@ -31,7 +31,7 @@ Rates = dict[int, StepRate]
 def rates_of(build: Builder, entries: Iterable[int], variables: Iterable[int]) -> Rates:
     """The rates of those steps that change with the variables and that entries depend on."""
     needed = set(entries)
-    steps = build.steps[: max(needed, default=-1) + 1]
+    steps = [build.rated(number) for number in range(max(needed, default=-1) + 1)]
     for number in reversed(range(len(steps))):
         if number in needed:
             needed.update(steps[number].operands)

@@ -53,6 +53,13 @@ class TaylorPolynomial(sympy.Function):  # type: ignore[misc]
     is_real = True
 
 
+class NearZero(sympy.Piecewise):  # type: ignore[misc]
+    """What holds where an angle is small, and what is stated of all others; its powers are taken after the choice."""
+
+    def _eval_power(self, exponent: sympy.Expr) -> None:
+        return None
+
+
 @lru_cache(2**12)
 def coefficient_of(function: Any, power: int) -> Any:
     """The coefficient of a power in a function's series."""

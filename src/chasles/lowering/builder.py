@@ -27,6 +27,7 @@ class Builder:
         self._numbers: dict[Step, int] = {}
         self._steps: list[Step] = []
         self._foldable: set[int] = set()
+        self._rated: dict[int, Step] = {}
         self.zero = self.constant(0)
         self.one = self.constant(1)
 
@@ -38,6 +39,14 @@ class Builder:
     def step(self, number: int) -> Step:
         """One of the steps."""
         return self._steps[number]
+
+    def rated(self, number: int) -> Step:
+        """The step by which one of the steps changes: itself, unless it is said to change as another one does."""
+        return self._rated.get(number, self._steps[number])
+
+    def rate_as(self, number: int, other: int) -> None:
+        """Let a step change as an earlier one does, which has the same value but for rounding."""
+        self._rated[number] = Step(Op.ADD, (other, self.zero))
 
     def like(self, step: Step, operands: Sequence[int]) -> int:
         """The step that does to the operands what another one does to its own."""
