@@ -9,18 +9,22 @@ from typing import Any
 import pytest
 from sympy import (
     Abs,
+    Add,
     Determinant,
     Eq,
     Function,
     I,
     Identity,
+    Integer,
     Inverse,
     Matrix,
     MatrixSymbol,
     Max,
     Min,
+    Mul,
     Ne,
     Piecewise,
+    Pow,
     Rational,
     Sum,
     Trace,
@@ -54,6 +58,7 @@ from chasles.coq.folder import chunks
 from chasles.coq.identities import as_theorem
 
 from .sampling import WHOLE
+from .test_coq_statements import Tree, equations_of
 
 x, y, t, phi = symbols("x y t phi")
 p = symbols("p", positive=True)
@@ -87,11 +92,13 @@ FIRST: list[tuple[Any, ...]] = [
     (exp(I * x) ** 2, cos(2 * x) + I * sin(2 * x)),
     (sign(x**2 - 4 * x * y + 4 * y**2 + 1), 1),
     (exp(ln) * exp(ln.diff(t)), exp(ln + ln.diff(t))),
+    (Abs(cos(x)), cos(x), [x > -pi / 2, x < pi / 2]),
+    (sqrt((f - g) ** 2), f - g, [f > g]),
 ]
 """One of each class: quotients, half angles, matrices, functions of time, roots with absolute values, nested roots,
 parts of pi, cases, roots of functions, hyperbolic functions, logarithms, exponentials of time, inverses, sums,
 angles by their tangents and cosines, angles of points, cases by conditions, complex numbers, sums of squares,
-functions that are called as a word of Coq is."""
+functions that are called as a word of Coq is, ranges of angles, differences of functions."""
 MORE: list[tuple[Any, ...]] = [
     (cos(3 * x), 4 * cos(x) ** 3 - 3 * cos(x)),
     (tan(x + y), (tan(x) + tan(y)) / (1 - tan(x) * tan(y))),
@@ -128,8 +135,48 @@ MORE: list[tuple[Any, ...]] = [
     (A**2 - Trace(A) * A + Determinant(A) * Identity(2), ZeroMatrix(2, 2)),
     (Abs(p + q - 2 * sqrt(p) * sqrt(q)), p + q - 2 * sqrt(p) * sqrt(q)),
     (sign(2 - cos(x)), 1),
+    (Abs(x - 1), 1 - x, [x < 1]),
+    (sqrt(1 - cos(x) ** 2), sin(x), [x > 0, x < pi]),
+    (Abs(x - y) + y, x, [x > y, Eq(y, phi**2)]),
     (Abs(sqrt(x**2 + y**2) - x * cos(t) - y * sin(t)), sqrt(x**2 + y**2) - x * cos(t) - y * sin(t)),
 ]
+
+
+u, v = symbols("u v", real=True)
+SPEED = Function("w", real=True)(t)
+UNDER_INEQUALITIES: list[tuple[Any, ...]] = [
+    (Abs(u - 1), 1 - u, [u < 1]),
+    (Abs(u), u, [u > 0]),
+    (Abs(u - v), u - v, [u >= v]),
+    (Abs(u * v), -u * v, [u > 0, v < 0]),
+    (Abs(cos(u)), cos(u), [u > -pi / 2, u < pi / 2]),
+    (sqrt(1 - cos(u) ** 2), sin(u), [u > 0, u < pi]),
+    (sqrt(tan(u) ** 2 + 1), 1 / cos(u), [u > -pi / 2, u < pi / 2]),
+    (Abs(SPEED), -SPEED, [SPEED < 0]),
+    (Abs(SPEED - u), SPEED - u, [u < SPEED]),
+    (Abs(SPEED) * SPEED.diff(t), SPEED * SPEED.diff(t), [SPEED >= 0]),
+    (Max(u, v), u, [u > v]),
+    (Abs(u * (1 - u)), u * (1 - u), [u > 0, u < 1]),
+    (log(u * v), log(u) + log(v), [u > 0, v > 0]),
+    (Abs(u - v) + v, u, [u > v, Eq(v, phi**2)]),
+    ((u**2 - 1) / Abs(u - 1), u + 1, [u > 1]),
+    (acos(u) + asin(u), pi / 2, [Abs(u) < 1]),
+    (cos(u) ** 2 + sin(u) ** 2 + Abs(u), 1 + u, [u > 1]),
+    (Abs(u + v), u + v, [u + v > 1]),
+]
+READ = {
+    "+": Add, "-": lambda one, other: one - other, "*": Mul, "/": lambda one, other: one / other, "^": Pow,
+    "neg": lambda one: -one, "Rabs": Abs, "Rmax": Max, "ln": log, "sqrt": sqrt, "cos": cos, "sin": sin, "tan": tan,
+    "acos": acos, "asin": asin,
+}  # fmt: skip
+NAMES = {"u": u, "v": v, "w": SPEED, "w_dot": SPEED.diff(t), "PI": pi}
+
+
+def read_back(tree: Tree) -> Any:
+    """What the independent reader has read, as an expression."""
+    if isinstance(tree, str):
+        return Integer(tree) if tree.isdigit() else NAMES[tree]
+    return READ[str(tree[0])](*map(read_back, tree[1:]))
 
 
 def asked(number: int, *question: Any) -> Claimed:
@@ -144,6 +191,13 @@ def test_a_statement_says_what_was_asked_and_what_it_needs() -> None:
         "  cos (x / 2) <> 0 ->\n"
         "  (1 - cos x) / sin x = tan (x / 2).\n"
     )
+
+
+@pytest.mark.parametrize("question", UNDER_INEQUALITIES, ids=str)
+def test_under_inequalities_the_sides_are_those_of_the_question(question: tuple[Any, ...]) -> None:
+    verdict = prove(*question)
+    _, claimed, _ = equations_of(as_theorem(verdict, *verdict.asked).said)
+    assert [tuple(map(read_back, sides[1:])) for sides in claimed] == [question[:2]]
 
 
 def test_functions_of_time_are_functions() -> None:

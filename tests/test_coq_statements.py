@@ -243,7 +243,7 @@ def assumed_in(premises: list[str]) -> tuple[list[Tree], list[Tree]]:
         inner = premise.strip()
         inner = re.sub(r"^during T \(fun t => (.*)\)$", r"\1", inner, flags=re.DOTALL)
         inner = re.sub(r"^\((forall b, .*)\)$", r"\1", inner, flags=re.DOTALL).removeprefix("forall b, ")
-        if re.search(r"(?<![:=])=(?!>)", inner) and not inner.startswith(("rate", "scalar_rate")):
+        if re.search(r"(?<![:=<])=(?!>)", inner) and not inner.startswith(("rate", "scalar_rate")):
             assumed.append(equation(inner))
         elif "<" not in inner:
             words.append(Reader(inner).sum())

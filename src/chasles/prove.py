@@ -86,7 +86,7 @@ def prove(
     if used := [text for text in (*definitions(said, asked), *sorted(poles)) if text in verdict.unused]:
         unused = tuple(text for text in verdict.unused if text not in used)
         verdict = HoldsUnder((*used, *verdict.needs), verdict.certificate, verdict.witness, unused)
-    return replace(verdict, asked=asked)
+    return replace(verdict, asked=said)
 
 
 def _decided_or_by_induction(*asked: Any) -> Verdict:

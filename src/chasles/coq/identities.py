@@ -16,13 +16,13 @@ from typing import Any
 
 import sympy
 
-from chasles.checker.expressions.asked import Asked
 from chasles.checker.sparse import Rejected
+from chasles.coq.as_asked import as_asked
 from chasles.coq.claims import Claimed
 from chasles.coq.exponentials import exponential, logarithm
 from chasles.coq.expressions import Unsaid
 from chasles.coq.inverses import inverse
-from chasles.coq.of_sympy import ScalarStatement, in_entries, in_parts
+from chasles.coq.of_sympy import ScalarStatement
 from chasles.coq.plain import PlainExpressions
 from chasles.coq.proof import theorem
 from chasles.coq.rational import text_of
@@ -65,7 +65,8 @@ def as_theorem(
     try:
         if "induction" in verdict.certificate:
             raise Unsaid("no proof is written of what is shown by induction")
-        statement = ScalarStatement(in_parts(Asked(*map(in_entries, (lhs, rhs, given, nonzero)))), verdict.needs)
+        asked, values, spelled = as_asked((lhs, rhs, given, nonzero))
+        statement = ScalarStatement(asked, tuple(need for need in verdict.needs if need not in spelled), values)
         said = holding(name, statement)
         if all(left == right for left, right in statement.goals) and not statement.timed:
             steps: Iterable[str] = AS_SPELLED
@@ -109,16 +110,22 @@ class _ScalarProof:
         for premise in said.premises:
             if premise.says.startswith("0 < "):
                 yield f"pose proof (Rgt_not_eq _ _ {premise.name})."
-        remembered = sorted(plain.remembered.items(), key=lambda each: (not TANGENT.search(each[0]), -len(each[0])))
+        remembered = sorted(plain.remembered.items(), key=self._order)
         before = sum(bool(TANGENT.search(text)) for text, _ in remembered)
+        asked = before + sum(text in plain.asked for text, _ in remembered[before:])
         named = [f"remember ({text}) as {name} eqn:of'{name} in *." for text, name in remembered]
-        yield from (*named[:before], "unfold tan in *.", *named[before:])
+        yield from (*named[:before], "unfold tan in *.", *named[before:asked], *plain.put, *named[asked:])
         yield from plain.facts
         yield from [f"{plain.rewritten.removesuffix('; ')} in *."] * bool(plain.values)
         yield from dict.fromkeys(step for pair in said.goals for side in pair for step in plain.nonzero(plain(side)))
         yield from ["repeat apply conj."] * (len(combined) > 1)
         for total in combined:
             yield f"{'- ' * (len(combined) > 1)}{plain.rewritten}apply (by_parts _ _ ({total})); [vanish | identity]."
+
+    def _order(self, remembered: tuple[str, str]) -> tuple[bool, bool, int]:
+        """First what has tangents, then what definitions are put into; of these, the larger ones first."""
+        text, _ = remembered
+        return not TANGENT.search(text), text not in self.plain.asked, -len(text)
 
     def _combined(self, count: int, left: Any, right: Any) -> str:
         """The difference of both sides, as a combination of what vanishes."""

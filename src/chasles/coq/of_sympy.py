@@ -81,11 +81,16 @@ class _ScalarSpelling(Spelling):
 
 
 class ScalarStatement(CoqStatement):
-    """What was asked, under what the verdict needs. Raises `Unsaid` where there are no words for it."""
+    """What was asked, under what the verdict needs. Raises `Unsaid` where there are no words for it.
 
-    def __init__(self, asked: Asked, needs: tuple[str, ...]) -> None:
-        self.asked = asked
-        self.words = words = SympyWords(sympy.Tuple(*asked.expressions))
+    `values` are what a proof says symbols and functions by: their definitions, or what has their name and a sign.
+    """
+
+    def __init__(self, asked: Asked, needs: tuple[str, ...], values: dict[Any, Any]) -> None:
+        self.asked, self.values = asked, values
+        said = sympy.Tuple(*asked.expressions)
+        rates = (rate.xreplace(values) for rate in said.atoms(sympy.Derivative))
+        self.words = words = SympyWords(sympy.Tuple(*said, *values.values(), *rates))
         self.goals = [(left, asked.right[place]) for place, left in asked.left.items()]
         self.given = [
             ((count, *place), pair) for count, item in enumerate(asked.given) for place, pair in item.pairs.items()

@@ -27,9 +27,10 @@ class PlainExpressions:
     """Expressions in symbols that are called as Coq calls them.
 
     `remembered` are what gets a name in the proof, `facts` are the steps by which it is known what these are: by
-    `rules`, one for a square, something vanishes, by `values` a name has a value. `angles` have names where they are no
-    rational functions. Symbols may be cosines and sines `of_numbers`, exponentials, of `exponents` that are multiples
-    of `units`, or `logarithms`.
+    `rules`, one for a square, something vanishes, by `values` a name has a value. By `put` a function of what is said
+    by others is one of these; expressions that are `asked` have names before that. `angles` have names where they are
+    no rational functions. Symbols may be cosines and sines `of_numbers`, exponentials, of `exponents` that are
+    multiples of `units`, or `logarithms`.
     """
 
     def __init__(
@@ -39,7 +40,10 @@ class PlainExpressions:
         self.rules: dict[Any, tuple[Any, str]] = {}
         self.facts: list[str] = []
         self.remembered: dict[str, str] = {}
-        self.values: list[str] = []
+        self.asked: set[str] = set()
+        self.put: list[str] = []
+        given = enumerate(pair for _, pair in statement.given)
+        self.values = [f"cond'{at}" for at, pair in given if statement.values.get(pair[0]) == pair[1]]
         self.angles: dict[Any, str] = {}
         self.of_numbers: set[Any] = set()
         self.named: dict[str, Any] = {}
@@ -71,6 +75,8 @@ class PlainExpressions:
         return e in self._known
 
     def _plain(self, e: Any) -> Any:
+        if e in self.statement.values:
+            return self(self.statement.values[e])
         if e is sympy.pi:
             self.facts.append("pose proof PI_neq0.")
         if e.func in IN_OTHER_WORDS:
@@ -87,10 +93,23 @@ class PlainExpressions:
         if e.func in QUOTIENTS:
             above, below = QUOTIENTS[e.func](e.args[0])
             return self(above) / self(below)
+        rooted = e.func in (sympy.Abs, sympy.sign) or (e.is_Pow and e.exp.is_Rational and e.exp.q == 2)
+        if self.statement.values and e.has(*self.statement.values) and not rooted:
+            return self._by_definition(e)
         for reader in self._readers:
             if (found := reader(self, e)) is not None:
                 return found
         raise Unsaid(f"no proof is written of what {e.func if e.is_Function else e} is")
+
+    def _by_definition(self, e: Any) -> Any:
+        """A function of symbols that are said by others: the same function of these."""
+        put = e.func(*(part.xreplace(self.statement.values) for part in e.args), evaluate=False)
+        left, right = self.statement.side(e), self.statement.side(put)
+        if left != right:
+            steps = f"{self.rewritten}first [reflexivity | f_equal; solve [ring | reckon]]"
+            self.put.append(f"assert (put'{len(self.put)} : {left} = {right}) by ({steps}).")
+            self.put.append(f"rewrite put'{len(self.put) - 1} in *.")
+        return self(put)
 
     def symbol(self, text: str, sign: str = "real") -> Any:
         """A symbol by its name in Coq; what is known of its sign is told where it first occurs."""
@@ -116,7 +135,9 @@ class PlainExpressions:
 
     def remember(self, e: Any) -> str:
         """A name for an expression of the question."""
-        return self.remembered.setdefault(self.statement.side(e), f"value'{len(self.remembered)}")
+        text = self.statement.side(e)
+        self.asked |= {text} if e.has(*self.statement.values) else set()
+        return self.remembered.setdefault(text, f"value'{len(self.remembered)}")
 
     def angle(self, e: Any) -> str:
         """The name of an angle that is no rational function of symbols."""
