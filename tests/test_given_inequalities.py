@@ -173,6 +173,26 @@ def test_what_is_divided_by_inside_of_a_divisor_is_needed() -> None:
 
 
 @pytest.mark.parametrize(
+    ("side", "given", "need"),
+    [
+        (Abs(x) / x, [x >= 0], "x != 0"),
+        (sqrt(x**2) / x, [x >= 0], "x != 0"),
+        (-x / Abs(x), [Rational(0) >= x], "x != 0"),
+        (Abs(x) / x, [x >= 0, x < 1], "d_1/(d_1 + 1) != 0"),
+        (Abs(x - 1) / (x - 1), [x >= 1], "d_1 != 0"),
+        (Abs(f) / f, [f >= 0], "f(t) != 0"),
+    ],
+    ids=str,
+)
+def test_what_a_sign_cancels_is_needed(side: Any, given: list[Any], need: str) -> None:
+    verdict = prove(side, 1, given)
+    recheck(verdict, side, 1, given)
+    assert isinstance(verdict, HoldsUnder)
+    assert need in verdict.needs
+    assert isinstance(prove(Abs(x) / x, 1, [x > 0]), Holds)
+
+
+@pytest.mark.parametrize(
     "given", [[x > 1, x < 0], [x > y, y > x], [x > y, y >= x], [p < 0], [x > 1, Eq(x, 1)]], ids=str
 )
 def test_what_nothing_satisfies_is_contradictory(given: list[Any]) -> None:

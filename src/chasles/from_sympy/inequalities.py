@@ -50,7 +50,8 @@ def without_inequalities(said: Said) -> Said:
     for symbol in sorted({s for item in stated if isinstance(item, COMPARED) for s in item.free_symbols}, key=str):
         said = _with_angle(said, symbol)
     while signed := next((values for item in said[2] if (values := _signed(item))), None):
-        said = with_values(said, signed)
+        put = with_values(said, signed)
+        said = (*put[:3], [*put[3], *_lost(said[:3], put[:3], signed)])
     number = 0
     while compared := [item for item in said[2] if isinstance(item, COMPARED)]:
         number += 1
@@ -164,23 +165,30 @@ def _ends(said: Said, symbol: Any) -> tuple[End, End] | None:
 def _defined(said: Said, symbol: Any, value: Any, ends: tuple[End, ...]) -> Said:
     """What is said, with the value of a symbol instead of the inequalities that it satisfies by itself."""
     stated = [item for item in said[2] if all(item is not end for _, _, end in ends)]
-    poles = {pole: None for e in expressions_in((*said[:2], stated)) for pole in _poles(e) if pole.has(symbol)}
-    apart = (_numerator(pole.xreplace({symbol: value})) for pole in poles)
-    put = with_values((*said[:2], stated, [*said[3], *(e for e in apart if not e.is_nonzero)]), {symbol: value})
+    put = with_values((*said[:2], stated, said[3]), {symbol: value})
     new = value.free_symbols - {e for other in expressions_in(said) for e in other.free_symbols}
     lhs, rhs, given, nonzero = (each_replaced(each, lambda e: {e: _with_signs_seen(e, new)}) for each in put)
-    return lhs, rhs, [sympy.Eq(symbol, value, evaluate=False), *given], nonzero
+    lost = _lost((*said[:2], stated), (lhs, rhs, given), {symbol: value})
+    return lhs, rhs, [sympy.Eq(symbol, value, evaluate=False), *given], [*nonzero, *lost]
+
+
+def _lost(said: Said, put: Said, values: dict[Any, Any]) -> list[Any]:
+    """What was divided by, and where values are put in is not any more: SymPy cancels it."""
+    before = (_numerator(e.xreplace(values)) for e in _divisors(said) if e.has(*values))
+    left = {e for divisor in _divisors(put) for e in (_numerator(divisor), _numerator(-divisor))}
+    return list(dict.fromkeys(e for e in before if e not in left and not e.is_nonzero))
 
 
 def _numerator(e: Any) -> Any:
-    """What vanishes where the expression does, without a number before it."""
-    return sympy.fraction(sympy.together(sympy.expand_trig(e)))[0].as_coeff_Mul()[1]
+    """What vanishes where the expression does."""
+    return sympy.expand(sympy.fraction(sympy.together(sympy.expand_trig(e)))[0]).as_coeff_Mul(rational=True)[1]
 
 
-def _poles(e: Any) -> Iterator[Any]:
-    """What is divided by inside of what is divided by: where SymPy puts a value in, nothing may be left of it."""
-    for power in filter(is_reciprocal, e.atoms(sympy.Pow)):
-        yield from (part.base for part in in_sines(power.base).atoms(sympy.Pow) if is_reciprocal(part))
+def _divisors(said: Any) -> Iterator[Any]:
+    """What is divided by, also inside of functions of angles."""
+    for e in expressions_in(said):
+        yield from (in_sines(power.base) for power in e.atoms(sympy.Pow) if is_reciprocal(power))
+        yield from (sympy.fraction(in_sines(call))[1] for call in e.atoms(*CIRCULAR))
 
 
 def _with_signs_seen(e: Any, new: set[Any]) -> Any:
