@@ -614,6 +614,9 @@ def test_what_the_package_physics_has(text: str, expected: str) -> None:
         (r"$$(v = v_0 + a t)$$", "defined"),
         (r"$$x = 2 \qquad (= a)$$", "defined"),
         (r"$$\mathbf{y}\top \mathbf{x} = \mathbf{x}\top \mathbf{y}$$", "holds"),
+        (r"$$\sec^2 x - 1 = \tan^2 x$$", "holds-under"),
+        (r"$$\csc^2 x + 1 = \cot^2 x$$", "fails"),
+        (r"$$\operatorname{sech}(x) \cosh x = \coth(x) \tanh x$$", "holds-under"),
         (r"$$\bar u = \begin{bmatrix} m g, & 0; & 0 \end{bmatrix}$$", "defined"),
         (r"$$T_S = \begin{bmatrix} R & t \\ 0 & 1 \end{bmatrix}$$ $$R^T R = 1$$ $$t = a \times b$$", "defined"),
         (

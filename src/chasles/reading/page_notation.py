@@ -34,15 +34,14 @@ from chasles.vocabulary import (
     Trace,
     Transpose,
     Zero,
-    cot,
-    tan,
 )
 from chasles.vocabulary.families import Family, Index
 from chasles.vocabulary.functions import PRINTED, FunctionOf
 from chasles.vocabulary.nodes import node_fields
 from chasles.vocabulary.notation import BOOK, Notation
 from chasles.vocabulary.quaternions import QuaternionConjugate
-from chasles.vocabulary.spelling import FUNCTIONS
+from chasles.vocabulary.spelling import FUNCTIONS, RATIOS
+from chasles.vocabulary.typesetting import COMMANDS
 
 CONVENTIONS = ("scalar_last", "linear_first")
 
@@ -145,8 +144,9 @@ def usual_spellings(notation: PageNotation) -> None:
     spellings.add(r"\operatorname{Exp}(#)", exponential)
     spellings.add(r"\log(#)", lambda of: FunctionOf("log", (of,)))
     spellings.add(r"\operatorname{arctan2}(#, #)", lambda *of: FunctionOf("atan2", of))
-    spellings.add(r"\tan(#)", tan)
-    spellings.add(r"\cot(#)", cot)
+    for name in RATIOS:
+        command = name if name in COMMANDS else f"operatorname{{{name}}}"
+        spellings.add(rf"\{command}(#)", lambda of, name=name: _quotient(name, of))
     spellings.add(r"\det(#)", Determinant)
     for name in ("Tr", "trace", "Trace"):
         spellings.add(rf"\operatorname{{{name}}}(#)", Trace)
@@ -232,3 +232,12 @@ def _makers(values: Iterable[Any]) -> dict[Any, Make]:
             if node is not None:
                 found.setdefault(type(node), value)
     return found
+
+
+def _quotient(name: str, of: Node) -> Quotient:
+    """The function of that name as what it is a quotient of."""
+    above, below = (
+        Number(1) if each == "1" else Call(each, of) if each in ("sin", "cos") else FunctionOf(each, (of,))  # type: ignore[arg-type]
+        for each in RATIOS[name].split()
+    )
+    return Quotient(above, below, called=name)

@@ -23,7 +23,7 @@ from chasles.vocabulary.spatial import Cofactor, Cross, Determinant, Dot, Invers
 from chasles.vocabulary.tree import children, undotted
 
 FUNCTIONS: dict[type[Node], str] = {Skew: "CPM", Vect: "vect", Trace: "tr", Determinant: "det", Cofactor: "cof"}
-QUOTIENTS = {"tan": ("sin", "cos"), "cot": ("cos", "sin")}
+RATIOS = {"tan": "sin cos", "cot": "cos sin", "sec": "1 cos", "csc": "1 sin", "coth": "cosh sinh", "sech": "1 cosh"}
 
 
 def spell(node: Node, style: Style) -> Piece:
@@ -125,8 +125,8 @@ class _Speller:
         match node:
             case Call(function, argument):
                 return function, argument
-            case Quotient(Call(one, argument), Call(two, other), _, called) if argument == other and called:
-                return (called, argument) if (one, two) == QUOTIENTS[called] else None
+            case Quotient(a, b, _, c) if c and RATIOS[c] == f"{getattr(a, 'function', a)} {getattr(b, 'function', b)}":
+                return (c, children(b)[0]) if children(a) in ((), children(b)) else None
             case _ if (name := getattr(node, "function", "")) in ("sinh", "cosh", "tanh"):
                 return self.style.called(name, rf"\{name}"), children(node)[0]
             case _:

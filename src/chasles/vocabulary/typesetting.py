@@ -21,8 +21,8 @@ ONE_MARK = re.compile(r".|\\[A-Za-z]+")
 BEFORE = re.compile(r"(?:\{\}(?:[_^](?:\{(?:[^{}]|\{[^{}]*\})*\}|\\[A-Za-z]+|.))+)?")
 """Scripts before a letter, that of a frame: {}^A_B."""
 CLOSED = (")", "]", r"\}", r"\|", r"\end{bmatrix}")
-COMMANDS = ("sin", "cos", "tan", "cot", "det")
-FUNCTION = re.compile(r"\\(?:sin|cos|tan|cot|log|exp|arc|det|text|sum|int)")
+COMMANDS = ("sin", "cos", "tan", "cot", "sec", "csc", "coth", "det")
+FUNCTION = re.compile(r"\\(?:sin|cos|tan|cot|sec|csc|log|exp|arc|det|text|sum|int)")
 INFIX = {"dot": r"\cdot", "cross": r"\times"}
 
 
