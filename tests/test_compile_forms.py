@@ -108,6 +108,14 @@ def test_derivatives_of_what_is_respelled_keep_their_digits(expression):
             assert kernel(at, 3)[1] == pytest.approx(true, rel=2e-15, abs=0)
 
 
+@pytest.mark.parametrize("expression", [1 - sp.cos(x / 2), y - y * sp.cos(x / 3)], ids=str)
+def test_digits_are_kept_though_another_result_loses_some_at_large(expression):
+    kernel = chasles.compile(expression, [x, y], jacobian=True)
+    with mpmath.workdps(40):
+        exact = float(sp.lambdify([x, y], expression, "mpmath")(mpmath.mpf(1e-6), 3))
+    assert kernel(1e-6, 3)[0] == pytest.approx(exact, rel=2e-15, abs=0)
+
+
 def test_derivatives_of_what_is_respelled_are_those_stated_where_nothing_cancels():
     stated = chasles.compile(sp.sqrt(1 + x**2), x, jacobian=True).operations
     respelled = chasles.compile((sp.sqrt(1 + x**2) - 1) ** 2, x, jacobian=True).operations

@@ -11,7 +11,7 @@ from typing import Any
 import sympy
 from sympy.codegen.cfunctions import expm1
 
-from chasles.compiling.sums_of_angles import KEPT, KNOWN, angle_of, parts_of_kinds, square_of, with_series
+from chasles.compiling.sums_of_angles import KEPT, KNOWN, angle_of, divisors, parts_of_kinds, square_of, with_series
 from chasles.compiling.taylor import ANALYTIC, CIRCULAR, NearZero, TaylorPolynomial, coefficient_of, left_of
 from chasles.compiling.variables import HELD, Substitution
 from chasles.compiling.whole_angles import ROOT
@@ -76,14 +76,9 @@ def _cancelled(product: sympy.Mul) -> Any:
             (left, near), (stated, _) = case.args
             rest = _cofactor(product, case)
             found = rest * left
-            if _divisors_of(rest) - _divisors_of(found):
+            if divisors(sympy.Mul.make_args(rest)) - divisors(sympy.Mul.make_args(found)):
                 return NearZero((found, near), (rest * stated, True), evaluate=False)
     return product
-
-
-def _divisors_of(product: sympy.Expr) -> set[sympy.Basic]:
-    powers = (factor.as_base_exp() for factor in sympy.Mul.make_args(product))
-    return {base for base, exponent in powers if exponent.is_negative}
 
 
 def _of_roots(total: sympy.Add) -> Any:

@@ -9,7 +9,7 @@ angle is small; elsewhere a quotient of them stays as it stands.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from functools import lru_cache
 from math import factorial
 from typing import Any
@@ -27,6 +27,7 @@ from chasles.compiling.sums_of_angles import (
     angle_of,
     angles_in,
     degree_of_power,
+    divisors,
     limited,
     order_of,
     parts_of,
@@ -48,7 +49,7 @@ def without_removable(expression: sympy.Basic) -> sympy.Basic:
     if any(isinstance(part, ExprWithLimits) for part in parts):
         # There is no program for it: what is said of it shall be said of what was given.
         return expression
-    divided, found = _divisors(parts), expression
+    divided, found = divisors(parts), expression
     if divided or any(isinstance(part, tuple(QUOTIENTS)) for part in parts):
         table = dict(_by_addition_theorem(parts, divided))
         apart = _with_limits(Substitution(table).of(expression)) if table else expression
@@ -75,7 +76,7 @@ def _by_addition_theorem(
 def _with_limits(expression: sympy.Basic) -> sympy.Basic:
     """The expression, one angle after the other."""
     parts = parts_of(expression, ())
-    divided = _divisors(parts)
+    divided = divisors(parts)
     quotients = {angle_of(part) for part in parts if isinstance(part, tuple(QUOTIENTS))}
     below = quotients.union(*map(angles_in, divided))
     by_angle: dict[sympy.Expr, list[sympy.Expr]] = {}
@@ -100,7 +101,7 @@ def _with_limits(expression: sympy.Basic) -> sympy.Basic:
             else:
                 found = _regular(stated, angle)
             made = parts_of(found, ())
-            if parts_of_kinds(found, LEFT) or len(_divisors(made)) < len(_divisors(parts)):
+            if parts_of_kinds(found, LEFT) or len(divisors(made)) < len(divisors(parts)):
                 expression = _as_stated(found, table, expression)
                 parts = parts_of(expression, ())
     return expression
@@ -115,11 +116,6 @@ def _as_stated(found: sympy.Basic, table: Mapping[Any, Any], stated: sympy.Basic
         made = parts_of_kinds(found, less) - parts_of_kinds(stated, less)
         kept |= {part: sympy.And(part, *right) for part in made}
     return Substitution(kept).of(found) if kept else found
-
-
-def _divisors(parts: Iterable[sympy.Basic]) -> set[sympy.Expr]:
-    """What the parts that are quotients divide by."""
-    return {part.base for part in parts if isinstance(part, sympy.Pow) and part.exp.is_number and part.exp.is_negative}
 
 
 def _is_root(angle: sympy.Expr) -> bool:

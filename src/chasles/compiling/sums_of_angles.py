@@ -62,6 +62,11 @@ def parts_of_kinds(expression: sympy.Basic, kinds: tuple[Any, ...], outside: tup
     return own.union(*(parts_of_kinds(part, kinds, outside) for part in expression.args))
 
 
+def divisors(parts: Iterable[sympy.Basic]) -> set[sympy.Expr]:
+    """What the parts that are quotients divide by."""
+    return {part.base for part in parts if isinstance(part, sympy.Pow) and part.exp.is_number and part.exp.is_negative}
+
+
 @lru_cache(KEPT)
 def angles_in(expression: sympy.Basic) -> frozenset[sympy.Expr]:
     """The angles that vary of which functions occur."""

@@ -61,8 +61,7 @@ def _units(program: Program, *, halved: bool) -> dict[int, Fraction]:
             angle, times = _angle_of(program, step.operands[0])
             old, new = units.get(angle, abs(times)), abs(times)
             units[angle] = Fraction(gcd(old.numerator, new.numerator), lcm(old.denominator, new.denominator))
-    # What is half an angle already, as in cot(phi/2), is not halved again.
-    return {angle: unit / 2 if halved and unit.denominator != 2 else unit for angle, unit in units.items()}
+    return {angle: unit / 2 if halved else unit for angle, unit in units.items()}
 
 
 def _values(program: Program, *, halved: bool) -> list[Value | None]:
