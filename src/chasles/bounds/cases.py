@@ -54,13 +54,10 @@ def cases(program: Program) -> tuple[CaseOutline, ...]:
     for outcome in product((True, False), repeat=len(choices)):
         truths = dict(zip(choices, outcome, strict=True))
         outline = outlined(program, truths)
-        key = outline.needed, tuple(outline.operands(k) for k in outline.needed), _entries(outline)
+        entries = tuple(map(outline.entries, range(len(program.results))))
+        key = outline.needed, tuple(outline.operands(k) for k in outline.needed), entries
         found.setdefault(key, (outline, []))[1].append(truths)
     return tuple(CaseOutline(outline, tuple(truths)) for outline, truths in found.values())
-
-
-def _entries(outline: Outline) -> tuple[tuple[int, ...], ...]:
-    return tuple(outline.entries(k) for k in range(len(outline.program.results)))
 
 
 def _choices(program: Program) -> tuple[int, ...]:

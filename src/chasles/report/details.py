@@ -12,6 +12,7 @@ from rich.text import Text
 from chasles.coq.recorded import checked_by_coq
 from chasles.decisions.decision import HOW, Correction, Decision, key_of
 from chasles.report.equations import in_latex, in_words, signature_in_words, standing_in
+from chasles.report.findings import standing
 from chasles.report.records import certificate_hash
 from chasles.report.words import point_in_words, reason, said
 from chasles.statements import Entry, Inverse, Statement
@@ -76,9 +77,7 @@ def evidence(decision: Decision) -> Lines:
         yield "certificate", str(certificate_hash(certificate))
     if checked := checked_by_coq(decision.statement):
         yield "Coq", checked.in_words
-    replacement = decision.correction.verdict if decision.correction and not decision.verdict.true else decision.verdict
-    witness = getattr(replacement, "witness", None)
-    if witness:
+    if witness := getattr(standing(decision), "witness", None):
         yield "example", f"satisfies all that is assumed: {point_in_words(witness)}"
 
 

@@ -12,7 +12,7 @@ from chasles.decisions.session import Decision
 from chasles.report.by_hand import Refutation, refutations
 from chasles.report.details import number_in_words
 from chasles.report.equations import Sentence, labelled_equations
-from chasles.report.findings import Replacement, likely_slip, replacements
+from chasles.report.findings import Replacement, likely_slip, replacements, standing
 from chasles.report.html.certificates import proof_in_words
 from chasles.report.html.citing import Book, Link, place_of_number
 from chasles.report.html.differences import mark_differences
@@ -197,8 +197,7 @@ def _facts(book: Book, entry: Entry, decision: Decision) -> Iterator[Fact]:
         yield Fact("certificate", text.format(certificate_hash(decision.certificate), f"{size:,}"))
     if checked := checked_by_coq(decision.statement):
         yield Fact("Coq", CODE.format(checked.in_words))
-    replacement = decision.correction.verdict if decision.correction and not decision.verdict.true else decision.verdict
-    if witness := getattr(replacement, "witness", None):
+    if witness := getattr(standing(decision), "witness", None):
         statements = (entry.statement, *getattr(entry.statement, "given", ()))
         known = _with_rates(side for each in statements if isinstance(each, Statement) for side in each.printed)
         yield Fact("for example at", with_formulas(point_in_words(witness), known, of_words=False))
