@@ -250,10 +250,14 @@ def test_coq_accepts_them_and_nothing_else(coq_cache: Path, monkeypatch: pytest.
         false.append(
             replace(claim, name=name, said=f"{head}{end}1 + {last}", proof=claim.proof.replace(claim.name, name))
         )
-    parts = [*chunks(true), *(replace(part, number="false") for part in chunks(false))]
+    broken = replace(asked(99, *FIRST[0]), said="Definition identity_99 : Prop := no_such_word.\n")
+    # Where a statement is refused, the others of its file are judged without it.
+    parts = [*chunks(true), *(replace(part, number="false") for part in chunks([*false, broken, asked(98, *FIRST[0])]))]
     found = {each.claim.name: each for each in verdicts_of_coq(parts)}
     assert [
         (each.claim.says, each.why_not) for each in found.values() if not each.accepted and each.claim in true
     ] == []
     assert [name for name, each in found.items() if each.accepted and each.claim in false] == []
-    assert len(found) == len(true) + len(false)
+    assert "Coq refuses the statement: The reference no_such_word" in found["identity_99"].why_not
+    assert found["identity_98"].accepted
+    assert len(found) == len(true) + len(false) + 2

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
@@ -138,6 +138,9 @@ def written(folder: Path, decided: Sequence[Decided], decide: Decide, anew: bool
         except ChildProcessError as error:
             raise Failure(str(error), FAILED) from error
         chosen = {each.claim.name for each in checked if each.accepted}
+        refused = {each.claim.name: each.claim for each in checked if not each.claim.said}
+        claims = tuple(refused.get(claim.name, claim) for claim in claims)
+        parts = tuple(replace(p, claims=tuple(refused.get(each.name, each) for each in p.claims)) for p in parts)
     found = Theorems(folder, claims, parts, version, checked)
     problems = {claim.kernel: problem for claim, problem in kernels.items()}
     write_files(folder, files_of(parts, chosen) | found.recorded(decisions, problems))

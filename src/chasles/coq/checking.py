@@ -9,7 +9,7 @@ import subprocess
 from collections.abc import Container, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -62,7 +62,7 @@ def coq_version() -> str | None:
 def verdicts_of_coq(parts: Sequence[Chunk], known: Container[str] = (), anew: bool = False) -> Iterator[CoqVerdict]:
     """What Coq says of each theorem that has a proof; those `known` by their names have been accepted before.
 
-    Raises `ChildProcessError` if it refuses a statement.
+    Of each statement that it refuses, too: its claim says nothing then.
     """
     todo = []
     for part in parts:
@@ -91,18 +91,14 @@ def compile_theories(folder: Path, anew: bool = False) -> None:
         shutil.copytree(kept, folder, dirs_exist_ok=True)
         return
     for each in THEORIES:
-        _require(folder, each, theory(each))
+        done = _compiled(folder, each, theory(each))
+        if done.returncode:
+            raise ChildProcessError(f"Coq refuses {each}.v: {done.stderr.strip()}")
     if kept:
         with suppress(OSError):  # a cache that cannot be written is none; of two who write it, the second leaves it
             kept.parent.mkdir(parents=True, exist_ok=True)
             with TemporaryDirectory(dir=kept.parent) as draft:
                 shutil.copytree(folder, Path(draft) / kept.name).rename(kept)
-
-
-def _require(folder: Path, name: str, text: str) -> None:
-    done = _compiled(folder, name, text)
-    if done.returncode:
-        raise ChildProcessError(f"Coq refuses {name}.v: {done.stderr.strip()}")
 
 
 def _compiled(folder: Path, name: str, text: str) -> subprocess.CompletedProcess[str]:
@@ -115,8 +111,15 @@ def _compiled(folder: Path, name: str, text: str) -> subprocess.CompletedProcess
 
 
 def _judged(folder: Path, part: Chunk, claims: list[Claimed]) -> list[CoqVerdict]:
-    _require(folder, part.statements, part.said())
-    return list(_proved(folder, part, claims))
+    """Of a file of statements that Coq refuses, each half is judged by itself."""
+    done = _compiled(folder, part.statements, part.said())
+    if not done.returncode:
+        return list(_proved(folder, part, claims))
+    if len(part.claims) == 1:
+        return [CoqVerdict(replace(part.claims[0], said="", proof=""), _reason(done, "statement"))]
+    half = len(part.claims) // 2
+    halves = Chunk(f"{part.number}a", part.claims[:half]), Chunk(f"{part.number}b", part.claims[half:])
+    return [found for each in halves for found in _judged(folder, each, [c for c in claims if c in each.claims])]
 
 
 def _proved(folder: Path, part: Chunk, claims: list[Claimed]) -> Iterator[CoqVerdict]:
@@ -163,8 +166,8 @@ def _refused(folder: Path, part: Chunk, claim: Claimed) -> CoqVerdict:
     return CoqVerdict(claim, "" if is_refused else "Coq finds no fault with its sizes")
 
 
-def _reason(done: subprocess.CompletedProcess[str]) -> str:
+def _reason(done: subprocess.CompletedProcess[str], what: str = "proof") -> str:
     if done.returncode < 0 or "Out of memory" in done.stderr:
         return "it takes more time or memory than one file may"
     said = re.sub(r"\s+", " ", done.stderr.partition("Error:")[2]).strip()
-    return f"Coq refuses the proof: {said[-200:] or done.stderr.strip()[-200:]}"
+    return f"Coq refuses the {what}: {said[-200:] or done.stderr.strip()[-200:]}"
