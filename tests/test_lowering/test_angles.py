@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from chasles.lowering.builder import Builder
 from chasles.lowering.circular import constant, multiple_of_angle
+from chasles.lowering.cost import price
 from chasles.lowering.equivalence.requests import differences
 from chasles.lowering.lower import expanded, program_of
 from chasles.lowering.passes.angles import respelled
@@ -29,7 +30,7 @@ SPELLED = {
     "the other cotangent": ((1 + cos(phi)) / sin(phi), {Op.SINE: 1, Op.COSINE: 1, Op.MULTIPLY: 1, Op.DIVIDE: 1}),
     "reciprocal versine": (1 / (2 * (1 - cos(phi))), {Op.SINE: 1, Op.MULTIPLY: 2, Op.DIVIDE: 1}),
     "a number": (cos(phi) ** 2 + sin(phi) ** 2, {}),
-    "nothing but itself": (sin(phi / 2), {Op.SINE: 1, Op.MULTIPLY: 1}),
+    "a half again": (1 - cos(phi / 2), {Op.SINE: 1, Op.MULTIPLY: 3}),
 }
 EQUAL = {
     "not a monomial below": sin(phi) / (3 - cos(phi)),
@@ -120,3 +121,8 @@ def value_at(function, s, c):
 
     i, j = function.powers
     return polynomial(function.above) / polynomial(function.below) * s**i * c**j
+
+
+def test_what_gains_nothing_by_halves_is_not_halved():
+    stated = as_written(sin(phi / 2))
+    assert price(stated) < price(pruned(respelled(stated, halved=True)))
