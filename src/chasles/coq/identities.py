@@ -27,7 +27,7 @@ from chasles.coq.plain import PlainExpressions
 from chasles.coq.proof import theorem
 from chasles.coq.rational import text_of
 from chasles.coq.roots import root, words_named
-from chasles.coq.sentences import holding
+from chasles.coq.sentences import NOW, equal_rates, holding
 from chasles.coq.turns import turned
 from chasles.verdict import Holds, HoldsUnder, Verdict
 
@@ -46,7 +46,6 @@ OTHERWISE = {
 }
 """Parts of certificates of which no proof is written for Coq."""
 READERS = (root, turned, inverse, exponential, logarithm)
-NOW = " t now'"
 BY_CASES = ("intros.", "repeat apply conj; by_cases.")
 AS_SPELLED = ("intros.", "repeat apply conj; reflexivity.")
 
@@ -163,10 +162,7 @@ class _ScalarProof:
             raise Unsaid(f"no proof is written with the rate of {left} = {right}")
         for _ in range(int(found[4] or 0)):
             left, right = left.diff(self.statement.words.time), right.diff(self.statement.words.time)
-            steps = (
-                f"eapply (equal_scalar_rates T {sides} s'); [exact open'T | exact now's | exact {name} | rates | rates]"
-            )
-            line = f"eassert ({name}' : forall t, T t -> _ = _) by (intros s' now's; {steps})."
+            line = equal_rates(f"{name}'", "_", sides, f"exact {name} | rates | rates")
             self._rates += [line] * (line not in self._rates)
             name, sides = f"{name}'", "_ _"
         difference = self.plain(left) - self.plain(right)

@@ -10,6 +10,7 @@ from chasles import vocabulary as w
 from chasles.coq.expressions import Spelling, Unsaid
 from chasles.coq.names import bare_of
 from chasles.coq.polynomials import Polynomials
+from chasles.coq.sentences import equal_rates
 from chasles.coq.sources import StatedEntry
 from chasles.coq.statement import CoqStatement, Premise, bare_rate
 from chasles.statements import Hypothesis, Problem
@@ -154,17 +155,14 @@ class Instant:
             raise Unsaid(f"the rate of {node.of}, which differs from element to element")
         if any(isinstance(part, w.Determinant | w.Cofactor) for part in w.walk(self._opened(self.told(node)))):
             raise Unsaid("the rate of a determinant")
-        lemma = "equal_scalar_rates" if node.shape == (1, 1) else "equal_rates"
         if of in self.derived or of in self._turned:
             sides, equal = "_ _", f"exact def'{self.said.names.rates[of]}"
         else:
             opened = self._opened(self.said.rules.get(of, of))
             sides = f"{self.said.spelling.function(of)} {self.said.spelling.function(opened)}"
             equal = self._by_definitions(isinstance(opened, w.Integral))
-        yield (
-            f"eassert (def'{name} : forall t, T t -> {name} t = _) by (intros s' now's; eapply ({lemma} T {sides} s'); "
-            f"[exact open'T | exact now's | {equal} | exact (rate'{name} s' now's) | clear rate'{name}; rates])."
-        )
+        steps = f"{equal} | exact (rate'{name} s' now's) | clear rate'{name}; rates"
+        yield equal_rates(f"def'{name}", f"{name} t", sides, steps, node.shape == (1, 1))
 
     def _by_definitions(self, integrated: bool) -> str:
         """That two expressions are the same, by what is given."""
@@ -193,7 +191,6 @@ class Instant:
 
     def _rate_of(self, source: StatedEntry) -> Iterator[str]:
         """The rate of what is assumed."""
-        lemma = "equal_scalar_rates" if source.left.shape == (1, 1) else "equal_rates"
         if source.order == 1:
             sides = f"{self.said.spelling.function(source.left)} {self.said.spelling.function(source.right)}"
             premise = self._premise(source.about)
@@ -203,10 +200,7 @@ class Instant:
             known = f"(fun x' now'x => {known})"
         else:
             sides, known = "_ _", f"{source.stem}_{source.order - 1}"
-        yield (
-            f"eassert ({source.name} : forall t, T t -> _ = _) by (intros s' now's; eapply ({lemma} T {sides} s'); "
-            f"[exact open'T | exact now's | exact {known} | rates | rates])."
-        )
+        yield equal_rates(source.name, "_", sides, f"exact {known} | rates | rates", source.left.shape == (1, 1))
 
 
 def _rewritten(rules: list[str]) -> str:

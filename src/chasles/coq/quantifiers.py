@@ -10,14 +10,11 @@ from typing import Any
 from chasles import vocabulary as w
 from chasles.coq.expressions import ATOM, Spelling, Unsaid
 from chasles.coq.proof import steps_of, theorem
-from chasles.coq.sentences import equations, for_all
+from chasles.coq.sentences import NOW, equations, for_all
 from chasles.coq.statement import CoqStatement
 from chasles.statements import Problem, Theorem
 from chasles.statements.forms import Always, Exists, Form, Iff, Minimum
 from chasles.statements.varied import demands, varied_symbol, visible
-
-NOW = " t now'"
-"""An instant, and that it is among those of which something is said."""
 
 
 def theorem_and_proof(

@@ -7,6 +7,16 @@ from itertools import groupby
 
 from chasles.coq.statement import CoqStatement, Premise
 
+NOW = " t now'"
+"""An instant, and that it is among those of which something is said."""
+
+
+def equal_rates(name: str, value: str, sides: str, steps: str, scalar: bool = True) -> str:
+    """The step by which rates of what is equal are equal, by further steps for that it is and what the rates are."""
+    lemma = "equal_scalar_rates" if scalar else "equal_rates"
+    steps = f"eapply ({lemma} T {sides} s'); [exact open'T | exact now's | {steps}]"
+    return f"eassert ({name} : forall t, T t -> {value} = _) by (intros s' now's; {steps})."
+
 
 def holding(name: str, said: CoqStatement) -> str:
     """The definition of the statement, under its name."""
