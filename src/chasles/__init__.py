@@ -43,11 +43,8 @@ __all__ = [
 
 # Name -> the module that holds what has that name.
 _HELD = {
+    **dict.fromkeys(("decide", "repair", "derive", "chapter"), "chasles.asking"),
     "prove": "chasles.prove",
-    "decide": "chasles.asking",
-    "repair": "chasles.asking",
-    "derive": "chasles.asking",
-    "chapter": "chasles.asking",
     "load": "chasles.statements",
     "practice": "chasles.exercises.practice",
     "solve": "chasles.exercises.solving",

@@ -13,7 +13,7 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from chasles.checker.expressions.readings import CIRCULAR
-from chasles.checker.expressions.remainders import Floor, is_integral, is_whole
+from chasles.checker.expressions.remainders import Floor, is_whole
 from chasles.from_sympy.opening import parts_of
 
 LARGEST_MODULUS = 60
@@ -46,4 +46,4 @@ def _half_turns(part: Any) -> list[Any]:
     else:
         return []
     terms = sympy.Add.make_args(sympy.expand(number))
-    return [term for term in terms if term.free_symbols and is_integral(term) and not is_whole(term / 2)]
+    return [term for term in terms if term.free_symbols and is_whole(term.as_coeff_Mul()[1]) and not is_whole(term / 2)]

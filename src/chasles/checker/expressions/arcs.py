@@ -40,7 +40,7 @@ class Arcs:
             return -variable(self.places[opposite])
         if key not in self.places:
             place = self.places[key] = self.functions.named("arc", y, x)
-            self.points[place] = y, x
+            self.points[place], self.reading.adds_roots = (y, x), True
             self.functions.require_nonzero(x * x + y * y)
         return variable(self.places[key])
 

@@ -15,7 +15,7 @@ from sympy.matrices import MatrixBase, MatrixExpr
 from chasles.checker.expressions.complexes import OF_COMPLEX
 from chasles.checker.expressions.defined_functions import BY_OTHERS
 from chasles.checker.expressions.enclosed import EnclosedValues
-from chasles.checker.expressions.quantities import atoms_of, require_real
+from chasles.checker.expressions.quantities import atoms_of, rebuilt, require_real, with_values
 from chasles.checker.expressions.unevaluated import explicit, hidden_in, written_out
 from chasles.checker.sparse import Rejected
 
@@ -113,10 +113,10 @@ def listed(conditions: Any, name: str) -> Iterator[tuple[str, Any]]:
 
 def valued(e: Any) -> Any:
     """The expression written out, with zero for what SymPy is told to be zero, and mixed derivatives in one order."""
-    e = by_definition(e.xreplace({rate: rate.canonical for rate in e.atoms(sympy.Derivative)}))
+    e = by_definition(with_values(e, {rate: rate.canonical for rate in e.atoms(sympy.Derivative)}))
     zeros = {part: sympy.S.Zero for part in e.atoms(sympy.Symbol, AppliedUndef) if part.is_zero}
-    value = e.xreplace(zeros) if zeros else e
-    met = {part.xreplace(zeros) for part in e.atoms(sympy.Pow, sympy.Function)} if zeros else set()
+    value = with_values(e, zeros) if zeros else e
+    met = {with_values(part, zeros) for part in e.atoms(sympy.Pow, sympy.Function)} if zeros else set()
     if any(part.args and part.free_symbols for part in met - value.atoms(sympy.Pow, sympy.Function)):
         raise Rejected(f"{e} is multiplied by zero, and may not be defined")
     return by_definition(written_out(value))
@@ -128,7 +128,7 @@ def by_definition(e: Any) -> Any:
         return e
     parts, whole = tuple(map(by_definition, e.args)), e
     if parts != e.args or (e.is_Function and e.is_number):
-        whole = e.func(*parts)
+        whole = rebuilt(e, parts)
         if e.is_Function and e.is_number and not isinstance(whole, e.func):
             plain, values = e.func(*parts, evaluate=False), EnclosedValues({})
             with suppress(Rejected):

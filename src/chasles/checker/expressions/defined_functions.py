@@ -13,6 +13,8 @@ from typing import Any
 
 import sympy
 
+from chasles.checker.expressions.assumptions import SIGNS
+from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.expressions.remainders import Floor
 from chasles.checker.sparse import Rejected
 
@@ -24,6 +26,23 @@ BOUNDED = {
 """Real functions of which no more is known than that they are no larger; of Bessel's, those of integral order."""
 VALUED = (Floor, sympy.Mod, sympy.gamma, *BOUNDED)
 """What is a quantity by itself once all others are said by these."""
+
+
+ALWAYS = {
+    sympy.exp: "positive", sympy.cosh: "positive", sympy.Abs: "nonnegative", Floor: "integer",
+    **dict.fromkeys((sympy.sin, sympy.cos, sympy.Max, sympy.Min), "real"),
+}  # fmt: skip
+"""What values at real arguments are."""
+INHERITED = {
+    Floor: ("nonnegative",), sympy.Abs: ("nonzero",), sympy.gamma: ("positive",),
+    **dict.fromkeys((sympy.sinh, sympy.tanh, sympy.asinh, sympy.atan, sympy.erf, sympy.log), tuple(SIGNS)),
+}  # fmt: skip
+"""And what they are where their arguments are so; a logarithm, where it is so of one less."""
+
+
+def _apart(one: Any, other: Any, value: Any, same: Any) -> Any:
+    """One value where two differ, and another where they are the same."""
+    return sympy.Piecewise((value, sympy.Ne(one, other, evaluate=False)), (same, True), evaluate=False)
 
 
 def _binomial(e: Any) -> Any:
@@ -66,7 +85,7 @@ BY_OTHERS = {
     sympy.ceiling: lambda e: -Floor(-e.args[0]),
     sympy.frac: lambda e: e.args[0] - Floor(e.args[0]),
     # Else what divides by zero might cancel.
-    sympy.Mod: lambda e: remainder(e) if e.args[1].is_nonzero else e,
+    sympy.Mod: lambda e: remainder(e) if plain(e.args[1]).is_nonzero else e,
     sympy.factorial: lambda e: sympy.gamma(e.args[0] + 1),
     sympy.binomial: _binomial,
     sympy.rf: lambda e: sympy.gamma(e.args[0] + e.args[1]) / sympy.gamma(e.args[0]),
@@ -74,8 +93,8 @@ BY_OTHERS = {
     sympy.beta: lambda e: sympy.gamma(e.args[0]) * sympy.gamma(e.args[1]) / sympy.gamma(e.args[0] + e.args[1]),
     sympy.erfc: lambda e: 1 - sympy.erf(e.args[0]),
     **dict.fromkeys((sympy.fibonacci, sympy.lucas), _binet),
-    sympy.sinc: lambda e: sympy.Piecewise((sympy.sin(e.args[0]) / e.args[0], sympy.Ne(e.args[0], 0)), (1, True)),
-    sympy.KroneckerDelta: lambda e: sympy.Piecewise((1, sympy.Eq(*e.args[:2])), (0, True)) if len(e.args) == 2 else e,
+    sympy.sinc: lambda e: _apart(e.args[0], 0, sympy.sin(e.args[0]) / e.args[0], 1),
+    sympy.KroneckerDelta: lambda e: _apart(e.args[0], e.args[1], 0, 1) if len(e.args) == 2 else e,
     **dict.fromkeys(map(type, (sympy.GoldenRatio, sympy.TribonacciConstant)), lambda e: e.expand(func=True)),
     sympy.Subs: lambda e: e.doit(),
     sympy.Pow: _principal,
@@ -132,11 +151,26 @@ def defined_by(e: Any) -> tuple[Any, ...]:
 
 
 def assumed_of(e: Any) -> dict[str, bool]:
-    """What is known of such a quantity."""
-    argument, *_ = defined_by(e)
-    if isinstance(e, Floor):
-        return {"integer": True, **({"nonnegative": True} if argument.is_nonnegative else {})}
-    return {"positive": True} if e.is_Pow and argument.is_positive else {}
+    """What is known of the value of a function at real arguments, or of one over it."""
+    call = 1 / e if e.is_Pow else e
+    argument = plain(call.args[0] - int(isinstance(call, sympy.log)))
+    kinds = (kind for kind in INHERITED.get(call.func, ()) if getattr(argument, f"is_{kind}"))
+    return dict.fromkeys((*kinds, *filter(None, [ALWAYS.get(call.func)])), True)
+
+
+def plain(e: Any) -> Any:
+    """The expression with a symbol for each call, of which no more is known than is said here.
+
+    SymPy (1.14) takes atan(n) and asin(n) for no zeros where n is rational, though it may be zero.
+    """
+    if is_atom(e) or not e.has(sympy.Function):
+        return e
+    if isinstance(e, sympy.Add | sympy.Mul | sympy.Pow):
+        return e.func(*map(plain, e.args))
+    if e.func not in ALWAYS | INHERITED or not all(plain(part).is_real for part in e.args):
+        return sympy.Dummy()
+    real = not isinstance(e, sympy.log | sympy.gamma) or plain(e.args[0]).is_positive
+    return sympy.Dummy(**{**assumed_of(e), "real": True}) if real else sympy.Dummy()
 
 
 def gamma_at(x: Any) -> Any:

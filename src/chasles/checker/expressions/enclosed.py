@@ -107,11 +107,6 @@ def _rewritten(rule: Callable[[Any], Any], power: int = 1) -> Callable[[Enclosed
     return lambda of, e: of(rule(e.args[0] ** power))
 
 
-def _heaviside(of: EnclosedValues, e: Any) -> Enclosure:
-    sign = of.sign(e.args[0])
-    return of.at.number(int(sign > 0)) if sign else of(e.args[1])
-
-
 def _floor(of: EnclosedValues, e: Any) -> Enclosure:
     """The greatest integer, of a number that is exact or not near to one."""
     exact = of.exactly(e.args[0])
@@ -151,7 +146,7 @@ ENCLOSED: dict[type, Callable[[EnclosedValues, Any], Enclosure]] = {
     sympy.Pow: EnclosedValues.power,
     sympy.Abs: lambda of, e: _larger(of(e.args[0]), -of(e.args[0])),
     sympy.sign: lambda of, e: of.at.number(of.sign(e.args[0])),
-    sympy.Heaviside: _heaviside,
+    sympy.Heaviside: lambda of, e: of.at.number(int(s > 0)) if (s := of.sign(e.args[0])) else of(e.args[1]),
     **dict.fromkeys((Floor, sympy.floor), _floor),
     sympy.Mod: lambda of, e: of(remainder(e)),
     sympy.gamma: lambda of, e: of(gamma_at(of.exactly(e.args[0]))),
@@ -191,6 +186,15 @@ def sign_of_number(e: Any) -> int | None:
         return EnclosedValues({})(e).sign
     except Rejected:
         return None
+
+
+def sign_of_multiple(e: Any, known: Any) -> int | None:
+    """The sign of the rational number by which one expression is a multiple of another, if it is one."""
+    (one, rest), (other, same) = (sympy.expand(side).as_content_primitive() for side in (e, known))
+    for sign in (1, -1):
+        if sympy.expand(rest - sign * same) == 0:
+            return int(sympy.sign(sign * one * other))
+    return None
 
 
 def vanishes(e: Any) -> bool:

@@ -193,9 +193,7 @@ class Functions:
 
     def require_positive(self, value: Polynomial) -> None:
         """Something is positive: that is visible, or has to be said."""
-        self._require_positive(value, *self.signs(value))
-
-    def _require_positive(self, value: Polynomial, odd: frozenset[Terms], sign: int) -> None:
+        odd, sign = self.signs(value)
         if not odd and sign > 0:
             self.require_nonzero(value)
             return

@@ -5,12 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import reduce
 from typing import Any
 
 import sympy
 
 from chasles.checker.expressions.asked import listed
 from chasles.checker.expressions.proof import check_proof
+from chasles.checker.expressions.quantities import with_values
 from chasles.checker.sparse import Rejected, well_formed
 from chasles.verdict import Counterexample, HoldsUnder
 
@@ -68,9 +70,9 @@ def steps(question: Question, letter: Any, name: str) -> tuple[int, Question, Qu
         raise Rejected(f"the symbols {name}_1 and so on are not new")
     if not then:
         raise Rejected(f"nothing is added or multiplied up to {letter}")
-    hypothesis = sympy.Eq(left.xreplace(now), right.xreplace(now), evaluate=False)
-    after = (side.xreplace(now).xreplace({letter: letter + 1}).xreplace(then) for side in (left, right))
-    first = (side.xreplace({letter: sympy.Integer(least)}) for side in (left, right))
+    hypothesis = sympy.Eq(with_values(left, now), with_values(right, now), evaluate=False)
+    after = (reduce(with_values, (now, {letter: letter + 1}, then), side) for side in (left, right))
+    first = (with_values(side, {letter: sympy.Integer(least)}) for side in (left, right))
     return least, (*first, given, nonzero), (*after, [*given, hypothesis], nonzero)
 
 
@@ -123,4 +125,4 @@ def at_numbers(found: Counterexample, *asked: Any) -> tuple[Any, ...]:
         if not value.is_Integer or (letter.is_positive and value < 1) or (letter.is_nonnegative and value < 0):
             raise Rejected(f"{letter} is not {value}")
     rest = {name: value for name, value in found.at.items() if name not in map(str, letters)}
-    return replace(found, at=rest), left.xreplace(letters), right.xreplace(letters), given, nonzero
+    return replace(found, at=rest), with_values(left, letters), with_values(right, letters), given, nonzero

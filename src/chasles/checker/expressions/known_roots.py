@@ -18,19 +18,15 @@ class KnownRoots(SignedReading):
     """Reads expressions, each root as what is known to be it.
 
     `domains` must not be negative for the roots to be real. It is `complete` once all is read that the certificate
-    says: from then on, roots of which it does not speak are variables of their own.
+    says: from then on, roots of which it does not speak are variables of their own; it `adds_roots` of whole numbers
+    already once there is an angle of a point.
     """
 
     def __init__(self, names: dict[str, str], units: dict[str, Fraction]) -> None:
         super().__init__(names, units)
         self.domains: list[Polynomial] = []
-        self.complete = False
+        self.complete = self.adds_roots = False
         self._roots: dict[Terms, tuple[Fraction, Polynomial]] = {}
-
-    @property
-    def adds_roots(self) -> bool:
-        """Whether roots of whole numbers are taken of which the certificate does not speak."""
-        return self.complete
 
     def require_nonnegative(self, value: Polynomial) -> None:
         """Something is visibly not negative, or has to be said to be."""

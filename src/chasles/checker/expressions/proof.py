@@ -43,14 +43,10 @@ def check_proof(verdict: Any, lhs: Any, rhs: Any, given: Any = (), nonzero: Any 
             sides = [[*map(side.get, sorted(side)), *asked.hidden] for side in (asked.left, asked.right)]
             stated = [(item.text, list(item.pairs.values())) for item in asked.given if item.pairs]
             stated += [(text, []) for text in asked.real]
-            check_widened(verdict, sides, stated, asked.nonzero, _check_part)
+            # The witness of the parts of a proof is that of the whole.
+            check_widened(verdict, sides, stated, asked.nonzero, lambda c, n, part: _check(c, n, Asked(*part), None))
         else:
             _check(verdict.certificate, verdict.needs, asked, verdict.witness)
-
-
-def _check_part(certificate: Data, needs: Sequence[str], question: tuple[Any, ...]) -> None:
-    """A part of a proof, whose witness is that of the whole."""
-    _check(certificate, needs, Asked(*question), None)
 
 
 def _check(certificate: Data, needs: Sequence[str], asked: Asked, witness: Any) -> None:
@@ -129,14 +125,7 @@ def _prove(certificate: Data, reading: Proven, facts: Facts, claims: Mapping[tup
     return multiplied
 
 
-def _follows(
-    certificate: Mapping[str, Any],
-    reading: Proven,
-    facts: Facts,
-    claim: Polynomial,
-    said: Mapping[str, Any],
-    label: str,
-) -> set[int]:
+def _follows(certificate: Data, reading: Proven, facts: Facts, claim: Polynomial, said: Data, label: str) -> set[int]:
     """A claim times powers of what does not vanish is a sum of cofactors times facts; the inverses of the former."""
     if unknown := said.keys() - {"times", "cofactors"}:
         raise Rejected(f"the certificate says {min(unknown)!r} of entry {label}, which means nothing")

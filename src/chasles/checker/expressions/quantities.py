@@ -1,15 +1,18 @@
-"""Which SymPy expressions are real quantities by themselves: the variables of a question."""
+"""Which SymPy expressions are real quantities by themselves, the variables of a question, and values of them."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 import sympy
 from sympy.core.function import AppliedUndef
+from sympy.core.relational import Relational
 from sympy.matrices.expressions.matexpr import MatrixElement
 
 from chasles.checker.sparse import Rejected
+
+COMPARING = (sympy.Piecewise, Relational, sympy.sign, sympy.Heaviside)
 
 
 def is_atom(e: Any) -> bool:
@@ -56,3 +59,16 @@ def require_real(e: Any) -> None:
         arguments = function.args
         if len(set(arguments)) < len(arguments) or not all(isinstance(a, sympy.Symbol) for a in arguments):
             raise Rejected(f"the arguments of {function} are not different symbols")
+
+
+def with_values(e: Any, put: Mapping[Any, Any]) -> Any:
+    """The expression with values put in, its cases as they stand: SymPy may simplify conditions without end."""
+    if e in put or not e.has(*COMPARING):
+        return e.xreplace(put)
+    return rebuilt(e, [with_values(part, put) for part in e.args])
+
+
+def rebuilt(e: Any, parts: Sequence[Any]) -> Any:
+    """The same of other parts, its comparisons as they stand: SymPy (1.14) takes atan(n) for positive if n >= 0."""
+    compared = isinstance(e, COMPARING) and any(part.free_symbols for part in parts)
+    return e.func(*parts, evaluate=False) if compared or isinstance(e, sympy.Piecewise) else e.func(*parts)

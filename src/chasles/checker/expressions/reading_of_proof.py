@@ -48,7 +48,7 @@ class Proven(KnownRoots):
         self.functions = Functions(self)
         self.arcs = Arcs(self, self.functions)
         self._state(certificate, units, {str(e) for e in self.atoms.values()})
-        self.complete = True
+        self.complete = self.adds_roots = True
 
     def _state(self, certificate: Mapping[str, Any], units: Mapping[str, Fraction], spelled: set[str]) -> None:
         """The functions and the roots of which the certificate speaks, each after those that are in it."""
@@ -167,11 +167,6 @@ class Proven(KnownRoots):
 
     def _state_root(self, text: str, texts: list[str]) -> None:
         self.state_root(parsed(text, self.places), [parsed(factor, self.places) for factor in texts])
-
-    @property
-    def adds_roots(self) -> bool:
-        """Whether roots of whole numbers are taken of which the certificate does not speak."""
-        return self.complete or bool(self.arcs.points)
 
 
 def _places(monomial: int) -> frozenset[int]:

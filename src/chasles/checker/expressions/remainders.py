@@ -6,6 +6,7 @@ from typing import Any
 
 import sympy
 
+from chasles.checker.expressions.quantities import rebuilt
 from chasles.checker.expressions.readings import CIRCULAR
 
 
@@ -27,32 +28,27 @@ Floor.__name__ = "floor"
 
 def at_integer(e: Any, put: Any) -> Any:
     """The expression where an integer has a value, without whole turns and with powers of positive numbers alone."""
-    if e in put or not e.args or not any(symbol.is_integer for symbol in e.free_symbols):
+    if e in put or not e.args or not (e.has(*put) if put else any(symbol.is_integer for symbol in e.free_symbols)):
         return put.get(e, e)
     parts = [at_integer(part, put) for part in e.args]
     if type(e) in CIRCULAR:
         terms = sympy.Add.make_args(sympy.expand(parts[0]))
         left = [term for term in terms if not is_whole(term / sympy.pi / 2)]
         # SymPy drops half turns of a tangent's argument as if they were whole ones, if they are no numbers.
-        turning = any(is_integral(term / sympy.pi) for term in left if term.free_symbols)
+        turning = any(term.has(sympy.pi) and term.free_symbols for term in left)
         return e.func(sympy.Add(*left), evaluate=not turning) if put or len(left) < len(terms) else e
     if e.is_Pow and parts[0].is_negative and parts[1].is_integer and parts[1].free_symbols:
         exponent = sympy.expand(parts[1])
         odd = sympy.Add(*(term for term in sympy.Add.make_args(exponent) if not is_whole(term / 2)))
         return sympy.Pow(-1, odd) * (-parts[0]) ** exponent
-    return e.func(*parts)
+    return rebuilt(e, parts)
 
 
-def is_integral(term: Any) -> bool:
-    """Whether a term is a rational multiple of a product of integers."""
+def is_whole(term: Any) -> bool:
+    """Whether a term is an integral multiple of a product of integers."""
     multiple, rest = term.as_coeff_Mul()
     factors = (
         isinstance(base, sympy.Symbol | Floor) and base.is_integer and n.is_Integer and n > 0
         for base, n in rest.as_powers_dict().items()
     )
-    return bool(multiple.is_Rational) and (rest == 1 or all(factors))
-
-
-def is_whole(term: Any) -> bool:
-    """Whether a term is an integral multiple of a product of integers."""
-    return is_integral(term) and bool(term.as_coeff_Mul()[0].is_Integer)
+    return bool(multiple.is_Integer) and (rest == 1 or all(factors))

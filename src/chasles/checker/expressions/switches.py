@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from itertools import combinations
 from typing import Any
 
 import sympy
 from sympy.core.relational import Relational
 
+from chasles.checker.expressions.defined_functions import plain
 from chasles.checker.expressions.enclosed import sign_of_number, truth
 
 SWITCHES = (sympy.Max, sympy.Min, sympy.Piecewise, sympy.Heaviside, sympy.sign, sympy.Abs)
@@ -42,14 +43,6 @@ def written(part: Any, sign_of: Sign) -> Any:
     return sympy.Integer(max(sign, 0)) if sign else part.args[1]
 
 
-def with_values(e: Any, put: Mapping[Any, Any]) -> Any:
-    """The expression with values put in, its cases as they stand: SymPy may simplify conditions without end."""
-    if e in put or not e.has(sympy.Piecewise):
-        return e.xreplace(put)
-    parts = [with_values(part, put) for part in e.args]
-    return sympy.Piecewise(*parts, evaluate=False) if isinstance(e, sympy.Piecewise) else e.func(*parts)
-
-
 def deciding(parts: Iterable[Any]) -> Iterator[Any]:
     """Whose signs decide the form of the parts: the factors of differences, and these themselves."""
     for part in parts:
@@ -79,7 +72,8 @@ def visible_sign(e: Any) -> int | None:
     """The sign that an expression has whatever its symbols are."""
     if not e.free_symbols:
         return sign_of_number(e)
-    seen = 1 if e.is_positive else -1 if e.is_negative else 0 if e.is_zero else None
+    known = plain(e)
+    seen = 1 if known.is_positive else -1 if known.is_negative else 0 if known.is_zero else None
     return _sign_of_quadratic(e) if seen is None else seen
 
 
@@ -94,14 +88,5 @@ def _sign_of_quadratic(e: Any) -> int | None:
 
 def excludes(e: Any, sign: int) -> bool:
     """Whether an expression has not this sign, whatever its symbols are."""
-    visible = visible_sign(e)
-    return visible not in (None, sign) or bool(e.is_nonpositive if sign == 1 else sign and e.is_nonnegative)
-
-
-def sign_of_multiple(e: Any, known: Any) -> int | None:
-    """The sign of the rational number by which one expression is a multiple of another, if it is one."""
-    (one, rest), (other, same) = (sympy.expand(side).as_content_primitive() for side in (e, known))
-    for sign in (1, -1):
-        if sympy.expand(rest - sign * same) == 0:
-            return int(sympy.sign(sign * one * other))
-    return None
+    visible, known = visible_sign(e), plain(e)
+    return visible not in (None, sign) or bool(known.is_nonpositive if sign == 1 else sign and known.is_nonnegative)

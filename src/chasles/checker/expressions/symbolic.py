@@ -35,8 +35,8 @@ class Symbolic(Expressions):
     def called(self, function: str, *arguments: Polynomial) -> Polynomial:
         """The value of a function, as a variable."""
         arguments = tuple(map(self.normal, arguments))
-        known = (place for place, call in self.calls.items() if call[0] == function and _equivalent(call[1], arguments))
-        place = next(known, None)
+        named = ((place, of) for place, (name, of) in self.calls.items() if name == function)
+        place = next((k for k, of in named if not any(a - b for a, b in zip(of, arguments, strict=True))), None)
         if place is None:
             place = self.fresh(f"{function} {len(self.calls) + 1}")
             self.calls[place] = function, arguments
@@ -60,7 +60,3 @@ class Symbolic(Expressions):
         if self.atoms.get(place) is sympy.pi:
             return self.reals.pi
         raise Rejected(f"{self.names[place]} is no number")
-
-
-def _equivalent(one: tuple[Polynomial, ...], other: tuple[Polynomial, ...]) -> bool:
-    return not any(a - b for a, b in zip(one, other, strict=True))

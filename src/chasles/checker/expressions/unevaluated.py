@@ -12,6 +12,7 @@ from sympy.concrete.expr_with_limits import ExprWithLimits
 from sympy.matrices import MatrixBase, MatrixExpr
 from sympy.matrices.expressions.matexpr import MatrixElement
 
+from chasles.checker.expressions.quantities import COMPARING, with_values
 from chasles.checker.sparse import Rejected
 
 MOST_TERMS = 1000
@@ -84,7 +85,8 @@ def summed(e: Any) -> Any:
         size = sympy.expand(high - low + 1)
         if size.is_Integer and 0 <= size * count <= MOST_TERMS:
             count *= max(1, int(size))
-            values = [term.subs(index, low + k) for k in range(int(size))]
+            put = with_values if term.has(*COMPARING) else sympy.Basic.subs
+            values = [put(term, {index: low + k}) for k in range(int(size))]
             term = sympy.Add(*values) if isinstance(e, sympy.Sum) else sympy.Mul(*values)
         elif isinstance(e, sympy.Sum) and size.xreplace(outer).is_integer:
             number = sympy.Dummy(integer=low.xreplace(outer).is_integer)

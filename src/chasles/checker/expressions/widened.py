@@ -26,8 +26,7 @@ from chasles.checker.expressions.generalised import Generalised
 from chasles.checker.expressions.intervals import Enclosure
 from chasles.checker.expressions.needs import RELATIONS
 from chasles.checker.expressions.quantities import atoms_of, require_independent
-from chasles.checker.expressions.readings import CIRCULAR
-from chasles.checker.expressions.remainders import Floor, at_integer, is_whole
+from chasles.checker.expressions.remainders import Floor, at_integer
 from chasles.checker.sparse import Rejected
 
 PLAIN = re.compile(r"[A-Za-z0-9_+\-*/(), .\[\]]*")
@@ -215,12 +214,8 @@ def _without_motions(case: CheckedCase, times: set[Any]) -> CheckedCase:
 
 
 def put(e: Any, atom: Any, value: Any) -> Any:
-    """An expression with a value for a quantity and its rates; SymPy leaves out half turns if they are whole ones."""
-    if type(e) in CIRCULAR:
-        angle = sympy.expand(put(e.args[0], atom, value))
-        turns = (term / sympy.pi for term in sympy.Add.make_args(angle) if term.has(sympy.pi) and term.free_symbols)
-        return e.func(angle, evaluate=all(map(is_whole, turns)))
-    e = e.func(*(put(part, atom, value) for part in e.args)) if e.has(*CIRCULAR) else e.xreplace({atom: value})
+    """An expression with a value for a quantity and its rates."""
+    e = at_integer(e, {atom: value})
     return e.doit() if e.has(sympy.Derivative) else e
 
 
