@@ -12,13 +12,12 @@ import pytest
 
 from chasles.exercises.answers import asked_for, template_of
 from chasles.exercises.data import DataError
-from chasles.exercises.grading import graded, new_data
+from chasles.exercises.grading import grade, graded, new_data
 from chasles.exercises.solving import solved_on_sheet
 from chasles.statements.exercises import exercise, exercise_numbers
 
 from ..sampling import WHOLE, sample
 from .forms import at_place, leaves, near, put, right_forms, spoiled
-from .graded_anew import grade
 
 NUMBERS = [number for number in exercise_numbers() if exercise(number).instance is not None]
 CASES = [(number, seed) for seed in range(24) for number in NUMBERS]

@@ -7,11 +7,9 @@ import json
 import pytest
 
 from chasles.exercises.data import DataError
-from chasles.exercises.grading import new_data
+from chasles.exercises.grading import grade, new_data
 from chasles.exercises.solving import solve_with
 from chasles.statements.exercises import exercise
-
-from .graded_anew import grade
 
 TWO_LINES = {"a": [2, 0, 0], "b": [0, 0, 0], "nA": [0, 0, 1], "nB": [0, 0, 2]}
 CUBE_ROOTS = {"I_C": [[3, 0, 0], [0, 4, 0], [0, 0, 5]], "m": 1, "d": [[1, 1, 1]]}

@@ -12,12 +12,11 @@ import sympy as sp
 import chasles
 from chasles.exact.principal_axes import principal_axes
 from chasles.exact.spectra import each_eigenvalue
+from chasles.exercises.grading import grade
 from chasles.statements.exercise import Answer, Datum, Exercise, matrix_shape, vector_shape
 from chasles.statements.exercises import exercise
 from chasles.statements.loading import unlisted
 from chasles.statements.packages import DeclarationError
-
-from .graded_anew import grade
 
 DECLARED = """
 from chasles.statements.exercise import Answer, Datum, Exercise, Scalar, vector_shape

@@ -8,12 +8,11 @@ import os
 import pytest
 
 from chasles.exercises.data import DataError
-from chasles.exercises.grading import new_data
+from chasles.exercises.grading import grade, new_data
 from chasles.exercises.solving import solve_with
 from chasles.statements.exercises import exercise, exercise_numbers
 
 from ..sampling import WHOLE
-from .graded_anew import grade
 
 INSTANCES = int(os.environ.get("CHASLES_INSTANCES", "6" if WHOLE else "2"))
 """How many for each exercise; a nightly run sets 56, which makes a thousand."""

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from chasles.exercises.grading import new_data
+from chasles.exercises.grading import grade, new_data
 from chasles.exercises.solving import solve_with
 from chasles.statements.exercises import exercise
-
-from .graded_anew import grade
 
 
 @pytest.mark.sampled(3)

@@ -21,6 +21,7 @@ from chasles.exercises.answers import asked_for, read_answers
 from chasles.exercises.data import DataError, exact_number
 from chasles.exercises.draw import Draw
 from chasles.exercises.solution import Solution, cited
+from chasles.exercises.solving import solved_on_sheet
 from chasles.exercises.worksheet import Worksheet, equal
 from chasles.statements.exercise import Exercise
 from chasles.vocabulary import Call
@@ -82,13 +83,18 @@ def new_data(exercise: Exercise, seed: int) -> dict[str, Any]:
     return drawn
 
 
-def graded(exercise: Exercise, solved: tuple[Solution, Worksheet], given: Mapping[str, Any], rtol: Any = None) -> Grade:
-    """The grade of a student's answers to an exercise that has been solved; with `rtol`, what is as near is right.
+def grade(exercise: Exercise, data: Mapping[str, Any], given: Mapping[str, Any], rtol: Any = None) -> Grade:
+    """The grade of a student's answers for these data; with `rtol`, numbers are right that are as near as that.
 
     Numbers are read by the grammar of data. A number is near if it differs by at most `rtol` times the largest number
     in that answer, or times one where that is zero; angles are compared up to whole turns. Raises DataError for a name
     that is no answer of the exercise, and for what does not have the shape of that answer.
     """
+    return graded(exercise, solved_on_sheet(exercise, data), given, rtol)
+
+
+def graded(exercise: Exercise, solved: tuple[Solution, Worksheet], given: Mapping[str, Any], rtol: Any = None) -> Grade:
+    """The same where the exercise has been solved for these data."""
     solution, sheet = solved
     tolerance = None if rtol is None else exact_number(rtol, "rtol")
     if tolerance is not None and not (tolerance.is_Rational and 0 < tolerance < 1):
