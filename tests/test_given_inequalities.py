@@ -96,6 +96,8 @@ NONE_IS_NEGATIVE: list[tuple[Any, Any, list[Any]]] = [
     (f.diff(t), 0, [Eq(f**2 + u, 0)]),
 ]
 FALSE: list[tuple[Any, Any, list[Any]]] = [
+    (asin(sin(x)), x, [x > pi / 4, x <= 2 * pi]),
+    (atan(tan(x)), x, [x >= pi / 6, x < 2 * pi]),
     (sqrt(x**2), x, [x < 0]),
     (sqrt(x**2), x, [x > -1]),
     (x, y, [x > y]),

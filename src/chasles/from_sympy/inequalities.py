@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy
 from sympy.core.function import AppliedUndef
+from sympy.functions.elementary.trigonometric import InverseTrigonometricFunction
 
 from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.expressions.readings import CIRCULAR
@@ -122,9 +123,22 @@ def _with_angle(said: Said, symbol: Any) -> Said:
         return said
     part = _part(said, symbol)
     value = between(low * part, high * part, after, before, partial(_fresh, said))
-    value = value and value / part
+    if value is None or (_is_halved(value) and _has_arcs(said, symbol)):
+        return said
+    value = value / part
     bounded = sympy.Dummy(positive=after or None, nonnegative=True) if low == 0 else sympy.Dummy(real=True)
-    return said if value is None or not _may_be(symbol, bounded, said) else _defined(said, symbol, value, ends)
+    return _defined(said, symbol, value, ends) if _may_be(symbol, bounded, said) else said
+
+
+def _is_halved(value: Any) -> bool:
+    """Whether an angle is a multiple of an arctangent with roots of numbers in it."""
+    calls = value.atoms(sympy.atan)
+    return any(abs(value.coeff(e)) > 1 and any(p.exp == sympy.S.Half for p in e.atoms(sympy.Pow)) for e in calls)
+
+
+def _has_arcs(said: Said, symbol: Any) -> bool:
+    """Whether an inverse function has a symbol in it: SymPy comes to no end with the roots of what is halved there."""
+    return any(e.has(symbol) for each in expressions_in(said) for e in each.atoms(InverseTrigonometricFunction))
 
 
 def _part(said: Said, symbol: Any) -> Any:
