@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,6 +12,7 @@ from chasles.checker.expressions.complexes import QUOTIENTS
 from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.expressions.readings import CIRCULAR
 from chasles.from_sympy.atoms import real_copy
+from chasles.from_sympy.complex_symbols import expressions_in
 from chasles.from_sympy.opening import FunctionSymbol, Signed
 
 
@@ -63,3 +64,24 @@ def in_sines(e: Any) -> Any:
     """The expression with every other function of an angle written as a quotient of sines and cosines."""
     calls = e.atoms(*(function for function, (_, below) in CIRCULAR.items() if below))
     return e.xreplace({call: QUOTIENTS[call.func](*call.args) for call in calls})
+
+
+def lost_divisors(said: Any, put: Any, values: Mapping[Any, Any]) -> list[Any]:
+    """What was divided by, and where values are put in is not any more: SymPy cancels it."""
+    before = dict.fromkeys(_numerator(e.xreplace(values)) for e in _divisors(said) if e.has(*values))
+    if not (unsure := [e for e in before if not e.is_nonzero]):
+        return []
+    left = {e for divisor in _divisors(put) for e in (_numerator(divisor), _numerator(-divisor))}
+    return [e for e in unsure if e not in left]
+
+
+def _numerator(e: Any) -> Any:
+    """What vanishes where the expression does."""
+    return sympy.expand(sympy.fraction(sympy.together(sympy.expand_trig(e)))[0]).as_coeff_Mul(rational=True)[1]
+
+
+def _divisors(said: Any) -> Iterator[Any]:
+    """What is divided by, also inside of functions of angles."""
+    for e in expressions_in(said):
+        yield from (in_sines(power.base) for power in e.atoms(sympy.Pow) if is_reciprocal(power))
+        yield from (sympy.fraction(in_sines(call))[1] for call in e.atoms(*CIRCULAR))

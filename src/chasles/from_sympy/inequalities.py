@@ -17,7 +17,7 @@ from chasles.from_sympy.angles_between import between, closed
 from chasles.from_sympy.atoms import assumed_of
 from chasles.from_sympy.complex_symbols import expressions_in
 from chasles.from_sympy.decimals import each_replaced, with_values
-from chasles.from_sympy.divisors import in_sines, is_reciprocal
+from chasles.from_sympy.divisors import lost_divisors
 from chasles.from_sympy.opening import atoms_of, excerpt
 from chasles.from_sympy.side_conditions import listed
 from chasles.problems.variables import Untreatable
@@ -52,7 +52,7 @@ def without_inequalities(said: Said) -> Said:
         said = _with_angle(said, symbol)
     while signed := next((values for item in said[2] if (values := _signed(item))), None):
         put = with_values(said, signed)
-        said = (*put[:3], [*put[3], *_lost(said[:3], put[:3], signed)])
+        said = (*put[:3], [*put[3], *lost_divisors(said[:3], put[:3], signed)])
     number = 0
     while compared := [item for item in said[2] if isinstance(item, COMPARED)]:
         number += 1
@@ -182,27 +182,8 @@ def _defined(said: Said, symbol: Any, value: Any, ends: tuple[End, ...]) -> Said
     put = with_values((*said[:2], stated, said[3]), {symbol: value})
     new = value.free_symbols - {e for other in expressions_in(said) for e in other.free_symbols}
     lhs, rhs, given, nonzero = (each_replaced(each, lambda e: {e: _with_signs_seen(e, new)}) for each in put)
-    lost = _lost((*said[:2], stated), (lhs, rhs, given), {symbol: value})
+    lost = lost_divisors((*said[:2], stated), (lhs, rhs, given), {symbol: value})
     return lhs, rhs, [sympy.Eq(symbol, value, evaluate=False), *given], [*nonzero, *lost]
-
-
-def _lost(said: Said, put: Said, values: dict[Any, Any]) -> list[Any]:
-    """What was divided by, and where values are put in is not any more: SymPy cancels it."""
-    before = (_numerator(e.xreplace(values)) for e in _divisors(said) if e.has(*values))
-    left = {e for divisor in _divisors(put) for e in (_numerator(divisor), _numerator(-divisor))}
-    return list(dict.fromkeys(e for e in before if e not in left and not e.is_nonzero))
-
-
-def _numerator(e: Any) -> Any:
-    """What vanishes where the expression does."""
-    return sympy.expand(sympy.fraction(sympy.together(sympy.expand_trig(e)))[0]).as_coeff_Mul(rational=True)[1]
-
-
-def _divisors(said: Any) -> Iterator[Any]:
-    """What is divided by, also inside of functions of angles."""
-    for e in expressions_in(said):
-        yield from (in_sines(power.base) for power in e.atoms(sympy.Pow) if is_reciprocal(power))
-        yield from (sympy.fraction(in_sines(call))[1] for call in e.atoms(*CIRCULAR))
 
 
 def _with_signs_seen(e: Any, new: set[Any]) -> Any:

@@ -13,7 +13,7 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from chasles.checker.expressions.assumptions import NUMBERS
-from chasles.checker.expressions.defined_functions import is_entire, plain
+from chasles.checker.expressions.defined_functions import is_entire, without_calls
 from chasles.checker.expressions.enclosed import sign_of_multiple, sign_of_number
 from chasles.checker.expressions.quantities import with_values
 from chasles.checker.expressions.remainders import at_integer
@@ -71,7 +71,7 @@ class CheckedCase:
             multiple = sign_of_multiple(e, other)
             signs = signs or (multiple is not None and sign != multiple * known)
         apart = [one - other for one, other in self.pairs] + list(self.equations)
-        return signs or any(self.sign(e) in (1, -1) or plain(e).is_odd for e in apart)
+        return signs or any(self.sign(e) in (1, -1) or without_calls(e).is_odd for e in apart)
 
     def each(self, change: Callable[[Any], Any]) -> CheckedCase:
         """The case with everything changed."""
@@ -231,6 +231,6 @@ def _requirements(power: Any, sign: int | None) -> list[tuple[str, ...]]:
         return found  # A gamma function is never zero.
     if power.exp < 0 and sign not in (1, -1):
         found.append((f"{base} != 0", f"{base} > 0"))
-    if not power.exp.is_Integer and sign not in (0, 1) and not plain(base).is_nonnegative:
+    if not power.exp.is_Integer and sign not in (0, 1) and not without_calls(base).is_nonnegative:
         found.append((f"{base} >= 0", f"{base} > 0"))
     return found

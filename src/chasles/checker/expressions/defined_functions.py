@@ -85,7 +85,7 @@ BY_OTHERS = {
     sympy.ceiling: lambda e: -Floor(-e.args[0]),
     sympy.frac: lambda e: e.args[0] - Floor(e.args[0]),
     # Else what divides by zero might cancel.
-    sympy.Mod: lambda e: remainder(e) if plain(e.args[1]).is_nonzero else e,
+    sympy.Mod: lambda e: remainder(e) if without_calls(e.args[1]).is_nonzero else e,
     sympy.factorial: lambda e: sympy.gamma(e.args[0] + 1),
     sympy.binomial: _binomial,
     sympy.rf: lambda e: sympy.gamma(e.args[0] + e.args[1]) / sympy.gamma(e.args[0]),
@@ -153,12 +153,12 @@ def defined_by(e: Any) -> tuple[Any, ...]:
 def assumed_of(e: Any) -> dict[str, bool]:
     """What is known of the value of a function at real arguments, or of one over it."""
     call = 1 / e if e.is_Pow else e
-    argument = plain(call.args[0] - int(isinstance(call, sympy.log)))
+    argument = without_calls(call.args[0] - int(isinstance(call, sympy.log)))
     kinds = (kind for kind in INHERITED.get(call.func, ()) if getattr(argument, f"is_{kind}"))
     return dict.fromkeys((*kinds, *filter(None, [ALWAYS.get(call.func)])), True)
 
 
-def plain(e: Any) -> Any:
+def without_calls(e: Any) -> Any:
     """The expression with a symbol for each call, of which no more is known than is said here.
 
     SymPy (1.14) takes atan(n) and asin(n) for no zeros where n is rational, though it may be zero.
@@ -166,10 +166,10 @@ def plain(e: Any) -> Any:
     if is_atom(e) or not e.has(sympy.Function):
         return e
     if isinstance(e, sympy.Add | sympy.Mul | sympy.Pow):
-        return e.func(*map(plain, e.args))
-    if e.func not in ALWAYS | INHERITED or not all(plain(part).is_real for part in e.args):
+        return e.func(*map(without_calls, e.args))
+    if e.func not in ALWAYS | INHERITED or not all(without_calls(part).is_real for part in e.args):
         return sympy.Dummy()
-    real = not isinstance(e, sympy.log | sympy.gamma) or plain(e.args[0]).is_positive
+    real = not isinstance(e, sympy.log | sympy.gamma) or without_calls(e.args[0]).is_positive
     return sympy.Dummy(**{**assumed_of(e), "real": True}) if real else sympy.Dummy()
 
 

@@ -9,7 +9,7 @@ from typing import Any
 import sympy
 from sympy.core.relational import Relational
 
-from chasles.checker.expressions.defined_functions import plain
+from chasles.checker.expressions.defined_functions import without_calls
 from chasles.checker.expressions.enclosed import sign_of_number, truth
 
 SWITCHES = (sympy.Max, sympy.Min, sympy.Piecewise, sympy.Heaviside, sympy.sign, sympy.Abs)
@@ -72,7 +72,7 @@ def visible_sign(e: Any) -> int | None:
     """The sign that an expression has whatever its symbols are."""
     if not e.free_symbols:
         return sign_of_number(e)
-    known = plain(e)
+    known = without_calls(e)
     seen = 1 if known.is_positive else -1 if known.is_negative else 0 if known.is_zero else None
     return _sign_of_quadratic(e) if seen is None else seen
 
@@ -88,5 +88,5 @@ def _sign_of_quadratic(e: Any) -> int | None:
 
 def excludes(e: Any, sign: int) -> bool:
     """Whether an expression has not this sign, whatever its symbols are."""
-    visible, known = visible_sign(e), plain(e)
+    visible, known = visible_sign(e), without_calls(e)
     return visible not in (None, sign) or bool(known.is_nonpositive if sign == 1 else sign and known.is_nonnegative)
