@@ -22,7 +22,7 @@ import pytest
 
 from chasles.checker.certificate import Rejected, check
 from chasles.checker.division import MOST_REPLACED
-from chasles.checker.reading import Reading
+from chasles.checker.reading import PolynomialProblem
 from chasles.checker.refutation import check_counterexample
 from chasles.checker.sparse import Polynomial, exponents, limited, parsed, variable
 from chasles.decisions.session import Session
@@ -250,7 +250,7 @@ def test_division_by_any_term_proves_nothing_false(name: str) -> None:
     """Whatever the certificate divides by, and for whichever term it is solved."""
     problem = problem_of(BY_NAME[name])
     for label, _ in proved(name)["division"]:
-        for monomial in Reading(problem, proved(name)["witness"]).vanishing[label].terms:
+        for monomial in PolynomialProblem(problem, proved(name)["witness"]).vanishing[label].terms:
             forged = deepcopy(proved(name)) | {"division": [[label, named(problem, monomial)]]}
             for goal in problem.goals:
                 with pytest.raises(Rejected):
@@ -259,7 +259,7 @@ def test_division_by_any_term_proves_nothing_false(name: str) -> None:
 
 def named(problem: Problem, monomial: int) -> str:
     """The factors of a monomial, as a certificate writes them."""
-    names = {place: name for name, place in Reading(problem, ("cos(phi)", "cos(phi/2)")).places.items()}
+    names = {place: name for name, place in PolynomialProblem(problem, ("cos(phi)", "cos(phi/2)")).places.items()}
     return "*".join(f"{names[place]}^{power}" for place, power in exponents(monomial))
 
 
@@ -537,12 +537,12 @@ def test_what_differs_from_element_to_element_is_not_taken_out_of_an_integral() 
         (Integral(rho * p, rho, (p,), "B"), Integral(rho * p, rho, (p,), "C"), "two different quantities"),
     ):
         with pytest.raises(Rejected, match=reason):
-            Reading(problem_of(claim("0.0", left, right, nonzero(dot(p, p)))), ())
+            PolynomialProblem(problem_of(claim("0.0", left, right, nonzero(dot(p, p)))), ())
     first = vector("first", "f", "a first moment", LENGTH**4)
     for of, rule in ((p, a + b), (first, integral(a_, rho, a_))):
         whole = integral(of, rho, of, a_)
         with pytest.raises(Rejected, match="the same for all elements"):
-            Reading(Problem((Goal("", whole, whole),), rules=((of, rule),)), ())
+            PolynomialProblem(Problem((Goal("", whole, whole),), rules=((of, rule),)), ())
 
 
 @dataclass(frozen=True)

@@ -23,10 +23,10 @@ from chasles.statements.derivation import (
     Compare,
     Consider,
     Derivation,
+    DerivationStep,
     Differentiate,
     Factor,
     Solve,
-    Step,
     Substitute,
     Take,
 )
@@ -89,7 +89,7 @@ def last(road: CheckedDerivation) -> CheckedStep:
     return road.steps[-1]
 
 
-def road_of(*made: Step, to: Statement, **more: object) -> Derivation:
+def road_of(*made: DerivationStep, to: Statement, **more: object) -> Derivation:
     return Derivation("a road of a test", to, "", made, **more)  # type: ignore[arg-type]
 
 

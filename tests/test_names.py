@@ -23,11 +23,8 @@ ROOT = Path(__file__).resolve().parents[1]
 pytestmark = pytest.mark.skipif(not (SRC / "cli").is_dir(), reason="needs the sources")
 
 SHARED_CLASS_NAMES = {
-    "Entry": "public in `statements`, an entry of a chapter; and a word, an entry of a family",
-    "Inverse": "public in `statements`, an inverse function; and a word, the inverse of a matrix",
-    "Page": "public in `pages`, a page that was read; and a file of a target, in every target that others write",
-    "Reading": "public in `reading`, one way to read an equation; and a certificate read by the checker",
-    "Step": "public in `statements`, a step of a derivation; and one of a program",
+    "Entry": "chapters import both: an entry of a chapter, and the word for an entry of a matrix",
+    "Inverse": "chapters import both: an inverse function, and the word for the inverse of a matrix",
 }
 """Names of more than one class, each with the reason why neither has another."""
 

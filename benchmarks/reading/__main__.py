@@ -13,7 +13,7 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
-from chasles.pages.page import Page, read_page
+from chasles.pages.page import ReadPage, read_page
 from chasles.reading.equations import read_equations
 from chasles.reading.notation_file import load_notation
 from chasles.reading.pages import displayed, kind_of
@@ -25,7 +25,7 @@ SUSPECT = (*WRONG, "open", "unread", "ambiguous")
 SLIPS = ((r" \+ ", " - "), (r" - ", " + "), (r"\^\\transpose", ""), (r"\^T", ""), (r"q_1", "q_2"), (r"2 q_0", "q_0"))
 
 
-def page_of(path: Path, text: str) -> Page:
+def page_of(path: Path, text: str) -> ReadPage:
     """The page decided with the notation beside it."""
     return read_page(displayed(text, kind_of(path.name), file=path.name), load_notation(path.with_suffix(".toml")))
 
@@ -64,7 +64,7 @@ def main() -> None:
             print(f"  {len(planted)} slips planted: {told} told, {seen} pointed at")
 
 
-def count(page: Page, verdicts: tuple[str, ...]) -> int:
+def count(page: ReadPage, verdicts: tuple[str, ...]) -> int:
     """How many equations have one of these verdicts."""
     return sum(each.verdict in verdicts for each in page.equations)
 

@@ -15,7 +15,7 @@ from pathlib import Path
 
 from chasles.decisions.session import Session
 from chasles.pages.chapter_notation import notation_of_chapter
-from chasles.pages.page import Page, read_page
+from chasles.pages.page import ReadPage, read_page
 from chasles.pages.page_equation import PageEquation
 from chasles.reading.notation_file import load_notation
 from chasles.reading.pages import displayed, kind_of
@@ -38,7 +38,7 @@ def as_page(chapter: Chapter) -> str:
     return "\n\n".join(lines)
 
 
-def compared(page: Page, chapter: Chapter) -> Iterator[tuple[PageEquation, str, str]]:
+def compared(page: ReadPage, chapter: Chapter) -> Iterator[tuple[PageEquation, str, str]]:
     """Each relation of the page that is declared, its verdict, and that of the declaration."""
     session = Session()
     statements = [entry.statement for entry in chapter if isinstance(entry.statement, Statement)]

@@ -11,7 +11,7 @@ from typing import Any
 
 from chasles.checker.division import Division, divided, solved_for
 from chasles.checker.quantities import squeezed
-from chasles.checker.reading import Reading
+from chasles.checker.reading import PolynomialProblem
 from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, cleared, parsed, powered, variable, well_formed
 from chasles.checker.witness import point_of, require
 from chasles.statements import Inverse, Problem, Statement, Theorem, problem_of
@@ -60,10 +60,10 @@ def _check(problem: Problem, certificate: Mapping[str, Any]) -> None:
     if "squares" in certificate:
         from chasles.checker.inequalities.squares import ReadingOfSquares
 
-        reading: Reading = ReadingOfSquares(problem, certificate)
+        reading: PolynomialProblem = ReadingOfSquares(problem, certificate)
         problem = reading.problem
     else:
-        reading = Reading(problem, certificate["witness"])
+        reading = PolynomialProblem(problem, certificate["witness"])
     occurring = set().union(*(condition.places for condition in reading.conditions))
     divisions = [_division(reading, label, term) for label, term in certificate.get("division", ())]
     occurring = occurring.union(*(reading.vanishing[label].places for label, _ in certificate.get("division", ())))
@@ -82,7 +82,7 @@ def _check(problem: Problem, certificate: Mapping[str, Any]) -> None:
     require(reading, point_of(reading, certificate["witness"]), occurring)
 
 
-def _division(reading: Reading, label: str, term: str) -> Division:
+def _division(reading: PolynomialProblem, label: str, term: str) -> Division:
     """A term, given by its factors, of something that vanishes, and what it therefore equals."""
     if label not in reading.vanishing:
         raise Rejected(f"the certificate divides by {label!r}, which the statement does not assume")
@@ -93,7 +93,7 @@ def _division(reading: Reading, label: str, term: str) -> Division:
 
 
 def _follows(
-    reading: Reading, divisions: list[Division], claim: Polynomial, said: Mapping[str, Any], what: str
+    reading: PolynomialProblem, divisions: list[Division], claim: Polynomial, said: Mapping[str, Any], what: str
 ) -> set[int]:
     """The variables in a claim that is, up to division, the combination said; raises `Rejected` for any other."""
     occurring, total = claim.places, ZERO
@@ -107,7 +107,7 @@ def _follows(
     return occurring
 
 
-def _over(reading: Reading, said: Mapping[str, Any]) -> Polynomial:
+def _over(reading: PolynomialProblem, said: Mapping[str, Any]) -> Polynomial:
     """One over a product of powers of nonzero factors."""
     total = ONE
     for label, power in said.get("denominator", {}).items():

@@ -6,7 +6,7 @@ from collections.abc import Collection, Mapping
 from typing import Any
 
 from chasles.checker.quantities import squeezed
-from chasles.checker.reading import Reading
+from chasles.checker.reading import PolynomialProblem
 from chasles.checker.sparse import ONE, Polynomial, Rejected, exponents, parsed, powered, product, variable, well_formed
 from chasles.statements import Problem
 
@@ -20,7 +20,7 @@ def check_contradiction(problem: Problem, hypotheses: Collection[str], certifica
         known = tuple(hypothesis for hypothesis in problem.hypotheses if hypothesis.text in hypotheses)
         if {hypothesis.text for hypothesis in known} != {*hypotheses}:
             raise Rejected("what is said to contradict itself is not assumed")
-        reading = Reading(Problem((), problem.rules, (), (), known), certificate["variables"])
+        reading = PolynomialProblem(Problem((), problem.rules, (), (), known), certificate["variables"])
         total, is_positive = ONE, True
         for label, power in certificate["nonvanishing"].items():
             place = reading.places[squeezed(label)]
@@ -32,7 +32,7 @@ def check_contradiction(problem: Problem, hypotheses: Collection[str], certifica
             raise Rejected("the certificate shows no contradiction")
 
 
-def _is_nonnegative(reading: Reading, polynomial: Polynomial) -> bool:
+def _is_nonnegative(reading: PolynomialProblem, polynomial: Polynomial) -> bool:
     """Whether every term is a positive number times squares, norms and what is declared positive."""
     free = {place for place, what in enumerate(reading.variables) if what[0] == "norm"}
     free |= {place for factor in reading.greater.values() for place in factor.places if not factor - variable(place)}

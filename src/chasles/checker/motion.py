@@ -12,13 +12,13 @@ from fractions import Fraction
 
 from chasles import vocabulary as w
 from chasles.checker.elimination import rank
-from chasles.checker.reading import Reading
+from chasles.checker.reading import PolynomialProblem
 from chasles.checker.relations import independent
 from chasles.checker.sparse import ZERO, Polynomial, Rejected
 from chasles.checker.witness import Point, value_at
 
 
-def require_motion(reading: Reading, point: Point) -> None:
+def require_motion(reading: PolynomialProblem, point: Point) -> None:
     """Raises `Rejected` unless a motion through the point is known to exist that satisfies all that is assumed.
 
     What vanishes must vanish at the point. What is at rest there, and tied to nothing that moves, may stay as it is.
@@ -47,7 +47,7 @@ def require_motion(reading: Reading, point: Point) -> None:
         raise Rejected("it is not known whether a motion through the point satisfies all that is assumed")
 
 
-def _moving(reading: Reading, point: Point) -> set[w.Node]:
+def _moving(reading: PolynomialProblem, point: Point) -> set[w.Node]:
     """What has a rate that is not zero at the point, or that a rule makes of something; and all that is tied to it."""
     entries = [(place, *what[1:3]) for place, what in enumerate(reading.variables) if what[0] == "entry"]
     moving = {of for place, of, order in entries if order and point.get(place, (0, 0))[0]}
@@ -61,7 +61,7 @@ def _moving(reading: Reading, point: Point) -> set[w.Node]:
     return moving
 
 
-def _symbols(reading: Reading, polynomial: Polynomial) -> set[w.Node]:
+def _symbols(reading: PolynomialProblem, polynomial: Polynomial) -> set[w.Node]:
     """The symbols of which, or of whose norms, cosines and so on, a polynomial is made."""
     found: set[w.Node] = set()
     for place in polynomial.places:

@@ -48,7 +48,7 @@ class Said:
         return self.counts and self.is_new
 
 
-class Reading(Quantities):
+class PolynomialProblem(Quantities):
     """A problem as polynomials: `vanishing` ones are zero, `nonzero` ones are not, `greater` ones are positive.
 
     `names` tell of which fraction of each angle the cosine and sine are variables; nothing else is taken from them.

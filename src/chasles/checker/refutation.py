@@ -14,7 +14,7 @@ from chasles.checker.elimination import eliminated
 from chasles.checker.expansion import Formless
 from chasles.checker.motion import require_motion
 from chasles.checker.quantities import squeezed
-from chasles.checker.reading import Reading
+from chasles.checker.reading import PolynomialProblem
 from chasles.checker.sparse import ZERO, Polynomial, Rejected, cleared, product, well_formed
 from chasles.checker.witness import Point, point_of, require, root_of, value_at
 from chasles.statements import Goal, Problem
@@ -57,7 +57,7 @@ def check_counterexample(problem: Problem, shown: Counterexample) -> None:
 
 def _objections(problem: Problem, shown: Counterexample) -> str:
     """Why the counterexample refutes no equation with that label; empty if it does one, or `Rejected`."""
-    reading = Reading(problem, shown.at)
+    reading = PolynomialProblem(problem, shown.at)
     turned = [what[1] for what in reading.variables if what[0] == "cos"]
     found = [_objection(reading, goal, shown) for goal in problem.goals if goal.label == shown.goal]
     if len({*turned}) < len(turned):
@@ -67,7 +67,7 @@ def _objections(problem: Problem, shown: Counterexample) -> str:
     return min(found, default=f"no equation of the statement is called {shown.goal!r}", key=bool)
 
 
-def _objection(reading: Reading, goal: Goal, shown: Counterexample) -> str:
+def _objection(reading: PolynomialProblem, goal: Goal, shown: Counterexample) -> str:
     """Why the counterexample does not refute this equation; empty if it does."""
     row, column = shown.entry
     if not (1 <= row <= goal.left.shape[0] and 1 <= column <= goal.left.shape[1]):
@@ -88,13 +88,13 @@ def _objection(reading: Reading, goal: Goal, shown: Counterexample) -> str:
     return "" if same else f"the sides are {' and '.join(texts)} at the point, not {shown.left} and {shown.right}"
 
 
-def bound_in(reading: Reading, places: set[int]) -> set[int]:
+def bound_in(reading: PolynomialProblem, places: set[int]) -> set[int]:
     """The variables in these places, and all those of which anything is assumed."""
     assumed = (*reading.vanishing.values(), *reading.nonzero, *(positive for _, positive in reading.positive))
     return {place for place in places.union(*(p.places for p in assumed)) if place >= len(reading.nonzero)}
 
 
-def completed(reading: Reading, at: Mapping[str, Fraction], relevant: set[int]) -> Point:
+def completed(reading: PolynomialProblem, at: Mapping[str, Fraction], relevant: set[int]) -> Point:
     """The point, with values for what it leaves out."""
     angles = {reading.places[what[1].name]: what[1].name for what in reading.variables if what[0] == "cos"}
     # An angle is shown only where pi measures it.
@@ -112,13 +112,13 @@ def completed(reading: Reading, at: Mapping[str, Fraction], relevant: set[int]) 
     return point
 
 
-def _angle(reading: Reading, point: Point, angles: set[int]) -> None:
+def _angle(reading: PolynomialProblem, point: Point, angles: set[int]) -> None:
     """The only angle that occurs beside its own cosine and sine may be left out: it is transcendental."""
     if len(angles) == 1 and reading.places.get("pi") not in point and not angles & point.keys():
         point[angles.pop()] = Fraction(1), 1
 
 
-def _choose(reading: Reading, point: Point, relevant: set[int]) -> None:
+def _choose(reading: PolynomialProblem, point: Point, relevant: set[int]) -> None:
     """What is left out altogether is as simple as its hypothesis, or its norm, allows."""
     wanted = [(h.subjects, SIMPLEST[h.kind]) for h in reading.problem.hypotheses if h.kind in SIMPLEST]
     for place, (kind, *what) in enumerate(reading.variables):
@@ -134,7 +134,7 @@ def _choose(reading: Reading, point: Point, relevant: set[int]) -> None:
             point.update(zip(places, known, strict=False))
 
 
-def _norms(reading: Reading, point: Point, relevant: set[int]) -> None:
+def _norms(reading: PolynomialProblem, point: Point, relevant: set[int]) -> None:
     """A norm that is left out is the square root, where that is rational."""
     for place in sorted(relevant - point.keys()):
         kind, of, *_ = reading.variables[place]
@@ -146,7 +146,7 @@ def _norms(reading: Reading, point: Point, relevant: set[int]) -> None:
                 point[place] = root, 0
 
 
-def _linear(reading: Reading, point: Point, missing: list[int], whole: bool = True) -> None:
+def _linear(reading: PolynomialProblem, point: Point, missing: list[int], whole: bool = True) -> None:
     """What is left out and occurs linearly in what vanishes is solved for; on the `whole`, what that leaves is zero."""
     rows: list[list[Fraction]] = []
     zeros = point | {place: (Fraction(0), 0) for place in missing}
@@ -169,7 +169,7 @@ def _solution(rows: list[list[Fraction]], size: int) -> dict[int, Fraction]:
     return {column: row[-1] for column, row in zip(pivots, reduced, strict=False)}
 
 
-def quotient_at(reading: Reading, polynomial: Polynomial, point: Point) -> Value:
+def quotient_at(reading: PolynomialProblem, polynomial: Polynomial, point: Point) -> Value:
     """The value of an expression, its inverses of nonzero factors evaluated too."""
     numerator, powers = cleared(polynomial, reading.nonzero)
     below = value_at(product(reading.nonzero, powers), point)
@@ -179,7 +179,7 @@ def quotient_at(reading: Reading, polynomial: Polynomial, point: Point) -> Value
     return {power - shift: value / divisor for power, value in value_at(numerator, point).items()}
 
 
-def _text(reading: Reading, value: Value, point: Point, at: Mapping[str, Fraction]) -> str:
+def _text(reading: PolynomialProblem, value: Value, point: Point, at: Mapping[str, Fraction]) -> str:
     """The value as 1/2, 2 pi, 1 - 3/4 phi."""
     bare = [reading.variables[place][1].name for place, (_, power) in point.items() if power]
     name = bare[0] if len(bare) == 1 and bare[0] not in at else "pi"

@@ -8,7 +8,7 @@ from math import isqrt, prod
 from typing import Any
 
 from chasles.checker.quantities import squeezed
-from chasles.checker.reading import Reading
+from chasles.checker.reading import PolynomialProblem
 from chasles.checker.sparse import Polynomial, Rejected, exponents
 
 QUARTERS = tuple((Fraction(cosine), Fraction(sine)) for cosine, sine in ((1, 0), (0, 1), (-1, 0), (0, -1)))
@@ -18,7 +18,7 @@ Point = dict[int, tuple[Fraction, int]]
 multiplied."""
 
 
-def point_of(reading: Reading, values: Mapping[str, Any]) -> Point:
+def point_of(reading: PolynomialProblem, values: Mapping[str, Any]) -> Point:
     """The point with these values; raises `Rejected` where they contradict what the variables mean.
 
     An angle that occurs beside its own cosine and sine is transcendental, because these are rational (Lindemann). With
@@ -66,7 +66,7 @@ def root_of(square: Fraction) -> Fraction | None:
     return root if root * root == square else None
 
 
-def _standing_for(reading: Reading, occurring: set[int]) -> set[int]:
+def _standing_for(reading: PolynomialProblem, occurring: set[int]) -> set[int]:
     """The variables that occur, and those by which they are what they are: a norm's vector, a cosine's sine."""
     inverses = {place for place in occurring if place < len(reading.nonzero)}
     needed = occurring.union(*(reading.nonzero[place].places for place in inverses)) - inverses
@@ -81,7 +81,7 @@ def _standing_for(reading: Reading, occurring: set[int]) -> set[int]:
     return needed
 
 
-def require(reading: Reading, point: Point, occurring: set[int]) -> None:
+def require(reading: PolynomialProblem, point: Point, occurring: set[int]) -> None:
     """All that occurs has a value at the point; what vanishes does, no nonzero factor does, and what is positive is."""
     if lacking := _standing_for(reading, occurring) - point.keys():
         names = {place: name for name, place in reading.places.items()}

@@ -12,7 +12,7 @@ from chasles.pages.chapter_notation import notation_of_chapter
 from chasles.pages.folder import QUESTIONS, answers, files_of
 from chasles.pages.kept_declarations import RECORD, BadRecord
 from chasles.pages.known_answers import KnownAnswers
-from chasles.pages.page import Page, read_page
+from chasles.pages.page import ReadPage, read_page
 from chasles.reading.letter_table import BadNotation
 from chasles.reading.lexemes import BadPage
 from chasles.reading.notation_file import load_notation, noted
@@ -24,10 +24,10 @@ from chasles.statements.packages import imported
 
 
 @dataclass(frozen=True, slots=True)
-class PageRead:
-    """A page, and the entries and the numbers of its notation that are of nothing on it."""
+class PageMatch:
+    """A page, and the entries and the numbers of its notation that nothing on it matches."""
 
-    page: Page
+    page: ReadPage
     entries: tuple[str, ...]
     numbers: tuple[str, ...]
 
@@ -51,7 +51,7 @@ def printed_on(page: Path, macros: Path | None, inline: bool, follow: bool) -> t
 
 def read(
     page: Path, printed: tuple[PrintedEquation, ...], name: str, out: Path | None, known: KnownAnswers
-) -> PageRead:
+) -> PageMatch:
     """The page decided, with what a person has answered, and the letters and numbers of the notation that it lacks.
 
     What came of it is written to the folder.
@@ -79,7 +79,7 @@ def _answered(out: Path) -> tuple[Path, dict[str, dict[str, str]]]:
         raise Failure(f"{asked}: {error}", BAD_INPUT) from error
 
 
-def _write(page: Page, given: dict[str, dict[str, str]], out: Path) -> None:
+def _write(page: ReadPage, given: dict[str, dict[str, str]], out: Path) -> None:
     """Write the chapter and what is asked to the folder, but for declarations in it that a person has changed."""
     try:
         out.mkdir(parents=True, exist_ok=True)
@@ -94,9 +94,9 @@ def _write(page: Page, given: dict[str, dict[str, str]], out: Path) -> None:
         raise Failure(f"{out / RECORD}: {error}: correct the file, or remove it", BAD_INPUT) from error
 
 
-def _with_what_it_lacks(page: Page, notation: PageNotation) -> PageRead:
+def _with_what_it_lacks(page: ReadPage, notation: PageNotation) -> PageMatch:
     names = {name for each in page.equations for name in (each.number, f"{each.number}/{each.place}")}
-    return PageRead(page, notation.unmatched, tuple(name for name in notation.notes if name not in names))
+    return PageMatch(page, notation.unmatched, tuple(name for name in notation.notes if name not in names))
 
 
 def _notation(name: str) -> PageNotation:

@@ -13,7 +13,7 @@ from operator import add
 
 from chasles import vocabulary as w
 from chasles.checker.determinants import Matrix
-from chasles.checker.reading import Reading
+from chasles.checker.reading import PolynomialProblem
 from chasles.checker.refutation import Value, quotient_at
 from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, exponents, number, packed, variable
 from chasles.checker.witness import Point
@@ -30,7 +30,7 @@ TURNED = ("unit", "rotation", "orthonormal")
 class MotionThrough:
     """What a reading's polynomials are as functions of time; raises `Unsaid` if they are no such functions."""
 
-    def __init__(self, reading: Reading, point: Point) -> None:
+    def __init__(self, reading: PolynomialProblem, point: Point) -> None:
         self._reading, self._point = reading, point
         self._known: dict[int, Polynomial] = {}
         self._waiting: set[int] = set()

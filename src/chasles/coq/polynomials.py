@@ -6,7 +6,7 @@ from collections.abc import Callable
 from fractions import Fraction
 
 from chasles import vocabulary as w
-from chasles.checker.reading import Reading
+from chasles.checker.reading import PolynomialProblem
 from chasles.checker.sparse import Polynomial, exponents
 from chasles.coq.expressions import Unsaid
 from chasles.coq.sources import ProofReading
@@ -87,7 +87,7 @@ def multiple(name: str, unit: Fraction) -> str:
     return f"({f'{unit.numerator} * ' * (unit.numerator > 1)}{name} / {unit.denominator})"
 
 
-def in_units(reading: Reading, argument: w.Node, name: Callable[[w.Symbol], str]) -> str:
+def in_units(reading: PolynomialProblem, argument: w.Node, name: Callable[[w.Symbol], str]) -> str:
     """An angle as a sum of those of which the cosine and the sine are variables, and of right angles."""
     units = {what[1]: what[2] for what in reading.variables if what[0] == "cos"}
     parts = []

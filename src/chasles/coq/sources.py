@@ -9,7 +9,7 @@ from functools import reduce
 from operator import mul
 
 from chasles import vocabulary as w
-from chasles.checker.reading import Reading
+from chasles.checker.reading import PolynomialProblem
 from chasles.checker.sparse import MOST_POWER, ZERO, Polynomial, cleared, exponents, packed
 from chasles.coq.expressions import Unsaid
 from chasles.statements import Goal, Hypothesis, Problem
@@ -55,7 +55,7 @@ def replaced(polynomial: Polynomial, factors: int, quotient: Polynomial, equal: 
     return Polynomial(kept, polynomial.below) + quotient * equal
 
 
-class ProofReading(Reading):
+class ProofReading(PolynomialProblem):
     """A problem as polynomials, as the checker reads it, with what a proof in Coq asks of it."""
 
     def __init__(self, problem: Problem, names: Iterable[str], nodes: Iterable[w.Node]) -> None:

@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import Any
 
 from chasles import vocabulary as w
-from chasles.checker.reading import Reading
+from chasles.checker.reading import PolynomialProblem
 from chasles.checker.refutation import Value, bound_in, completed, quotient_at
 from chasles.checker.sparse import Polynomial, Rejected, exponents, packed, variable
 from chasles.checker.witness import value_at
@@ -31,7 +31,7 @@ class PointValues:
         if said.integrals:
             raise Unsaid("a point with a body")
         try:
-            self.reading = reading = Reading(said.problem, at)
+            self.reading = reading = PolynomialProblem(said.problem, at)
         except Rejected as reason:
             raise Unsaid(str(reason)) from reason
         self.nodes: dict[str, w.Node] = {name: node for node, name in said.names.symbols.items()}

@@ -17,13 +17,13 @@ from chasles.rewriting.tidy import tidied
 from chasles.statements.derivation import (
     Ansatz,
     Consider,
+    DerivationStep,
     Differentiate,
     Expand,
     Factor,
     FactorOut,
     Multiply,
     Solve,
-    Step,
     Substitute,
     Take,
     TakeVector,
@@ -41,7 +41,7 @@ class StepResult:
     reason: str
 
 
-def carry_out(step: Step, state: State) -> StepResult:
+def carry_out(step: DerivationStep, state: State) -> StepResult:
     """The step's outcome; raises TypeError for a kind of step that is not known."""
     kinds: dict[type[Any], Callable[[Any, State], StepResult]] = {
         Take: _take,

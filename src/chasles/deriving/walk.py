@@ -15,7 +15,7 @@ from chasles.problems.divisors import UndeclaredDivisor
 from chasles.problems.variables import Untreatable
 from chasles.repairs.residues import SingularResidue, Unsampled
 from chasles.statements import Statement
-from chasles.statements.derivation import Ansatz, Compare, Consider, Derivation, FactorOut, Solve, Step, Take
+from chasles.statements.derivation import Ansatz, Compare, Consider, Derivation, DerivationStep, FactorOut, Solve, Take
 from chasles.verdict import IllFormed, Undecided, Verdict
 from chasles.vocabulary import Misfit, Symbol
 
@@ -86,7 +86,7 @@ def _goes_on(checked: CheckedStep) -> bool:
     return checked.verdict.true
 
 
-def _checked(step: Step, state: State) -> CheckedStep:
+def _checked(step: DerivationStep, state: State) -> CheckedStep:
     try:
         if isinstance(step, Compare):
             return _compared(step, state)
@@ -99,7 +99,7 @@ def _checked(step: Step, state: State) -> CheckedStep:
     return CheckedStep(step.kind, outcome.reason, outcome.equations, outcome.verdict)
 
 
-def _move_on(step: Step, state: State, outcome: StepResult) -> None:
+def _move_on(step: DerivationStep, state: State, outcome: StepResult) -> None:
     state.equations = outcome.equations
     if state.solved and [left for left, _ in outcome.equations] == [left for left, _ in state.solved]:
         state.solved = outcome.equations

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
-from chasles.pages.page import Page
+from chasles.pages.page import ReadPage
 from chasles.pages.page_equation import PageEquation
 from chasles.statements import Definition
 from chasles.verdict import Counterexample, Fails, HoldsUnder, IllFormed, Undecided
@@ -106,7 +106,7 @@ def _point(found: Counterexample) -> str:
     return f"{where}the left side is {found.left}, the right side {found.right}{place}"
 
 
-def records_of(page: Page) -> dict[str, Any]:
+def records_of(page: ReadPage) -> dict[str, Any]:
     """Everything of a page, as plain data."""
     return {"file": page.file, "equations": [record_of(each) for each in page.equations], "counts": page.counts}
 

@@ -10,7 +10,7 @@ from typing import Any
 from chasles.pages.findings_told import told
 from chasles.pages.kept_declarations import merged
 from chasles.pages.package import package_of
-from chasles.pages.page import Page
+from chasles.pages.page import ReadPage
 from chasles.pages.page_chapter import chapter_of
 from chasles.pages.page_equation import PageEquation
 
@@ -30,7 +30,7 @@ def answers(text: str) -> dict[str, dict[str, str]]:
     return {name: said for name, said in filled.items() if said}
 
 
-def files_of(page: Page, given: Mapping[str, Mapping[str, Any]], found: Mapping[str, str]) -> dict[str, str]:
+def files_of(page: ReadPage, given: Mapping[str, Mapping[str, Any]], found: Mapping[str, str]) -> dict[str, str]:
     """The text of each file by its name; answers that are `given` stay where they are asked for.
 
     Of the files that are `found` in the folder, declarations that a person has changed are kept. Raises SyntaxError for
@@ -46,7 +46,7 @@ def files_of(page: Page, given: Mapping[str, Mapping[str, Any]], found: Mapping[
     }
 
 
-def _table(page: Page) -> str:
+def _table(page: ReadPage) -> str:
     rows = [f"| {each.line} | {each.number} | {_cell(told(each))} |" for each in page.equations]
     return "\n".join(
         [f"# {page.file}", "", page.summary, "", "| line | number | finding |", "| --- | --- | --- |", *rows, ""]
@@ -57,7 +57,7 @@ def _cell(text: str) -> str:
     return " ".join(text.replace("|", r"\|").split())
 
 
-def _questions(page: Page, given: Mapping[str, Mapping[str, Any]]) -> str:
+def _questions(page: ReadPage, given: Mapping[str, Mapping[str, Any]]) -> str:
     asked: dict[str, list[PageEquation]] = {name: [] for name in given}
     for each in page.equations:
         if each.number in given or each.verdict in ("open", "ambiguous", "undecided", "contradictory"):
@@ -72,7 +72,7 @@ def _questions(page: Page, given: Mapping[str, Mapping[str, Any]]) -> str:
     return "\n".join(lines)
 
 
-def _unread(page: Page) -> str:
+def _unread(page: ReadPage) -> str:
     lines = ["# What could not be read", ""]
     for each in page.equations:
         if each.verdict == "unread":

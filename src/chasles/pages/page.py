@@ -45,7 +45,7 @@ DISPLAYS = ("$$", "\\[", "\\begin{", "```", ".. math::")
 
 
 @dataclass(frozen=True, repr=False)
-class Page(Displayed):
+class ReadPage(Displayed):
     """The equations of a page in its order, relation by relation; `file` is where it was read."""
 
     equations: tuple[PageEquation, ...]
@@ -92,7 +92,9 @@ class Page(Displayed):
         return chapter_of(self.file or "page", self.equations)[0]
 
 
-def read(text: str, notation: str | Path | ModuleType | Chapter | Mapping[str, Any], kind: Kind | None = None) -> Page:
+def read(
+    text: str, notation: str | Path | ModuleType | Chapter | Mapping[str, Any], kind: Kind | None = None
+) -> ReadPage:
     """The equations of a page, or one equation alone, decided.
 
     Args:
@@ -113,7 +115,7 @@ def read(text: str, notation: str | Path | ModuleType | Chapter | Mapping[str, A
 
 def read_page(
     printed: tuple[PrintedEquation, ...], notation: PageNotation, file: str = "", known: KnownAnswers | None = None
-) -> Page:
+) -> ReadPage:
     """The page of these equations, decided in their order; raises `BadNotation` for what it cannot assume.
 
     What is found out is added to the answers that are `known`.
@@ -143,7 +145,7 @@ def read_page(
         ahead = tuple(claim for claim in following if claim.sign in ("=", *DEFINING))
         first = relations[place][0].part if relations[place] else 1
         found += _decided(equation, name, first, notes, deduction, ahead)
-    return Page(tuple(replace(each, finding=deduction.settled(each.finding)) for each in found), file)
+    return ReadPage(tuple(replace(each, finding=deduction.settled(each.finding)) for each in found), file)
 
 
 def _relations(reading: Reading, number: str, first: int) -> tuple[Claim, ...]:

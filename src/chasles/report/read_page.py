@@ -9,7 +9,7 @@ from itertools import groupby
 from latex2mathml.converter import convert
 
 from chasles.pages.findings_told import is_fine, line_of
-from chasles.pages.page import Page
+from chasles.pages.page import ReadPage
 from chasles.pages.page_equation import PageEquation
 
 _STYLE = """
@@ -25,7 +25,7 @@ small { opacity: 0.7; }
 """
 
 
-def read_page_as_html(page: Page) -> str:
+def read_page_as_html(page: ReadPage) -> str:
     """The whole as one file, with nothing from elsewhere and no script."""
     title = escape(page.file or "page")
     body = "\n".join(_articles(page))
@@ -36,7 +36,7 @@ def read_page_as_html(page: Page) -> str:
     )
 
 
-def _articles(page: Page) -> Iterator[str]:
+def _articles(page: ReadPage) -> Iterator[str]:
     section = None
     for _, parts in groupby(page.equations, key=lambda each: id(each.read)):
         found = list(parts)

@@ -17,7 +17,7 @@ from chasles.vocabulary import Node, Symbol
 from chasles.vocabulary.arguments import Declared
 
 
-class Step(Declared):
+class DerivationStep(Declared):
     """One thing that is done; `kind` says it in a word or two."""
 
     __slots__ = ()
@@ -38,7 +38,7 @@ class Step(Declared):
 
 
 @dataclass(frozen=True, slots=True)
-class Take(Step):
+class Take(DerivationStep):
     """The derivation goes on from these statements; a claim among them must itself be proved."""
 
     kind: ClassVar[str] = "take"
@@ -49,7 +49,7 @@ class Take(Step):
 
 
 @dataclass(frozen=True, slots=True)
-class Consider(Step):
+class Consider(DerivationStep):
     """The derivation goes on from an expression, which is equal to itself."""
 
     kind: ClassVar[str] = "consider"
@@ -57,7 +57,7 @@ class Consider(Step):
 
 
 @dataclass(frozen=True, slots=True)
-class Substitute(Step):
+class Substitute(DerivationStep):
     """Left sides of these statements are replaced by their right sides: on the right side, or on `both`.
 
     Without statements, what was solved for is put in the ansatz, or in the equations reached. A replacement may be
@@ -74,7 +74,7 @@ class Substitute(Step):
 
 
 @dataclass(frozen=True, slots=True)
-class Expand(Step):
+class Expand(DerivationStep):
     """Products, transposes and rates are carried out, equal terms put together: on the right side, or on `both`."""
 
     kind: ClassVar[str] = "expand"
@@ -82,7 +82,7 @@ class Expand(Step):
 
 
 @dataclass(frozen=True, slots=True)
-class Factor(Step):
+class Factor(DerivationStep):
     """The right side is written as a sum of these terms; coefficients are found, numbers or functions of angles.
 
     Without terms, it is found to be zero. What it is written with may be `using` definitions to be the same.
@@ -97,7 +97,7 @@ class Factor(Step):
 
 
 @dataclass(frozen=True, slots=True)
-class FactorOut(Step):
+class FactorOut(DerivationStep):
     """The right side as something times `factor`; if that is `named`, it is what was found."""
 
     kind: ClassVar[str] = "factor"
@@ -106,7 +106,7 @@ class FactorOut(Step):
 
 
 @dataclass(frozen=True, slots=True)
-class Ansatz(Step):
+class Ansatz(DerivationStep):
     """`unknown` is sought in the given form, whose coefficients are to be solved for, so that the two sides are equal.
 
     Of an inverse it is asked that its product with the matrix is the identity.
@@ -119,7 +119,7 @@ class Ansatz(Step):
 
 
 @dataclass(frozen=True, slots=True)
-class Solve(Step):
+class Solve(DerivationStep):
     """The equations reached are solved for the unknowns, symbols or rates of symbols; the engine finds their values.
 
     With `terms`, each is found as a combination of those that fit it. A `by` multiplies an equation so that the unknown
@@ -143,14 +143,14 @@ class Solve(Step):
 
 
 @dataclass(frozen=True, slots=True)
-class Differentiate(Step):
+class Differentiate(DerivationStep):
     """Both sides are differentiated with respect to time."""
 
     kind: ClassVar[str] = "differentiate"
 
 
 @dataclass(frozen=True, slots=True)
-class Multiply(Step):
+class Multiply(DerivationStep):
     """Both sides are multiplied from the left, or from the `right`."""
 
     kind: ClassVar[str] = "multiply"
@@ -159,14 +159,14 @@ class Multiply(Step):
 
 
 @dataclass(frozen=True, slots=True)
-class TakeVector(Step):
+class TakeVector(DerivationStep):
     """The axial vector of both sides is taken."""
 
     kind: ClassVar[str] = "take the vector of"
 
 
 @dataclass(frozen=True, slots=True)
-class Compare(Step):
+class Compare(DerivationStep):
     """What was found is compared with a statement as printed; `free` symbols are chosen so that they agree.
 
     What the two sides are written with may be `using` definitions to be the same.
@@ -190,7 +190,7 @@ class Derivation(Declared, Displayed):
     number: str
     to: Statement | None
     says: str
-    steps: tuple[Step, ...]
+    steps: tuple[DerivationStep, ...]
     given: tuple[Statement, ...] = ()
     assuming: tuple[Hypothesis, ...] = ()
 

@@ -7,13 +7,13 @@ from fractions import Fraction
 from typing import Any
 
 from chasles import vocabulary as w
-from chasles.checker.reading import Reading
+from chasles.checker.reading import PolynomialProblem
 from chasles.checker.sparse import ZERO, Polynomial, Rejected, number, parsed, variable
 from chasles.statements import Problem
 from chasles.statements.inequalities import as_differences
 
 
-class ReadingOfSquares(Reading):
+class ReadingOfSquares(PolynomialProblem):
     """A problem as polynomials, in which the difference of a goal's sides is taken from the squares that are said."""
 
     def __init__(self, problem: Problem, certificate: Mapping[str, Any]) -> None:

@@ -16,8 +16,8 @@ from chasles.cli.files import text_of_file, write_whole
 from chasles.cli.quiet import is_quiet
 
 if TYPE_CHECKING:
-    from chasles.cli.page_reading import PageRead
-    from chasles.pages.page import Page
+    from chasles.cli.page_reading import PageMatch
+    from chasles.pages.page import ReadPage
     from chasles.reading.printed import PrintedEquation
 
 MOST_NAMED = 8
@@ -119,7 +119,9 @@ def changes(files: Sequence[Path], wait: Callable[[float], None]) -> Iterator[No
             wait(POLLED)
 
 
-def _tell(read: Sequence[PageRead], notation: str, html: Path | None, is_short: bool, github: bool, json: bool) -> None:
+def _tell(
+    read: Sequence[PageMatch], notation: str, html: Path | None, is_short: bool, github: bool, json: bool
+) -> None:
     """Tell the findings, and which entries of the notation are of no page."""
     found = [each.page for each in read]
     _tell_unmatched(f"{notation}: no letter of the page matches", [each.entries for each in read])
@@ -144,7 +146,7 @@ def _tell_unmatched(said: str, entries: Sequence[Sequence[str]]) -> None:
         complain([f"{said} {', '.join(shown + more)}"])
 
 
-def _show(found: Sequence[Page], is_short: bool, github: bool, json: bool) -> None:
+def _show(found: Sequence[ReadPage], is_short: bool, github: bool, json: bool) -> None:
     from chasles.pages.findings_told import annotation_of, is_fine, line_of, records_of
 
     if json:

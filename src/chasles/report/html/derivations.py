@@ -16,7 +16,7 @@ from chasles.report.derivation_page import equations_of, objections_of, outcome_
 from chasles.report.html.shown import DerivationView, StepShown, badge_of
 from chasles.report.html.statements import equation, expression
 from chasles.report.html.words import with_formulas
-from chasles.statements.derivation import Consider, Derivation, Step
+from chasles.statements.derivation import Consider, Derivation, DerivationStep
 from chasles.vocabulary import Node
 
 A_DERIVATION = 0.3
@@ -43,7 +43,7 @@ def derivation_view(name: str, road: CheckedDerivation) -> DerivationView:
     )
 
 
-def _step(step: CheckedStep, declared: Step) -> StepShown:
+def _step(step: CheckedStep, declared: DerivationStep) -> StepShown:
     """A step; of an expression that is only considered, nothing is said twice."""
     considers = isinstance(declared, Consider)
     shown = tuple(equation(left, right, label=label) for label, left, right in equations_of(step))

@@ -14,7 +14,7 @@ from chasles.decisions.decision import Certificate, Decision
 from chasles.deriving import CheckedDerivation
 from chasles.emitted import EmittedKernel
 from chasles.pages.findings_told import told
-from chasles.pages.page import Page
+from chasles.pages.page import ReadPage
 from chasles.pages.page_equation import PageEquation
 from chasles.repairs.repair import Repair
 from chasles.report.details import number_in_words
@@ -164,7 +164,7 @@ def _(value: Chapter) -> Card:
 
 
 @card_of.register
-def _(value: Page) -> Card:
+def _(value: ReadPage) -> Card:
     rows = tuple((str(each.printed.line), each.number, told(each)) for each in value.equations)
     return Card(title=value.file or "page", quiet=value.summary, head=("line", "number", "finding"), rows=rows)
 

@@ -17,7 +17,7 @@ from chasles.deriving import CheckedDerivation
 from chasles.emitted import EmittedKernel
 from chasles.exercises.solution import Solution
 from chasles.pages.findings_told import line_of
-from chasles.pages.page import Page
+from chasles.pages.page import ReadPage
 from chasles.pages.page_equation import PageEquation
 from chasles.repairs.repair import Repair
 from chasles.report.derivation_page import derivation_page
@@ -116,7 +116,7 @@ def _(value: Chapter, screen: Screen) -> Iterator[RenderableType]:
 
 
 @_pages.register
-def _(value: Page, screen: Screen) -> Iterator[RenderableType]:
+def _(value: ReadPage, screen: Screen) -> Iterator[RenderableType]:
     yield from (Text(line_of(each, value.file or "page")) for each in value.equations)
     yield Text(value.summary)
 
