@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 from math import comb
-from operator import ge, sub
+from operator import ge
 
 from chasles.algebra.rings import Exponents, Polynomial, Ring
 from chasles.algebra.work_limit import afford, check, spend
@@ -67,12 +67,11 @@ def _by_steps(
     ring: Ring, polynomial: Polynomial, generator: Polynomial, lead: Exponents
 ) -> tuple[Polynomial, Polynomial]:
     """Quotient and remainder, with all terms replaced at once that the leading term divides, again and again."""
-    total, top = ring.constant(Fraction(0)), ring.leading(generator)[1]
+    total, first = ring.constant(Fraction(0)), ring.from_terms({lead: ring.leading(generator)[1]})
     while True:
-        terms = {m: c / top for m, c in ring.terms(polynomial, lead)}
-        if not terms:
+        quotient, _ = ring.divide(polynomial, first)
+        if quotient == 0:
             return total, polynomial
-        quotient = ring.from_terms({tuple(map(sub, m, lead)): c for m, c in terms.items()})
         _count(ring, quotient, generator)
         polynomial, total = polynomial - quotient * generator, total + quotient
 

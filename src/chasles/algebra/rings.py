@@ -11,7 +11,7 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from functools import cache
 from heapq import heapify, heappop, heappush
-from operator import add, ge, sub
+from operator import add, sub
 from typing import Any, Protocol
 
 Polynomial = Any
@@ -19,17 +19,14 @@ Exponents = tuple[int, ...]
 
 
 class Ring(Protocol):
-    """A polynomial ring; its polynomials support + - * with each other and with integers, and len counts terms.
-
-    The terms asked for may be those alone that a monomial divides, which are `over` its exponents.
-    """
+    """A polynomial ring; its polynomials support + - * with each other and with integers, and len counts terms."""
 
     names: tuple[str, ...]
     generators: tuple[Polynomial, ...]
 
     def constant(self, value: Fraction) -> Polynomial: ...
     def from_terms(self, terms: dict[Exponents, Fraction]) -> Polynomial: ...
-    def terms(self, polynomial: Polynomial, over: Exponents = ()) -> list[tuple[Exponents, Fraction]]: ...
+    def terms(self, polynomial: Polynomial) -> list[tuple[Exponents, Fraction]]: ...
     def leading(self, polynomial: Polynomial) -> tuple[Exponents, Fraction]: ...
     def degrees(self, polynomial: Polynomial) -> Exponents: ...
     def divide(self, polynomial: Polynomial, divisor: Polynomial) -> tuple[Polynomial, Polynomial]: ...
@@ -55,9 +52,9 @@ class _FlintRing:
             {exponents + pad: self._rational(c.numerator, c.denominator) for exponents, c in terms.items()}
         )
 
-    def terms(self, polynomial: Polynomial, over: Exponents = ()) -> list[tuple[Exponents, Fraction]]:
-        size, found = len(self.names), polynomial.to_dict().items()
-        return [(tuple(map(int, m))[:size], _fraction(c)) for m, c in found if all(map(ge, m, over))]
+    def terms(self, polynomial: Polynomial) -> list[tuple[Exponents, Fraction]]:
+        size = len(self.names)
+        return [(tuple(map(int, m))[:size], _fraction(c)) for m, c in polynomial.to_dict().items()]
 
     def leading(self, polynomial: Polynomial) -> tuple[Exponents, Fraction]:
         return tuple(map(int, polynomial.monomial(0))), _fraction(polynomial.coefficient(0))
@@ -98,9 +95,9 @@ class _SympyRing:
             {exponents + pad: self._rationals(c.numerator, c.denominator) for exponents, c in terms.items()}
         )
 
-    def terms(self, polynomial: Polynomial, over: Exponents = ()) -> list[tuple[Exponents, Fraction]]:
+    def terms(self, polynomial: Polynomial) -> list[tuple[Exponents, Fraction]]:
         size = len(self.names)
-        return [(tuple(m)[:size], self._fraction(c)) for m, c in polynomial.terms() if all(map(ge, m, over))]
+        return [(tuple(m)[:size], self._fraction(c)) for m, c in polynomial.terms()]
 
     def leading(self, polynomial: Polynomial) -> tuple[Exponents, Fraction]:
         return tuple(polynomial.LM), self._fraction(polynomial.LC)
