@@ -8,6 +8,8 @@ from functools import partial
 from math import inf
 from typing import Any
 
+from sympy.polys.polyerrors import BasePolynomialError
+
 from chasles.algebra.work_limit import OutOfTime, remaining, within
 from chasles.checker.any_size.of_sympy import check_at_any_size, has_letters_for_sizes
 from chasles.checker.expressions.counterexample import check_refutation
@@ -20,16 +22,22 @@ from chasles.from_sympy.complex_symbols import by_parts, expressions_in
 from chasles.from_sympy.components import in_components, sides_of
 from chasles.from_sympy.contradiction import contradiction
 from chasles.from_sympy.decimals import as_decimals
-from chasles.from_sympy.exponents import require_moderate_exponents
+from chasles.from_sympy.exponents import require_moderate
 from chasles.from_sympy.induction import by_induction
 from chasles.from_sympy.inequalities import definitions, without_inequalities
+from chasles.from_sympy.opening import excerpt
 from chasles.from_sympy.splitting import Splitting
 from chasles.problems.variables import Untreatable
 from chasles.prover.decide import decide_problem
 from chasles.verdict import Contradictory, Fails, Holds, HoldsUnder, Undecided, Verdict
+from chasles.vocabulary import Misfit
 
 __all__ = ["Rejected", "Untreatable", "prove", "recheck"]
 
+FAILURES = (
+    ArithmeticError, AttributeError, LookupError, NotImplementedError, TypeError, ValueError, BasePolynomialError,
+)  # fmt: skip
+"""What SymPy raises where it does not treat an expression."""
 EFFORT = 1e7
 """The work that a question may take, in products of terms."""
 
@@ -68,8 +76,8 @@ def prove(
         Untreatable: a ValueError that names what is not treated.
     """
     try:
+        require_moderate(expressions_in([lhs, rhs, given, nonzero]))
         said = _said(exact, lhs, rhs, given, nonzero)
-        require_moderate_exponents(expressions_in(said))
         of_any_size = has_letters_for_sizes(expressions_in(said))
         asked = said if of_any_size else without_inequalities(said)
         with within(EFFORT, budget):
@@ -80,6 +88,12 @@ def prove(
         return Undecided(f"a case is not read by the checker: {error}")
     except RecursionError as error:
         raise Untreatable("it is nested too deeply, or SymPy does not come to an end with it") from error
+    except FAILURES as error:
+        if not isinstance(error, Misfit) and not _raised_in_sympy(error):
+            raise
+        what = excerpt(lhs) if rhs is None else f"{excerpt(lhs)} = {excerpt(rhs)}"
+        said_by = f": {error}" if str(error) else ""
+        raise Untreatable(f"{what} is not treated, {type(error).__name__}{said_by}") from error
     if not isinstance(verdict, Holds | HoldsUnder):
         return verdict
     poles = (f"{e} != 0" for e in set(expressions_in(asked[3])) - set(expressions_in(said)))
@@ -87,6 +101,14 @@ def prove(
         unused = tuple(text for text in verdict.unused if text not in used)
         verdict = HoldsUnder((*used, *verdict.needs), verdict.certificate, verdict.witness, unused)
     return replace(verdict, asked=said)
+
+
+def _raised_in_sympy(error: BaseException) -> bool:
+    """Whether SymPy does not treat what it was handed, such as a function of no argument."""
+    trace = error.__traceback__
+    while trace is not None and trace.tb_next is not None:
+        trace = trace.tb_next
+    return trace is not None and str(trace.tb_frame.f_globals.get("__name__")).startswith("sympy.")
 
 
 def _decided_or_by_induction(*asked: Any) -> Verdict:

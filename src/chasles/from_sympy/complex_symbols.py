@@ -7,6 +7,7 @@ from itertools import pairwise
 from typing import Any
 
 import sympy
+from sympy.combinatorics import Permutation
 from sympy.matrices import MatrixBase
 
 from chasles.checker.expressions.complexes import OF_COMPLEX
@@ -54,5 +55,5 @@ def expressions_in(value: Any) -> Iterator[Any]:
             yield from expressions_in(item)
     elif isinstance(value, Mapping):
         yield from expressions_in([*value.keys(), *value.values()])
-    elif isinstance(value, sympy.Basic):
+    elif isinstance(value, sympy.Basic) and not isinstance(value, Permutation):  # its `atoms` are integers
         yield value

@@ -9,6 +9,7 @@ from sys import modules
 from typing import Any
 
 import sympy
+from sympy.core.relational import Relational
 from sympy.matrices import MatrixBase
 from sympy.utilities.iterables import flatten
 
@@ -17,6 +18,7 @@ from chasles.from_sympy.decimals import with_values
 from chasles.from_sympy.opening import excerpt
 from chasles.problems.variables import Untreatable
 
+LISTS = list, tuple, sympy.Tuple
 FRAMES, SYSTEMS, QUATERNIONS = "sympy.physics.vector", "sympy.vector", "sympy.algebras.quaternion"
 """The modules of SymPy's vectors in frames, of those in coordinate systems, and of quaternions."""
 
@@ -47,13 +49,15 @@ def sides_of(relation: Any) -> tuple[Any, Any]:
         return relation.lhs, relation.rhs
     if isinstance(relation, sympy.Unequality):
         return sympy.Piecewise((1, relation), (0, True)), sympy.S.One
+    if isinstance(relation, Relational) and not all(isinstance(side, sympy.Expr) for side in relation.args):
+        raise Untreatable(f"{excerpt(relation)} compares what is no scalar")
     if isinstance(relation, sympy.GreaterThan | sympy.LessThan):
         difference = relation.gts - relation.lts
         return sympy.Abs(difference), difference
     if isinstance(relation, sympy.StrictGreaterThan | sympy.StrictLessThan):
         return sympy.sign(relation.gts - relation.lts), sympy.S.One
     why = "no equation and no inequality"
-    if relation in (sympy.true, sympy.false):
+    if relation is sympy.true or relation is sympy.false:
         why = "what SymPy has made of a relation when it was written"
     raise Untreatable(f"one side only is handed in, {excerpt(relation)}, which is {why}: hand in two sides")
 
@@ -78,11 +82,15 @@ def _listed(frames: Any, word: str = "and") -> str:
 def _as_matrix(value: Any) -> Any:
     """Lists and arrays, of SymPy's or NumPy's, as matrices, and polynomials as expressions."""
     if isinstance(value, sympy.Poly):
+        if value.domain.characteristic():
+            raise Untreatable(f"{excerpt(value)} is a polynomial over a finite field: the variables are real numbers")
         return value.as_expr()
     is_array = isinstance(value, sympy.NDimArray) and value.rank() < 3
     if is_array or (hasattr(value, "__array__") and not isinstance(value, sympy.Basic | MatrixBase)):
         value = value.tolist()
-    if not isinstance(value, list | tuple | sympy.Tuple) or not value:
+    if not isinstance(value, LISTS) or not value:
+        return value
+    if any(isinstance(entry, LISTS) for row in value if isinstance(row, LISTS) for entry in row):
         return value
     try:
         entries = [sympy.sympify(entry, strict=True) for entry in flatten(value)]
@@ -123,7 +131,7 @@ def _pair(one: Any, other: Any) -> Sequence[Any]:
 
 def _carried_out(value: Any) -> Any:
     """The expression with products and derivatives of vectors carried out, the inner ones first."""
-    if not isinstance(value, sympy.Basic):
+    if not isinstance(value, sympy.Expr):
         return value
     operations = _loaded(SYSTEMS, "Dot", "Cross", "Gradient", "Divergence", "Curl", "Laplacian")
     value = value.replace(lambda part: isinstance(part, operations), lambda part: part.doit())

@@ -186,7 +186,7 @@ def _limited(exponent: int, whole: Any) -> int:
 
 
 def _raised(node: Node, power: int) -> Node:
-    return node if power == 1 else Power(node, power)
+    return Number(Fraction(1)) if power == 0 else node if power == 1 else Power(node, power)
 
 
 Reading = Callable[[Reader, Any], Node]

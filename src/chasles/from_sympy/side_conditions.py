@@ -42,6 +42,8 @@ def _items(conditions: Any, name: str) -> Iterator[Said]:
 def _conjuncts(item: Any, what: str) -> Iterator[Said]:
     """The parts of a conjunction. Python compares spellings with `==`, so its booleans say nothing of values."""
     if isinstance(item, sympy.And):
+        if letter := next((part for part in item.args if isinstance(part, sympy.Expr)), None):
+            raise Untreatable(f"{what} is {item}, where {letter} is true or false: no equation and no inequality")
         yield from ((what, part) for part in sorted(item.args, key=str))
     elif isinstance(item, bool):
         raise Untreatable(f"{what} is {item}: write Eq(a, b), for a == b compares spellings; and Ne(a, b) for a != b")
