@@ -330,3 +330,22 @@ def test_logarithms_to_a_base_are_quotients_of_natural_ones() -> None:
     claims = (r"\log_2 (x y) = \log_2 x + \log_2 y", r"\log_{10} x = \frac{\ln x}{\ln 10}", r"\log_2 8 = 3")
     assert [each.split()[0].rstrip(":") for each in verdicts(*claims)] == ["holds-under", "holds-under", "holds"]
     assert not DECIDED & {*verdicts(r"\log_2 (x y) = \log_2 x \log_2 y")} - {"fails"}
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        (r"e^{x^{2 y}}", r"e^{x^2 y}"),
+        (r"e^{\frac{a b}{c}}", r"e^{\frac{a}{b c}}"),
+        (r"\sqrt{x} y", r"\sqrt{x y}"),
+        (r"\overline{x} y", r"\overline{x y}"),
+        (r"x_{i_{j k}}", "x_{i_j k}"),
+        (r"{}^A v", r"{}^B v"),
+        (r"\mathbf{x} y", r"\mathbf{x y}"),
+        ("|x| y", "|x y|"),
+        (r"\begin{matrix} a & b \end{matrix}", r"\begin{matrix} a b \end{matrix}"),
+    ],
+)
+def test_what_is_grouped_otherwise_is_another_quantity(one: str, other: str) -> None:
+    assert verdicts_as_proposed(rf"\int_0^1 {one} dt = \int_0^1 {other} dt") != ["holds"]
+    assert verdicts_as_proposed(rf"\int_0^1 {one} dt = \int_0^1 {one} dt") == ["holds"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import time
 from contextlib import suppress
 from itertools import pairwise
@@ -313,8 +314,41 @@ def test_files_that_include_each_other_are_refused() -> None:
 
 def test_kinds_of_pages() -> None:
     assert (kind_of("a/b.tex"), kind_of("x.MD"), kind_of("y.rst")) == ("tex", "md", "rst")
+    assert (kind_of("a.html"), kind_of("a.wiki"), kind_of("a.ipynb")) == ("html", "html", "ipynb")
     with pytest.raises(BadPage, match=r"x\.pdf: pages are read whose names end with \.tex"):
         kind_of("x.pdf")
+
+
+@pytest.mark.parametrize(
+    ("body", "expected", "line"),
+    [
+        ("<h2>Two</h2>\n<p>Say $$ a &lt; b, $$ <b>x</b></p><pre>$$no = more$$</pre>", "a<b", 2),
+        ('<script>$$no = more$$\n</script><script type="math/tex; mode=display">a = b</script>', "a=b", 2),
+        ("<!-- $$no = more$$ -->\n<code>$$no = more</code>\\[ a = b \\]<style>$$c = d$$", "a=b", 2),
+        ("so that\n:<math>a = b</math>, and <math>c = d</math>", "a=b", 2),
+        ('so that <math display="block">\n a = b</math>, and <math>c = d</math>', "a=b", 2),
+        ('<math xmlns="w" display="block"><mi>a</mi><annotation encoding="application/x-tex">a = b</annotation></math>'
+         '<math xmlns="w"><annotation encoding="application/x-tex">c = d</annotation></math>', "a=b", 1),
+        ("<" * 50_000 + "<script>" * 20_000, None, 0),
+    ],
+)  # fmt: skip
+def test_mathematics_in_hypertext(body: str, expected: str | None, line: int) -> None:
+    found = displayed(body, "html")
+    assert (texts(found), [each.line for each in found]) == (([expected], [line]) if expected else ([], []))
+    assert all(each.section == "Two" for each in found if "h2" in body)
+
+
+@pytest.mark.parametrize("indent", [1, None])
+def test_the_cells_of_a_notebook_keep_their_lines(indent: int | None) -> None:
+    kinds = {"code": ["x = '$$no = more$$'"], "markdown": ["# One\n", 'so \\"that\n', "$$\\frac{a}{b} = c$$"]}
+    cells = [{"cell_type": kind, "metadata": {}, "source": source} for kind, source in kinds.items()]
+    text = json.dumps({"cells": cells, "nbformat": 4}, indent=indent)
+    (found,) = displayed(text, "ipynb")
+    assert (found.latex, found.section) == (r"\frac{a}{b} = c", "One")
+    assert indent is None or "frac" in text.split("\n")[found.line - 1]
+    for broken in ("", "[]", '{"cells": 1}', '{"cells": [{}]}', "[" * 100_000):
+        with pytest.raises(BadPage, match="no Jupyter notebook"):
+            displayed(broken, "ipynb")
 
 
 PIECES = st.sampled_from(

@@ -12,9 +12,9 @@ from chasles.cli.failures import BAD_INPUT, FAILED, Failure
 
 
 def text_of_file(file: Path) -> str:
-    """The text of a file, of standard input for "-". Raises Failure."""
+    """The text of a file, without a byte order mark, of standard input for "-". Raises Failure."""
     try:
-        return sys.stdin.read() if str(file) == "-" else file.read_text("utf-8")
+        return sys.stdin.read() if str(file) == "-" else file.read_text("utf-8-sig")
     except (OSError, UnicodeDecodeError) as error:
         reason = error.strerror if isinstance(error, OSError) else "it is not UTF-8 text"
         raise Failure(f"cannot read {file}: {reason}", BAD_INPUT) from error

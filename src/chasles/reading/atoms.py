@@ -21,6 +21,7 @@ OPENING = ("(", "[", r"\{", r"\langle", r"\lfloor", r"\lceil", r"\llbracket")
 CLOSING = (")", "]", r"\}", r"\rangle", r"\rfloor", r"\rceil", r"\rrbracket")
 ROW_END = "\\\\"
 LAYOUT = ("&", ROW_END, r"\quad")
+BRACED = re.compile(r"(?:(?<=\s)|^)\{ ([^\s{}]+) \}(?=\s|$)")
 NAME = re.compile(r"\\(?:operatorname|text)\{(.*)\}$")
 KINDS = {
     **dict.fromkeys(INFIXES, "INFIX"), **dict.fromkeys(SIGNS, "SIGN"), **dict.fromkeys(RELATIONS, "RELATION"),
@@ -146,5 +147,5 @@ def in_braces(atoms: Iterable[Atom]) -> str:
 
 
 def said_of(atoms: Iterable[Atom]) -> str:
-    """The same without braces."""
-    return " ".join(word for word in in_braces(atoms).split() if word not in ("{", "}"))
+    """The same without braces around one letter or sign alone: others tell x^{2y} from x^2 y."""
+    return BRACED.sub(r"\1", in_braces(atoms))

@@ -73,7 +73,9 @@ def _text(atom: Atom) -> str:
         inside = " , ".join(text_of(terms) for terms in atom.inside)
         half = len(atom.text) // 2
         return f"{atom.text[:half]} {inside} {atom.text[half:]}"
-    return (said_of if atom.kind in ("GROUP", "COMMAND") else in_braces)((atom.bare,))
+    if atom.kind == "GROUP":
+        return said_of(atom.arguments[0])
+    return (said_of if atom.kind == "COMMAND" else in_braces)((atom.bare,))
 
 
 def latex_of(atom: Atom) -> str:
@@ -99,7 +101,8 @@ def text_of_row(row: Atoms) -> str:
 def text_of_atom(atom: Atom) -> str:
     """The atom with its scripts as one text."""
     sub = f" _ {{ {said_of(atom.sub)} }}" if atom.sub else ""
-    return _text(atom) + sub + " '" * atom.primes + "".join(f" ^ {{ {said_of(sup)} }}" for sup in atom.sups)
+    left = [f"{sign} {{ {said_of(mark)} }} " for sign, mark in zip("_^", atom.before, strict=True) if mark]
+    return "{} " * bool(left) + "".join(left) + _text(atom) + sub + " '" * atom.primes + "".join(f" ^ {{ {said_of(sup)} }}" for sup in atom.sups)
 
 
 @lru_cache(maxsize=4096)
@@ -194,16 +197,14 @@ def spelled(letter: Glyph) -> str:
 
 
 def in_latex(text: str) -> str:
-    """A text of tokens in LaTeX: typefaces hold the next letter, scripts without braces reach to a comma or stroke."""
+    """A text of tokens in LaTeX: typefaces hold the next letter, and so do scripts without braces."""
     found: list[str] = []
     styles: list[str] = []
-    scripts = 0
+    is_script = False
     for word, behind in pairwise((*text.split(), "")):
         if word in TYPEFACES:
             (found if behind == "{" else styles).append(word)
             continue
-        if word in (",", "/"):
-            found, scripts = [*found, "}" * scripts], 0
         is_name = len(word) > 1 and word[0] != "\\" and not re.fullmatch(r"[\d.]+|.*[#|].*", word)
         said = (
             word if not is_name else rf"\mathrm{{{word}}}" if word.isalpha() else rf"\text{{{word.replace('~', ' ')}}}"
@@ -211,8 +212,6 @@ def in_latex(text: str) -> str:
         for style in reversed(styles):
             said = (r"\boldsymbol" if style == r"\mathbf" and said[:1] == "\\" else style) + f"{{{said}}}"
         styles = []
-        is_open = word in ("_", "^") and behind != "{"
-        scripts += is_open
-        found.append(said + "{" * is_open)
-    said = " ".join(filter(None, [*found, "}" * scripts]))
-    return re.sub(r" ?([_^]) ?\{ ?| (?=[,}])", lambda found: found[1] + "{" if found[1] else "", said)
+        found.append(f"{{{said}}}" if is_script else said)
+        is_script = word in ("_", "^") and behind != "{"
+    return re.sub(r" ?([_^]) ?\{ ?| (?=[,}])", lambda found: found[1] + "{" if found[1] else "", " ".join(found))

@@ -86,8 +86,8 @@ class PageNotation:
 
     @property
     def unmatched(self) -> tuple[str, ...]:
-        """The entries of a file that no letter has matched so far."""
-        return tuple(entry for entry, is_matched in self.matched.items() if not is_matched)
+        """The entries that a person has written and that no letter has matched so far."""
+        return tuple(entry for entry, is_matched in self.matched.items() if not (is_matched or self.proposed))
 
     def declare(self, node: Node, text: str) -> None:
         """Let the letter stand for the node."""

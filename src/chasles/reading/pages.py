@@ -1,4 +1,4 @@
-"""Displayed equations of a page in LaTeX, Markdown (MyST) or reStructuredText, with their numbers and places."""
+"""Displayed equations of a page in LaTeX, Markdown, reStructuredText, HTML or a notebook, with numbers and places."""
 
 from __future__ import annotations
 
@@ -6,16 +6,18 @@ import re
 from pathlib import PurePath
 from typing import Literal
 
+from chasles.reading.hypertext import of_html, of_notebook
 from chasles.reading.lexemes import BadPage, Token
 from chasles.reading.macros import Source
 from chasles.reading.markup import PageBlock, fenced, indented
 from chasles.reading.printed import PrintedEquation
-from chasles.reading.tex_page import Included, TexPage
+from chasles.reading.tex_page import MOST_CHARACTERS, Included, TexPage
 
-Kind = Literal["tex", "md", "rst", "equation"]
+Kind = Literal["tex", "md", "rst", "html", "ipynb", "equation"]
 
 SUFFIXES: dict[str, Kind] = {
     ".tex": "tex", ".ltx": "tex", ".md": "md", ".markdown": "md", ".myst": "md", ".dox": "md", ".rst": "rst",
+    ".html": "html", ".htm": "html", ".wiki": "html", ".mediawiki": "html", ".ipynb": "ipynb",
 }  # fmt: skip
 LABEL_AFTER = re.compile(r"[ \t]*\(([^\s()]+)\)[ \t]*(?=\n|$)")
 ROW_END = "\\\\"
@@ -43,6 +45,8 @@ def displayed(
     text of what \input names, which is passed over without it. Raises `BadPage` for a page of more than 5 MB and for
     files that include each other; a display that is broken is found, with its `fault`.
     """
+    if len(text) <= MOST_CHARACTERS and (as_markdown := {"html": of_html, "ipynb": of_notebook}.get(kind)):
+        text, kind = as_markdown(text), "md"
     pages = {"md": _MarkdownPage, "rst": _StructuredPage}
     page = pages.get(kind, TexPage)(is_inline, included)
     style = TexPage(False, included)

@@ -62,7 +62,7 @@ def command(
     watch: bool,
     json: bool,
 ) -> int:
-    """Read the displayed equations of a page (LaTeX, Markdown or reStructuredText) and decide them.
+    """Read the displayed equations of a page (LaTeX, Markdown, reStructuredText, HTML, a notebook) and decide them.
 
     Each finding is a line, FILE:LINE: (NUMBER) verdict: reason. A wrong equation is a finding, not a failure, unless
     --strict is given; status 1 means that something is open, ambiguous or unread. With --out, questions.toml asks for
