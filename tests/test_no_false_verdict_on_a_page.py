@@ -349,3 +349,11 @@ def test_logarithms_to_a_base_are_quotients_of_natural_ones() -> None:
 def test_what_is_grouped_otherwise_is_another_quantity(one: str, other: str) -> None:
     assert verdicts_as_proposed(rf"\int_0^1 {one} dt = \int_0^1 {other} dt") != ["holds"]
     assert verdicts_as_proposed(rf"\int_0^1 {one} dt = \int_0^1 {one} dt") == ["holds"]
+
+
+def test_what_one_section_says_another_may_say_otherwise() -> None:
+    said = "$$r q = p$$\n\n$$r q q^{-1} = p q^{-1}$$\n\n$$r = p q^{-1}$$\n\n{}$$q r = p$$\n\n$$r = q^{-1} p$$"
+    letters = {letter: {"is": "matrix"} for letter in "pqr"}
+    same, other = (chasles.read(said.replace("{}", between), {"symbols": letters}) for between in ("", "# Other\n"))
+    assert [each.verdict for each in same.equations][-2:] == ["fails", "fails"]
+    assert not any(each.verdict == "fails" for each in other.equations)

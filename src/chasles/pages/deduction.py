@@ -146,6 +146,7 @@ class Deduction:
             claim = self._as_said(Claim(number, left, right, part=part, sign=sign, sic=True))
             finding = self._found(claim, note, tuple(ahead))
         self.premises.spoken.update(q for side in (left, right) for q in quantities(side))
+        self.premises.stated.append({left, right})
         if self._said_here[0] and (key := quantity(left)) is not None:
             self._said_here[1].setdefault(key, right)
         return finding

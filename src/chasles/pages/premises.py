@@ -35,7 +35,8 @@ class Premises:
 
     `definitions` has for each quantity what the page has said it to be, the last first, and None at the end if it was
     used before; `proved` the last claim proved of it, `opened` the last open equation that says what it is; `said` are
-    all of these in their order, and `spoken` is what has occurred; a section has `begun` behind so many of both.
+    all of these in their order, `stated` what each equation says, and `spoken` is what has occurred; a section has
+    `begun` behind so many of what is posed, said and stated.
     On what is `relied` a proved claim rests.
     """
 
@@ -46,12 +47,13 @@ class Premises:
     said: list[Statement] = field(default_factory=list)
     posed: list[PosedEquation] = field(default_factory=list)
     spoken: set[Quantity] = field(default_factory=set)
-    begun: tuple[int, int] = (0, 0)
+    stated: list[set[Node]] = field(default_factory=list)
+    begun: tuple[int, int, int] = (0, 0, 0)
     relied: set[str] = field(default_factory=set)
 
     def begin_section(self) -> None:
         """From here on another section."""
-        self.begun = len(self.posed), len(self.said)
+        self.begun = len(self.posed), len(self.said), len(self.stated)
 
     @property
     def posed_here(self) -> list[PosedEquation]:
@@ -74,7 +76,7 @@ class Premises:
         """The same, to which something else may be added."""
         definitions = {q: list(known) for q, known in self.definitions.items()}
         rules = with_fields(self, definitions=definitions, proved=dict(self.proved), opened=dict(self.opened))
-        told = with_fields(rules, said=list(self.said), posed=list(self.posed))
+        told = with_fields(rules, said=list(self.said), posed=list(self.posed), stated=list(self.stated))
         return with_fields(told, spoken=set(self.spoken), relied=set(self.relied))
 
     def defined(self, generation: int = 0) -> Rules:

@@ -94,7 +94,7 @@ def _instead(
 ) -> tuple[Repair | None, frozenset[str] | None]:
     """A true equation but for one slip under what the page says, and on which open equations that rests.
 
-    One of these over again is as well one of another case: then the claim is sure never to fail.
+    One of these over again, or what another section says, is as well one of another case: the claim never fails then.
     """
     for known in known_of(claim, premises):
         if consequences.may_follow(*claim.printed, *known):
@@ -103,8 +103,8 @@ def _instead(
         if found is not None:
             rules, posed = consequences.least(found.left, found.right, *known)
             opened = [rule for rule in rules.values() if rule in premises.opened.values()]
-            said = [(each.left, each.right) for each in posed if each.open] + [rule.printed for rule in opened]
-            again = [""] if any({found.left, found.right} == set(sides) for sides in said) else []
+            said = [{each.left, each.right} for each in posed if each.open] + [{*rule.printed} for rule in opened]
+            again = [""] if {found.left, found.right} in said + premises.stated[: premises.begun[2]] else []
             names = (*map(named, opened), *(each.hypothesis.text for each in posed if each.open))
             return found, frozenset([*again, *names])
     return None, None

@@ -51,10 +51,8 @@ def _raised(fits: list[Fit], sup: str, rest: Glyph, ctx: FittingContext) -> list
     elif words in HALF:
         makes = tuple(ctx.notation.spellings.names[r"\sqrt"])
     elif words.startswith(EVALUATED):
-        below, *above = map(in_latex, words.removeprefix(EVALUATED).split(" ^ ", 1))
-        place = f"_{{{below}}}" + "".join(f"^{{{each}}}" for each in above)
         taken = [fit for fit in fits if fit.node is None or fit.shape]
-        return _of_its_own(taken, rf" \right|{place}", ctx, r"\left. ")
+        return _of_its_own(taken, rf" \right{in_latex(words)}", ctx, r"\left. ")
     else:
         makes = tuple(ctx.notation.spellings.scripts.get(words, ()))
     parts = EXPONENT.findall(words)

@@ -147,5 +147,8 @@ def in_braces(atoms: Iterable[Atom]) -> str:
 
 
 def said_of(atoms: Iterable[Atom]) -> str:
-    """The same without braces around one letter or sign alone: others tell x^{2y} from x^2 y."""
+    """The same without braces around all of it, or one letter or sign alone: others tell x^{2y} from x^2 y."""
+    atoms = tuple(atoms)
+    while len(atoms) == 1 and atoms[0].kind == "GROUP" and not atoms[0].is_marked:
+        (atoms,) = atoms[0].arguments
     return BRACED.sub(r"\1", in_braces(atoms))

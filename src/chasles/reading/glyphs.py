@@ -73,9 +73,7 @@ def _text(atom: Atom) -> str:
         inside = " , ".join(text_of(terms) for terms in atom.inside)
         half = len(atom.text) // 2
         return f"{atom.text[:half]} {inside} {atom.text[half:]}"
-    if atom.kind == "GROUP":
-        return said_of(atom.arguments[0])
-    return (said_of if atom.kind == "COMMAND" else in_braces)((atom.bare,))
+    return (said_of if atom.kind in ("GROUP", "COMMAND") else in_braces)((atom.bare,))
 
 
 def latex_of(atom: Atom) -> str:
@@ -100,9 +98,10 @@ def text_of_row(row: Atoms) -> str:
 
 def text_of_atom(atom: Atom) -> str:
     """The atom with its scripts as one text."""
-    sub = f" _ {{ {said_of(atom.sub)} }}" if atom.sub else ""
     left = [f"{sign} {{ {said_of(mark)} }} " for sign, mark in zip("_^", atom.before, strict=True) if mark]
-    return "{} " * bool(left) + "".join(left) + _text(atom) + sub + " '" * atom.primes + "".join(f" ^ {{ {said_of(sup)} }}" for sup in atom.sups)
+    sub = f" _ {{ {said_of(atom.sub)} }}" if atom.sub else ""
+    sups = "".join(f" ^ {{ {said_of(sup)} }}" for sup in atom.sups)
+    return "{} " * bool(left) + "".join(left) + _text(atom) + sub + " '" * atom.primes + sups
 
 
 @lru_cache(maxsize=4096)
