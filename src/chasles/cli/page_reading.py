@@ -17,8 +17,8 @@ from chasles.reading.letter_table import BadNotation
 from chasles.reading.lexemes import BadPage
 from chasles.reading.notation_file import load_notation, noted
 from chasles.reading.page_notation import PageNotation
-from chasles.reading.pages import displayed, kind_of
-from chasles.reading.printed import PrintedEquation
+from chasles.reading.pages import kind_of, printed_page
+from chasles.reading.printed import PrintedEquation, PrintedPage
 from chasles.statements import DeclarationError, load
 from chasles.statements.packages import imported
 
@@ -32,8 +32,8 @@ class PageMatch:
     numbers: tuple[str, ...]
 
 
-def printed_on(page: Path, macros: Path | None, inline: bool, follow: bool) -> tuple[PrintedEquation, ...]:
-    """The equations of a page; what is wrong with it in one line."""
+def printed_on(page: Path, macros: Path | None, inline: bool, follow: bool) -> PrintedPage:
+    """The equations of a page and the formulas in its prose; what is wrong with it in one line."""
 
     def included(name: str) -> tuple[str, str]:
         path = page.parent / name
@@ -44,7 +44,7 @@ def printed_on(page: Path, macros: Path | None, inline: bool, follow: bool) -> t
         kind = kind_of(page.name)
         text, defined = text_of_file(page), text_of_file(macros) if macros else ""
         follows = included if follow else None
-        return displayed(text, kind, file=str(page), macros=defined, is_inline=inline, included=follows)
+        return printed_page(text, kind, file=str(page), macros=defined, is_inline=inline, included=follows)
     except BadPage as error:
         raise Failure(f"{page}:{error.line}: {error}", BAD_INPUT) from error
 

@@ -57,12 +57,12 @@ def told(each: PageEquation) -> str:
         case IllFormed(reason):
             return f"ill-formed: {reason}{_instead(each)}"
         case Fails(counterexample):
-            under = f"; under {', '.join(finding.against)}" if finding.against else ""
+            under = f"; under {', '.join(dict.fromkeys(finding.against))}" if finding.against else ""
             return f"fails: {_point(counterexample)}{under}{_instead(each)}"
         case HoldsUnder(needs):
             return f"holds under {', '.join(needs)}{_given(each)}"
         case _ if isinstance(finding.statement, Definition):
-            anew = f" anew, not as in {', '.join(finding.against)}" if finding.against else ""
+            anew = f" anew, not as in {', '.join(dict.fromkeys(finding.against))}" if finding.against else ""
             return f"defines {plain(finding.statement.left)}{anew}"
         case verdict:
             return verdict.name + (f": {verdict.reason}" if isinstance(verdict, Undecided) else _given(each))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations
 
@@ -77,10 +77,13 @@ class _Noting:
     alone: frozenset[str]
 
 
-def letter_uses(equations: Sequence[PrintedEquation], texts: Sequence[str], marks: NameMarks) -> dict[Glyph, LetterUse]:
+def letter_uses(
+    equations: Sequence[PrintedEquation], texts: Sequence[str], marks: NameMarks, said: Mapping[Glyph, str]
+) -> dict[Glyph, LetterUse]:
     """The letters in their order, with how they are used and what they may be.
 
-    `texts` are the equations' tokens as one text each. `marks` are no part of a letter's name.
+    `texts` are the equations' tokens as one text each. `marks` are no part of a letter's name. What is `said` of a
+    letter in words is most likely.
     """
     uses: dict[Glyph, LetterUse] = {}
     found = [chains_of(equation) for equation in equations]
@@ -111,6 +114,8 @@ def letter_uses(equations: Sequence[PrintedEquation], texts: Sequence[str], mark
             use.kind, use.other = "imaginary unit", ""
         if use.kind == "rotation" and ("+" in use.signs or not has_rotations):
             use.kind, use.other = "matrix", ""
+        if len(words := {said[own] for own in use.letters if own in said}) == 1:
+            use.kind, use.other = words.pop(), ""
         if use.kind == "matrix" and use.signs.isdisjoint(f"^{each}" for each in INVERSES):
             use.shape = _oblong(stem.base, texts)
     return uses

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from pathlib import PurePath
-from typing import Literal
+from typing import Any, Literal
 
 from chasles.reading.hypertext import of_html, of_notebook
-from chasles.reading.lexemes import BadPage, Token
-from chasles.reading.macros import Source
+from chasles.reading.lexemes import BadPage, Token, spelled
+from chasles.reading.macros import MacroTable, Source
 from chasles.reading.markup import PageBlock, fenced, indented
-from chasles.reading.printed import PrintedEquation
+from chasles.reading.printed import PrintedEquation, PrintedPage, Remark
 from chasles.reading.tex_page import MOST_CHARACTERS, Included, TexPage
 
 Kind = Literal["tex", "md", "rst", "html", "ipynb", "equation"]
@@ -21,6 +23,7 @@ SUFFIXES: dict[str, Kind] = {
 }  # fmt: skip
 LABEL_AFTER = re.compile(r"[ \t]*\(([^\s()]+)\)[ \t]*(?=\n|$)")
 ROW_END = "\\\\"
+ROLE = ":math:`"
 
 
 def kind_of(path: str) -> Kind:
@@ -30,7 +33,12 @@ def kind_of(path: str) -> Kind:
     return kind
 
 
-def displayed(
+def displayed(text: str, kind: Kind, **options: Any) -> tuple[PrintedEquation, ...]:
+    """The displayed equations of a page, read as by `printed_page`."""
+    return printed_page(text, kind, **options).equations
+
+
+def printed_page(
     text: str,
     kind: Kind,
     *,
@@ -38,7 +46,7 @@ def displayed(
     macros: str = "",
     is_inline: bool = False,
     included: Included | None = None,
-) -> tuple[PrintedEquation, ...]:
+) -> PrintedPage:
     r"""The displayed equations of a page in its order; with `is_inline` also the equations between single dollars.
 
     A text of the kind "equation" is one equation. `macros` is LaTeX that defines macros. `included` gives path and
@@ -57,7 +65,15 @@ def displayed(
         page.display(Token(""), "", "", source)
     else:
         page.read(source)
-    return tuple(page.found)
+    return PrintedPage(tuple(page.found), tuple(_expanded(page.remarks, page.macros)))
+
+
+def _expanded(remarks: Iterable[Remark], macros: MacroTable) -> Iterator[Remark]:
+    """The remarks with macros expanded, but for those in which they do not end."""
+    for remark in remarks:
+        source = Source(remark.latex, macros)
+        with suppress(BadPage):
+            yield remark._replace(latex=spelled([*iter(source.next, None)]))
 
 
 class _MarkdownPage(TexPage):
@@ -126,3 +142,5 @@ class _StructuredPage(_MarkdownPage):
             self.numbering.begin_heading(text.partition("\n")[0])
         elif text.strip() == "::" or text.lstrip().startswith(".. "):
             self.take_block(indented(source.text, source.at - len(text), source.at), source)
+        elif text == ROLE and (end := source.text.find("`", source.at)) > 0:
+            self.remark(source, len(ROLE), end + 1)

@@ -4,10 +4,19 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import NamedTuple
 
 from chasles.reading.alignment import atoms_of_equation
 from chasles.reading.atoms import Atoms
 from chasles.reading.lexemes import BadPage
+
+
+class Remark(NamedTuple):
+    """A formula in a line of prose, its macros expanded, with some text before it and behind it."""
+
+    before: str
+    latex: str
+    after: str
 
 
 @dataclass(frozen=True)
@@ -34,3 +43,10 @@ class PrintedEquation:
         if self.fault:
             raise BadPage(self.fault, self.line, self.column)
         return self.found or atoms_of_equation(self.latex, self.line, self.column)
+
+
+class PrintedPage(NamedTuple):
+    """The displayed equations of a page in its order, and the formulas in its prose."""
+
+    equations: tuple[PrintedEquation, ...]
+    remarks: tuple[Remark, ...] = ()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
 from functools import lru_cache
@@ -16,7 +16,8 @@ from chasles.reading.glyphs import Glyph, in_latex, letter_in, spelled
 from chasles.reading.letter_names import BARE, IDENTITIES, OPERATORS, RATES, TRANSPOSES, NameMarks, inertias
 from chasles.reading.letter_uses import SKEW, LetterUse, looks
 from chasles.reading.lexemes import BadPage
-from chasles.reading.printed import PrintedEquation
+from chasles.reading.printed import PrintedEquation, Remark
+from chasles.reading.prose import Told, base_of, said_of_letters
 from chasles.reading.shape_search import shaped_letters
 
 KNOWN = LETTERS | MARKS | TYPEFACES
@@ -27,19 +28,22 @@ PROPOSED = """\
 proposed = true  # what does not fit together is left open; delete this line once it says what the letters are"""
 
 
-def proposed(equations: Sequence[PrintedEquation]) -> str:
+def proposed(equations: Sequence[PrintedEquation], remarks: Iterable[Remark] = ()) -> str:
     """A notation in TOML for the letters of these equations; where two meanings are likely, a question mark says so.
 
-    Of what a letter may be, that is taken with which more of the equations can be read.
+    Of what a letter may be, that is taken with which more of the equations can be read; what the `remarks` in the prose
+    say of it comes first.
     """
     texts = [_text_of(equation) for equation in equations]
+    told = said_of_letters(remarks, "\n".join(texts))
+    said = {letter: base_of(each) for letter, each in told.items()}
     inertia = set().union(*map(inertias, texts))
     bare = frozenset(BARE) - inertia
     marks = NameMarks.on_page(texts, OPERATORS, bare)
-    uses, faults = shaped_letters(equations, texts, marks)
+    uses, faults = shaped_letters(equations, texts, marks, said)
     if any(r"tilde " in text for text in texts):
         without = NameMarks.on_page(texts, RATES, bare)
-        other, fewer = shaped_letters(equations, texts, without)
+        other, fewer = shaped_letters(equations, texts, without, said)
         is_other = any(use.signs & SKEW for use in other.values())  # the page has another sign of a cross product
         if sum(fewer.values()) - is_other < sum(faults.values()):
             uses, faults, marks = other, fewer, without
@@ -53,36 +57,41 @@ def proposed(equations: Sequence[PrintedEquation]) -> str:
         (use.has_order and use.kind == "scalar" and looks(stem)[1]) or r"^\dagger" in use.signs
         for stem, use in uses.items()
     )
-    lines = ["[operators]", *operators, "", "[symbols]", *_lines_of(uses, letters, of_operators)]
+    lines = ["[operators]", *operators, "", "[symbols]", *_lines_of(uses, told, letters, of_operators)]
     for section in dict.fromkeys(equations[place].section for place in faults):
         places = [place for place, equation in enumerate(equations) if equation.section == section]
         if section and len(places) < len(equations):
             here = [equations[place] for place in places], [texts[place] for place in places]
-            other, fewer = shaped_letters(*here, marks)
+            other, fewer = shaped_letters(*here, marks, said)
             anew = {stem: use for stem, use in other.items() if stem not in uses or use.meant != uses[stem].meant}
             if anew and sum(fewer.values()) < sum(faults.get(place, 0) for place in places):
-                lines += ["", f"[section.{_quoted(section)}.symbols]", *_lines_of(anew, letters, True)]
+                lines += ["", f"[section.{_quoted(section)}.symbols]", *_lines_of(anew, told, letters, True)]
     return "\n".join([*lines, "", "[page]", PROPOSED]) + "\n"
 
 
-def _lines_of(uses: Mapping[Glyph, LetterUse], letters: AbstractSet[str], of_operators: bool) -> Iterator[str]:
+def _lines_of(
+    uses: Mapping[Glyph, LetterUse], told: Told, letters: AbstractSet[str], of_operators: bool
+) -> Iterator[str]:
     """What is said of the letters, a line each; of one that is made of others than known `letters`, that alone."""
     seen: set[Glyph] = set()
     for stem, use in uses.items():
         question = f"  # ? or {use.other}" if use.other not in ("", use.kind) else ""
         doubt = _otherwise(stem, use, of_operators)
-        for glyph, said in _declared(stem, use, uses):
+        for glyph, said in _declared(stem, use, uses, told):
             if glyph in seen:  # the components of one vector may be of several families
                 continue
             seen.add(glyph)
             of = f", of = {_quoted(said['of'])}" if "of" in said else ""
             of += f", shape = {said['shape']}" if "shape" in said else ""
-            of += f', or = "{doubt}"' if doubt and said["is"] == use.kind else ""
+            of += "".join(f", {name} = true" for name in ("constant", "positive") if said.get(name))
+            of += f', or = "{doubt}"' if doubt and said["is"] == use.kind and glyph not in told else ""
             if unknown := [word for word in stem.base.split() if word[0] == "\\" and word not in letters]:
                 yield f"# {unknown[-1]}: no command of LaTeX; --macros FILE defines it, or say here what it is"
                 continue
             known = _is_one_letter(glyph)
-            entry = f'{_quoted(spelled(glyph))} = {{ is = "{said["is"]}"{of} }}{"" if of else question}'
+            entry = (
+                f'{_quoted(spelled(glyph))} = {{ is = "{said["is"]}"{of} }}{"" if of or glyph in told else question}'
+            )
             yield entry if known else f"# {spelled(glyph)}: several letters in one; say what it is"
 
 
@@ -108,7 +117,9 @@ def _text_of(equation: PrintedEquation) -> str:
         return ""
 
 
-def _declared(stem: Glyph, use: LetterUse, uses: Mapping[Glyph, LetterUse]) -> Iterator[tuple[Glyph, dict[str, Any]]]:
+def _declared(
+    stem: Glyph, use: LetterUse, uses: Mapping[Glyph, LetterUse], told: Told
+) -> Iterator[tuple[Glyph, dict[str, Any]]]:
     """What is said of a letter: with its subscripts, by a pattern for many of them, and of a vector's components.
 
     The entries of a matrix, with their numbers, need no word.
@@ -123,10 +134,11 @@ def _declared(stem: Glyph, use: LetterUse, uses: Mapping[Glyph, LetterUse]) -> I
             yield replace(whole, sub="x|y|z"), {"is": "component", "of": spelled(whole)}
         glyphs = [glyph for glyph in glyphs if glyph.sub not in ("x", "y", "z")]
     is_whole = stem.sub in ("", "#") and all(glyph == replace(stem, sub=glyph.sub) for glyph in glyphs)
-    if len(glyphs) > 3 and not entries and is_whole:
-        glyphs = [replace(stem, sub="##")]
     shape = {"shape": list(use.shape)} if use.shape else {}
-    yield from ((glyph, {"is": use.kind, **shape}) for glyph in glyphs)
+    fitting = {} if shape else {each: told[each] for each in glyphs if each in told and base_of(told[each]) == use.kind}
+    if len(glyphs) > 3 and not entries and is_whole:
+        glyphs = [*fitting, replace(stem, sub="##")]
+    yield from ((glyph, {"is": use.kind, **shape, **fitting.get(glyph, {})}) for glyph in glyphs)
 
 
 @lru_cache(maxsize=4096)

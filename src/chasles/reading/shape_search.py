@@ -39,17 +39,18 @@ UNLIKELY = 0.3
 
 
 def shaped_letters(
-    equations: Sequence[PrintedEquation], texts: Sequence[str], marks: NameMarks
+    equations: Sequence[PrintedEquation], texts: Sequence[str], marks: NameMarks, said: Mapping[Glyph, str]
 ) -> tuple[dict[Glyph, LetterUse], dict[int, int]]:
     """The letters with what they are, and by their places the equations that do not fit together even so.
 
-    Capitals that may be matrices are so at first, then numbers where more fits together with that; letters that have
-    only the base in common are of different kinds where else something does not fit.
+    A letter is at first what is `said` of it in words. Capitals that may be matrices are so at first, then numbers
+    where more fits together with that; letters that have only the base in common are of different kinds where else
+    something does not fit.
     """
     chains = [chains_of(equation) for equation in equations]
     searches: list[_KindSearch] = []
     for changed in ((), ("matrix", "scalar"), ("scalar", "vector")):
-        uses = letter_uses(equations, texts, marks)
+        uses = letter_uses(equations, texts, marks, said)
         for use in uses.values():
             if (use.kind, use.other) == changed:
                 use.kind, use.other = use.other, use.kind

@@ -10,7 +10,7 @@ from chasles.reading.lexemes import MOST_LEXEMES, BadPage, Token, spelled
 from chasles.reading.macros import DEFINING, MacroTable, Source
 from chasles.reading.numbering import LEVELS, Numbering
 from chasles.reading.packages import ALWAYS, PACKAGES
-from chasles.reading.printed import PrintedEquation
+from chasles.reading.printed import PrintedEquation, Remark
 
 Included = Callable[[str], tuple[str, str]]
 
@@ -18,6 +18,7 @@ MOST_CHARACTERS = 5_000_000
 MOST_EQUATIONS = 20_000
 DEEPEST_INPUT = 10
 LONGEST_INLINE = 2_000
+LONGEST_REMARK, MOST_REMARKS, AROUND = 60, 20_000, 60
 DEFINITION = re.compile(r"\\(?:\w*newcommand|def|let|Declare\w+|NewDocumentCommand)\b")
 DISPLAYS = re.compile(
     r"(?:equation|x?align(?:at)?|flalign|gather|multline|eqnarray|displaymath|dmath|IEEEeqnarray|empheq)\*?$"
@@ -46,6 +47,7 @@ class TexPage:
         self.is_inline, self.included = is_inline, included
         self.macros = MacroTable()
         self.found: list[PrintedEquation] = []
+        self.remarks: list[Remark] = []
         self.numbering = Numbering()
         self.files: list[str] = []
         self.fences: list[str] = []
@@ -187,7 +189,14 @@ class TexPage:
             if end and DEFINITION.search(end[0]):
                 self.content(token, token.text, source)
             elif end and "\n\n" not in end[0]:
-                source.at = end.end()
+                self.remark(source, len(token.text), end.end(), len(token.text))
+
+    def remark(self, source: Source, opening: int, end: int, closing: int = 1) -> None:
+        """Passes over a formula in prose, whose opening sign has just been read; short ones are noted."""
+        text, begin, source.at = source.text, source.at, end
+        if end - begin < LONGEST_REMARK and len(self.remarks) < MOST_REMARKS:
+            before, after = text[max(0, begin - opening - AROUND) : begin - opening], text[end : end + AROUND]
+            self.remarks.append(Remark(before, text[begin : end - closing], after))
 
     def display(self, opening: Token, opener: str, environment: str, source: Source) -> None:
         """Takes in the equations of a display; for a broken one its fault."""

@@ -18,7 +18,7 @@ from chasles.cli.quiet import is_quiet
 if TYPE_CHECKING:
     from chasles.cli.page_reading import PageMatch
     from chasles.pages.page import ReadPage
-    from chasles.reading.printed import PrintedEquation
+    from chasles.reading.printed import PrintedPage
 
 MOST_NAMED = 8
 POLLED = 0.5
@@ -90,7 +90,7 @@ def command(
     known = recalled()
 
     def once() -> int:
-        found = [read(page, printed_on(page, macros, inline, follow), notation, out, known) for page in pages]
+        found = [read(page, printed_on(page, macros, inline, follow).equations, notation, out, known) for page in pages]
         retained(known)
         _tell(found, notation, html, quiet or github or is_quiet(), github, json)
         equations = [each for one in found for each in one.page.equations]
@@ -160,7 +160,8 @@ def _show(found: Sequence[ReadPage], is_short: bool, github: bool, json: bool) -
             click.echo(page.summary)
 
 
-def _propose(printed: Sequence[tuple[PrintedEquation, ...]]) -> None:
+def _propose(printed: Sequence[PrintedPage]) -> None:
     from chasles.reading.proposal import proposed
 
-    click.echo(proposed([equation for page in printed for equation in page]), nl=False)
+    equations = [each for page in printed for each in page.equations]
+    click.echo(proposed(equations, [each for page in printed for each in page.remarks]), nl=False)

@@ -1,0 +1,114 @@
+"""What the prose of a page says that its letters are: a unit vector e, the mass m of a body, a rotation matrix R."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+from typing import Any
+
+from chasles.reading.atoms import Unread
+from chasles.reading.glyphs import Glyph, letter_in
+from chasles.reading.lexemes import BadPage
+from chasles.reading.printed import Remark
+
+_CONSTANT = {"is": "scalar", "constant": True, "positive": True}
+NOUNS: dict[str, dict[str, Any]] = {
+    r"unit(?: direction| normal)? vector|unit (?:normal|axis)": {"is": "unit vector"},
+    r"(?:rotation|direction[- ]cosine|proper orthogonal|attitude|orientation) (?:matrix|tensor)": {"is": "rotation"},
+    r"(?:symmetric )?positive[- ]definite (?:matrix|tensor)": {"is": "positive-definite"},
+    r"(?:symmetric|diagonal|mass|inertia|stiffness|covariance) (?:matrix|tensor)": {"is": "symmetric"},
+    r"unit quaternion": {"is": "unit quaternion"},
+    r"quaternion": {"is": "quaternion"},
+    r"matrix|tensor": {"is": "matrix"},
+    r"vector": {"is": "vector"},
+    r"angle": {"is": "angle"},
+    r"scalar|real number": {"is": "scalar"},
+    r"mass|moment of inertia|length|radius|stiffness|spring constant": _CONSTANT,
+    r"gravitational acceleration|acceleration (?:due to|of) gravity": _CONSTANT,
+}
+"""What a noun says of the letter that it is said of."""
+BASES = {"unit vector": "vector", "unit quaternion": "quaternion", "symmetric": "matrix", "positive-definite": "matrix"}
+"""The shape of what such a letter is."""
+Told = Mapping[Glyph, Mapping[str, Any]]
+"""What is said of each letter."""
+_NOUN = "(?:" + "|".join(f"(?P<n{place}>{noun})" for place, noun in enumerate(NOUNS)) + ")"
+_PLURAL = {"matrix": "matri(?:x|ces)", "axis": "ax[ei]s", "mass": "mass(?:es)?", "radius": "radi(?:us|i)"}
+for _one, _several in _PLURAL.items():
+    _NOUN = re.sub(rf"\b{_one}\b", _several, _NOUN)
+BEFORE = re.compile(rf"(?<![\w-])(?<!center of )(?<!centre of )(?<!\bnot a )(?<!\bno ){_NOUN}s?\s*$")
+FOLLOWS = (
+    r"(?=\s*(?:[^\w\s-]|$|(?:of|in|on|at|from|to|for|with|along|which|that|whose|and|such|between|about|is|are)\b))"
+)
+BEHIND = re.compile(
+    r"^(?:\s*(?:,|and|or|, and)\s*\$[^$]*\$)*\s*,?\s*(?:is|are|be|being|denotes?|represents?)\s+"
+    r"(?:(?:called|said to be) )?(?:(?:an?|the|some|any) )?"
+    rf"(?:(?!of\b|the\b|not?\b)[a-z-]+,? ){{0,3}}?{_NOUN}s?{FOLLOWS}"
+)
+AGAIN = re.compile(r"(?:\$|\\\)|`)\s*(?:,|and|or|, and)\s*$")
+"""What stands between two letters of which the same is said."""
+MARKUP = re.compile(r"\\(?:emph|text\w*)\s*\{([^{}]*)\}|[*_~]|\$\d+\s*(?:\\times|×)\s*\d+\$")
+GROUPS = {"SO(3)": "rotation", "S^2": "unit vector", "S^3": "unit quaternion", "R^3": "vector"}
+"""What the members of a set are; the letters of sets are printed in many faces."""
+FACE = re.compile(r"\\(?:math(?:bb|cal|rm|sf|bf|frak)|operatorname|text|boldsymbol|left|right|,|;| )\s*|[\s{}]")
+_BAR = r"(?:\\(?:left|right))?(?:\\[lr]?Vert|\\[lr]vert|\\\||\|)"
+UNIT = re.compile(rf"^{_BAR}(.+?){_BAR}=1$")
+
+
+def said_of_letters(remarks: Iterable[Remark], equations: str) -> Told:
+    """What is said of each letter in words, if nothing else is said of it elsewhere.
+
+    What has a rate in the `equations`, given as one text, is not constant.
+    """
+    found: dict[Glyph, Mapping[str, Any] | None] = {}
+    for letter, said in _sayings(remarks):
+        found[letter] = said if found.get(letter, said) == said else None
+    return {
+        letter: {name: each for name, each in said.items() if name != "constant" or not _moves(letter, equations)}
+        for letter, said in found.items() if said is not None
+    }  # fmt: skip
+
+
+def base_of(said: Mapping[str, Any]) -> str:
+    """What a letter is by its shape."""
+    return BASES.get(said["is"], str(said["is"]))
+
+
+def _moves(letter: Glyph, equations: str) -> bool:
+    """Whether the equations have a rate of the letter, or have it as a function of time."""
+    of = rf"(?:\\\w+ \{{ )?{re.escape(letter.base)}(?!\w)"
+    return bool(re.search(rf"(?:dot \{{ |\bd |\\partial ){of}|(?<!\w){of}(?: _ \{{[^{{}}]*\}})? \( t \)", equations))
+
+
+def _sayings(remarks: Iterable[Remark]) -> Iterator[tuple[Glyph, dict[str, Any]]]:
+    before: dict[str, Any] | None = None
+    for remark in remarks:
+        left, set_of = _parts(remark.latex)
+        said = _noun(BEFORE.search(_plain(remark.before))) or (before if AGAIN.search(remark.before) else None)
+        before = said
+        said = said or set_of or _noun(BEHIND.match(_plain(remark.after)))
+        for text in left if said else ():
+            try:
+                letter = letter_in(text)
+            except (Unread, BadPage):
+                continue
+            if letter and said:
+                yield replace(letter, arguments=""), said
+
+
+def _parts(latex: str) -> tuple[list[str], dict[str, Any] | None]:
+    """The letters that a formula names, and what it says that they are: members of a set, or of length one."""
+    if unit := UNIT.match(latex.replace(" ", "")):
+        return [unit[1]], {"is": "unit vector"}
+    names, _, of = latex.partition(r"\in ")
+    kind = GROUPS.get(FACE.sub("", of))
+    return names.split(","), {"is": kind} if kind else None
+
+
+def _plain(text: str) -> str:
+    """The text in small letters, without what sets words apart and without the sizes of matrices."""
+    return re.sub(r"\s+", " ", MARKUP.sub(lambda found: found[1] or " ", text)).lower()
+
+
+def _noun(found: re.Match[str] | None) -> dict[str, Any] | None:
+    return [*NOUNS.values()][int(found.lastgroup[1:])] if found and found.lastgroup else None
