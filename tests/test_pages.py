@@ -15,10 +15,9 @@ from chasles.decisions.session import Decision, Session
 from chasles.report.errata_page import errata_page
 from chasles.report.lost_marks import lost_marks
 from chasles.report.markdown import code, escaped
-from chasles.report.pages import pages
 from chasles.report.summary import HEADERS
-from chasles.report.verdict_page import WORST_FIRST, verdict_page
-from chasles.report.words import VERDICTS, counted, reason, said
+from chasles.report.verdict_page import WORST_FIRST, pages, verdict_page
+from chasles.report.words import VERDICTS, counted, said
 from chasles.statements import Chapter, Claim, Definition, Entry, Section, Statement, load, nonzero
 from chasles.verdict import Contradictory, Counterexample, Fails, Undecided
 from chasles.vocabulary import column, norm, scalar, vector
@@ -213,7 +212,7 @@ def test_every_slip_of_the_chapter_is_there(whole: dict[str, str], judge: Sessio
 def test_the_pages_are_the_same_for_every_hash_seed(judge: Session) -> None:
     end = None if WHOLE else 60
     program = (
-        "import sys; from chasles.decisions.session import Session; from chasles.report.pages import pages\n"
+        "import sys; from chasles.decisions.session import Session; from chasles.report.verdict_page import pages\n"
         f"from chasles.statements import Chapter, load; part = Chapter('Part', load().entries[:{end}])\n"
         "sys.stdout.buffer.write(''.join(pages(part, Session(book=load())).values()).encode())"
     )
@@ -228,6 +227,6 @@ def test_a_contradiction_is_told_wherever_verdicts_are() -> None:
     verdict = Contradictory(("|e| = 1", "m > 0"), {"contradiction": []})
     assert not verdict.true
     assert from_data(to_data(verdict)) == verdict
-    assert reason(verdict) == "nothing satisfies |e| = 1 and m > 0"
+    assert verdict.reason == "nothing satisfies |e| = 1 and m > 0"
     assert (said(verdict), counted([verdict])) == ("contradictory", "1 contradictory")
     assert {*WORST_FIRST} == {*VERDICTS} == {*HEADERS}

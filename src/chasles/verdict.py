@@ -9,20 +9,6 @@ from typing import Any, ClassVar
 
 from chasles.display import Displayed, theorems
 
-__all__ = [
-    "Assumed",
-    "Contradictory",
-    "Counterexample",
-    "Defined",
-    "Fails",
-    "Holds",
-    "HoldsUnder",
-    "IllFormed",
-    "Posed",
-    "Undecided",
-    "Verdict",
-]
-
 Point = Mapping[str, Fraction]
 
 
@@ -49,6 +35,21 @@ class Verdict(Displayed):
     """Whether the statement may stand as printed."""
     wrong: ClassVar[bool] = False
     """Whether the statement is wrong as printed: what is undecided, or said under contradictory hypotheses, is not."""
+
+    @property
+    def needs(self) -> tuple[str, ...]:
+        """The hypotheses that the proof uses; none of a verdict without a proof, or with one that uses none."""
+        return ()
+
+    @property
+    def unused(self) -> tuple[str, ...]:
+        """The hypotheses that are declared and not needed, where that is known."""
+        return ()
+
+    @property
+    def reason(self) -> str:
+        """Why there is nothing to decide, or why nothing was decided; empty for other verdicts."""
+        return ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,18 +102,13 @@ class Holds(_Proved):
     unused: tuple[str, ...] = ()
     asked: tuple[Any, ...] = field(default=(), compare=False, repr=False)
 
-    @property
-    def needs(self) -> tuple[str, ...]:
-        """None: no hypothesis was used."""
-        return ()
-
 
 @dataclass(frozen=True, slots=True)
 class HoldsUnder(_Proved):
     """Proved from the hypotheses `needs`; those in `unused` are declared and not needed."""
 
     name: ClassVar[str] = "holds-under"
-    needs: tuple[str, ...]
+    needs: tuple[str, ...] = field()
     certificate: Mapping[str, Any] = field(repr=False)
     witness: Point = field(repr=False)
     unused: tuple[str, ...] = ()
@@ -136,7 +132,7 @@ class IllFormed(Verdict):
     name: ClassVar[str] = "ill-formed"
     true: ClassVar[bool] = False
     wrong: ClassVar[bool] = True
-    reason: str
+    reason: str = field()
 
 
 @dataclass(frozen=True, slots=True)
@@ -166,5 +162,5 @@ class Undecided(Verdict):
 
     name: ClassVar[str] = "undecided"
     true: ClassVar[bool] = False
-    reason: str
+    reason: str = field()
     without_form: bool = field(default=False, compare=False, repr=False)

@@ -17,7 +17,7 @@ from chasles.decisions.recalled import session_of
 from chasles.decisions.session import Session
 from chasles.lowering.program import Program
 from chasles.lowering.request import Request
-from chasles.report.pages import pages
+from chasles.report.verdict_page import pages
 from chasles.statements import Chapter, Entry
 from chasles.statements import Kernel as Asked
 from chasles.statements.packages import BOOK

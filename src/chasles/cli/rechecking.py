@@ -14,7 +14,6 @@ from chasles.decisions.memory import Memory
 from chasles.decisions.processes import spread
 from chasles.decisions.session import Decision
 from chasles.report.decisions import Decided
-from chasles.report.findings import standing
 from chasles.statements import Entry, Inverse, Problem, problem_of
 from chasles.verdict import Contradictory, Fails
 
@@ -46,7 +45,7 @@ def recheck(decided: Sequence[Decided], memory: Memory) -> Rechecked:
     asked = [
         (entry, decision, check_again)
         for entry, decision, check_again in (*certified, *refuted, *empty)
-        if not memory.has_checked(standing(decision) if check_again is _prove else decision.verdict)
+        if not memory.has_checked(decision.standing if check_again is _prove else decision.verdict)
     ]
     reasons = spread(_rejection, [(check_again, decision) for _, decision, check_again in asked], A_CHECK)
     rejected = tuple((entry, why) for (entry, _, _), why in zip(asked, reasons, strict=True) if why is not None)

@@ -88,7 +88,7 @@ class Decision(Displayed):
     @property
     def needs(self) -> tuple[str, ...]:
         """The hypotheses under which it holds as printed."""
-        return tuple(getattr(self.verdict, "needs", ()))
+        return self.verdict.needs
 
     @property
     def stands(self) -> bool:
@@ -111,10 +111,14 @@ class Decision(Displayed):
         return self.statement.saying(*self.sides)
 
     @property
+    def standing(self) -> Verdict:
+        """The verdict on what stands: on the correction of an equation that is wrong as printed, if it has one."""
+        return self.correction.verdict if self.correction and not self.verdict.true else self.verdict
+
+    @property
     def certificate(self) -> Certificate | None:
         """The certificate of the form that is proved, if one was made."""
-        verdict = self.correction.verdict if self.correction and not self.verdict.true else self.verdict
-        found = getattr(verdict, "certificate", None) if verdict.true else None
+        found = getattr(self.standing, "certificate", None) if self.standing.true else None
         return None if found is None else Certificate(found)
 
     def accepted(self, given: Statement) -> Equation:

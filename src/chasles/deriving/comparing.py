@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
 
+from chasles.decisions.decision import HOW
 from chasles.deriving.state import Equation, State, rules_behind
 from chasles.rewriting.products import without_brackets
 from chasles.rewriting.tidy import tidied
@@ -13,13 +14,6 @@ from chasles.statements import Goal, Statement
 from chasles.statements.derivation import Compare
 from chasles.verdict import Fails, Holds, IllFormed, Undecided, Verdict
 from chasles.vocabulary import Contract, Identity, Inverse, Negative, Node, Sum, number, replace
-
-FORMS = {
-    "printed": "the printed equation",
-    "reading": "the printed equation as read",
-    "repair": "the printed equation as repaired",
-    "corrected": "the printed equation as corrected",
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +39,7 @@ class PrintComparison:
             return f"equal to the printed equation{for_what}"
         why = _why(self.printed)
         if self.form:
-            return f"{why}; equal to {FORMS[self.form]}{for_what}"
+            return f"{why}; equal to the printed equation {HOW[self.form]}{for_what}"
         again = (
             "" if self.last is None or self.last is self.printed else f"; as read or corrected, it {_why(self.last)}"
         )
@@ -89,7 +83,7 @@ def compare(step: Compare, state: State) -> PrintComparison:
 
 def _forms(statement: Statement, state: State) -> Iterator[tuple[str, Equation]]:
     """The printed equation, and the forms that may replace it."""
-    for form in FORMS:
+    for form in HOW:
         if form != "repair" and statement.form_exists(form):
             yield form, statement.form(form)
         elif form == "repair" and (correction := state.session.decide(statement).correction) is not None:
@@ -148,6 +142,6 @@ def _readings(found: Equation, sides: Equation, restricts: bool) -> Iterator[lis
     yield [("left side", found[0], sides[0]), ("right side", found[1], sides[1])]
     yield [("left side, for right", found[0], sides[1]), ("right side, for left", found[1], sides[0])]
     if restricts:
-        difference, other = Sum((found[0], Negative(found[1]))), Sum((sides[0], Negative(sides[1])))
+        difference, other = (Sum((left, Negative(right))) for left, right in (found, sides))
         yield [("difference of the sides", difference, other)]
         yield [("difference of the sides, the sign changed", Negative(difference), other)]

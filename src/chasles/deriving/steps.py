@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import chain
 from typing import Any
 
 from chasles.deriving.solving import solve_by_moving, solve_by_multiplying, solve_linear_system
@@ -62,8 +63,7 @@ def carry_out(step: DerivationStep, state: State) -> StepResult:
 
 
 def _take(step: Take, state: State) -> StepResult:
-    decisions = [state.session.decide(statement) for statement in step.statements]
-    verdicts = [d.correction.verdict if d.correction and not d.verdict.true else d.verdict for d in decisions]
+    verdicts = [state.session.decide(statement).standing for statement in step.statements]
     verdict = next((v for v in verdicts if not v.true), verdicts[0])
     said = "; ".join(f"{state.cited(s)} {s.says}" for s in step.statements)
     return StepResult(tuple(map(state.sides, step.statements)), verdict, said)
@@ -144,12 +144,8 @@ def _worked_out(node: Node) -> Node:
 
 
 def _unchanged(equations: Sequence[Equation], after: Sequence[Equation]) -> list[tuple[str, Node, Node]]:
-    pairs = zip(equations, after, strict=True)
-    return [
-        ("after and before", old, new)
-        for before_it, behind in pairs
-        for old, new in zip(before_it, behind, strict=True)
-    ]
+    pairs = zip(chain(*equations), chain(*after), strict=True)
+    return [("after and before", old, new) for old, new in pairs]
 
 
 def _factor(step: Factor, state: State) -> StepResult:
@@ -210,11 +206,7 @@ def _moves(unknown: Node, state: State) -> bool:
 
 def _differentiate(step: Differentiate, state: State) -> StepResult:
     after = tuple((_rate(left), _rate(right)) for left, right in state.equations)
-    goals = [
-        ("the rate", Rate(old), new)
-        for before_it, behind in zip(state.equations, after, strict=True)
-        for old, new in zip(before_it, behind, strict=True)
-    ]
+    goals = [("the rate", Rate(old), new) for old, new in zip(chain(*state.equations), chain(*after), strict=True)]
     return StepResult(after, state.decide(goals, state.environment()), "both sides, with respect to time")
 
 
@@ -231,18 +223,18 @@ def _multiply(step: Multiply, state: State) -> StepResult:
         return chained((side, factor) if step.right else (factor, side))
 
     after = tuple((times(left), times(right)) for left, right in state.equations)
-    goals = [
-        ("the difference, multiplied", Sum((new[0], Negative(new[1]))), times(Sum((old[0], Negative(old[1])))))
-        for old, new in zip(state.equations, after, strict=True)
-    ]
+    pairs = zip(map(_difference, state.equations), map(_difference, after), strict=True)
+    goals = [("the difference, multiplied", new, times(old)) for old, new in pairs]
     side = "right" if step.right else "left"
     return StepResult(after, state.decide(goals, state.environment()), f"by {step.factor}, from the {side}")
 
 
 def _take_vector(step: TakeVector, state: State) -> StepResult:
     after = tuple((Vect(left), Vect(right)) for left, right in state.equations)
-    goals = [
-        ("the difference's vector", Sum((new[0], Negative(new[1]))), Vect(Sum((old[0], Negative(old[1])))))
-        for old, new in zip(state.equations, after, strict=True)
-    ]
+    pairs = zip(map(_difference, state.equations), map(_difference, after), strict=True)
+    goals = [("the difference's vector", new, Vect(old)) for old, new in pairs]
     return StepResult(after, state.decide(goals, state.environment()), "both sides")
+
+
+def _difference(equation: Equation) -> Node:
+    return Sum((equation[0], Negative(equation[1])))

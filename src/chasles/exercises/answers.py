@@ -9,7 +9,8 @@ import sympy as sp
 
 from chasles.exact.grammar import NotANumber, read_number
 from chasles.exact.roots import Root, X
-from chasles.exercises.data import DataError, exact_number, near_it, read_as
+from chasles.exercises.data import DataError, exact_number, read_as
+from chasles.nearest import nearest
 from chasles.statements.exercise import Answer, Array, Else, Exercise, ListOf, Record, Scalar, Shape, Truth, Tuple, Word
 
 MOST_COEFFICIENTS = 13
@@ -40,7 +41,7 @@ def read_answers(exercise: Exercise, given: Mapping[str, Any]) -> dict[str, Any]
     found = {}
     for name, raw in given.items():
         if name not in declared:
-            hint = near_it(name, declared)
+            hint = nearest(name, list(declared))
             raise DataError(
                 f"{name!r} is no answer of exercise {exercise.number}{hint}; these are: {', '.join(declared)}"
             )

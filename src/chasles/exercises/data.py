@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from decimal import Decimal
-from difflib import get_close_matches
 from fractions import Fraction
 from typing import Any
 
@@ -13,6 +12,7 @@ import sympy as sp
 
 from chasles.exact.grammar import LONGEST, NotANumber, read_number
 from chasles.exact.numbers import normal, sign
+from chasles.nearest import nearest
 from chasles.statements.exercise import Array, Else, Exercise, ListOf, Record, Scalar, Shape, Truth, Tuple, Word
 
 MOST_CHARACTERS = 1_000_000
@@ -41,19 +41,13 @@ def read_json(text: str) -> dict[str, Any]:
     return found
 
 
-def near_it(name: str, known: Iterable[str]) -> str:
-    """The end of a message about an unknown name: the one that it may have been meant to be, if one is near."""
-    near = get_close_matches(name, list(known), n=1)
-    return f"; near it: {near[0]}" if near else ""
-
-
 def read_data(exercise: Exercise, given: Mapping[str, Any]) -> dict[str, Any]:
     """All data of the exercise, exact: those given, and the defaults of the others. Raises DataError."""
     for key in given:
         if key not in exercise.keys:
             takes = f"it takes {', '.join(exercise.keys)}" if exercise.keys else "it takes none"
             raise DataError(
-                f"exercise {exercise.number} has no datum {_shown(key)}{near_it(key, exercise.keys)}; {takes}"
+                f"exercise {exercise.number} has no datum {_shown(key)}{nearest(key, exercise.keys)}; {takes}"
             )
     values = {}
     for datum in exercise.data:

@@ -93,8 +93,8 @@ class Decided:
         decision = _decided(sentence)
         correction = None if decision.verdict.true else decision.correction
         form, verdict = (correction.form, correction.verdict) if correction else ("printed", decision.verdict)
-        needs, other = tuple(getattr(verdict, "needs", ())), other_chapter(sentence, self.chapter)
-        return Citation(sentence.number, sentence.part, verdict.name, needs, form, other)
+        other = other_chapter(sentence, self.chapter)
+        return Citation(sentence.number, sentence.part, verdict.name, verdict.needs, form, other)
 
     def sides(self, statement: Statement, moved: Mapping[Any, Node] | None = None) -> tuple[Node, Node]:
         """Both sides of a statement, repaired where it is wrong as printed; `moved` says it of other symbols."""

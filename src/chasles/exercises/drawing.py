@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
+from collections.abc import Callable, Iterator
+from itertools import chain, pairwise
 from math import hypot, nan
 from typing import Any
 
@@ -11,6 +12,8 @@ from sympy import lambdify
 from chasles.exact.numbers import normal
 from chasles.exercises.picture import Arrow, Curve, DrawnBody, Graph, Line, Picture, Point
 
+Place = tuple[float, ...]
+Segment = tuple[Place, Place]
 # Okabe and Ito's palette.
 BLACK, ORANGE, BLUE, GREEN, RED, GREY = "#000000", "#E69F00", "#0072B2", "#009E73", "#D55E00", "#999999"
 COLOURS = (BLUE, RED, GREEN, ORANGE)
@@ -115,7 +118,8 @@ class _Drawing:
 
     def _labels(self) -> None:
         """The names of points, each on the side where it is farthest from what is drawn and from other names."""
-        taken = [self._flat(place) for ends in self._drawn() for place in _between(*ends)]
+        segments = _segments(self.picture, lambda point, way: _clipped(point, way, self.low, self.high))
+        taken = [self._flat(place) for ends in segments for place in _between(*ends)]
         for item in self.picture.items:
             if not isinstance(item, Point) or not item.label:
                 continue
@@ -133,66 +137,44 @@ class _Drawing:
                 path_effects=self._halo,
             )  # fmt: skip
 
-    def _flat(self, place: tuple[float, ...]) -> tuple[float, float]:
+    def _flat(self, place: Place) -> tuple[float, float]:
         """The place in the plane of the picture."""
         x, y, _, scale = self.axes.get_proj() @ (*place, 1.0)
         return float(x / scale), float(y / scale)
-
-    def _drawn(self) -> list[tuple[tuple[float, ...], tuple[float, ...]]]:
-        """The segments that are drawn."""
-        found = []
-        for item in self.picture.items:
-            match item:
-                case DrawnBody(edges):
-                    found += [(_at(start), _at(end)) for start, end in edges]
-                case Line(point, direction):
-                    found.append(_clipped(_at(point), _at(direction), self.low, self.high))
-                case Arrow(start, vector):
-                    found.append((_at(start), _sum(_at(start), _at(vector))))
-                case Curve(points):
-                    found += pairwise(map(_at, points))
-                case Point(at):
-                    found.append((_at(at), _at(at)))
-        return found
 
     def _colour(self) -> str:
         self.taken += 1
         return COLOURS[(self.taken - 1) % len(COLOURS)]
 
 
-def _at(point: Any) -> tuple[float, ...]:
+def _at(point: Any) -> Place:
     return tuple(float(normal(entry)) for entry in point)
 
 
-def _sum(one: tuple[float, ...], other: tuple[float, ...]) -> tuple[float, ...]:
-    return tuple(a + b for a, b in zip(one, other, strict=True))
-
-
-def _between(start: tuple[float, ...], end: tuple[float, ...]) -> list[tuple[float, ...]]:
+def _between(start: Place, end: Place) -> list[Place]:
     """Places along a segment, close enough to keep a name off it."""
     return [tuple(a + (b - a) * k / 40 for a, b in zip(start, end, strict=True)) for k in range(41)]
 
 
-def _points(picture: Picture) -> list[tuple[float, ...]]:
-    found: list[tuple[float, ...]] = []
+def _segments(picture: Picture, ends_of: Callable[[Place, Place], Segment]) -> Iterator[Segment]:
+    """The segments that are drawn; `ends_of` a line, by a point and its direction, are where it leaves the picture."""
     for item in picture.items:
         match item:
             case DrawnBody(edges):
-                found += [_at(end) for edge in edges for end in edge]
-            case Line(point):
-                found.append(_at(point))
+                yield from ((_at(start), _at(end)) for start, end in edges)
+            case Line(point, direction):
+                yield ends_of(_at(point), _at(direction))
             case Arrow(start, vector):
-                found += [_at(start), _sum(_at(start), _at(vector))]
-            case Point(at):
-                found.append(_at(at))
+                yield _at(start), tuple(a + b for a, b in zip(_at(start), _at(vector), strict=True))
             case Curve(points):
-                found += map(_at, points)
-    return found
+                yield from pairwise(map(_at, points))
+            case Point(at):
+                yield _at(at), _at(at)
 
 
 def _box(picture: Picture) -> tuple[list[float], list[float]]:
     """The corners of a box around everything, a sixth of its longest side wider; no side is less than half of that."""
-    columns = list(zip(*_points(picture), strict=True))
+    columns = list(zip(*chain(*_segments(picture, lambda point, way: (point, point))), strict=True))
     longest = max(max(column) - min(column) for column in columns) or 2.0
     halves = [max(max(column) - min(column), longest / 2) / 2 + longest / 12 for column in columns]
     middles = [(max(column) + min(column)) / 2 for column in columns]
@@ -200,7 +182,7 @@ def _box(picture: Picture) -> tuple[list[float], list[float]]:
             [m + half for m, half in zip(middles, halves, strict=True)])  # fmt: skip
 
 
-def _clipped(point: tuple[float, ...], way: tuple[float, ...], low: list[float], high: list[float]) -> Any:
+def _clipped(point: Place, way: Place, low: list[float], high: list[float]) -> Any:
     """The two points at which the line leaves the box."""
     spans = [
         sorted(((a - p) / w, (b - p) / w)) for p, w, a, b in zip(point, way, low, high, strict=True) if abs(w) > 1e-12

@@ -269,7 +269,7 @@ class Deduction:
             verdict = proof_of(attempt.claim, self.session, attempt.likely)
             if verdict is not None:
                 verdict = _resting_on(attempt.assumed, verdict)
-                self.premises.relied.update(getattr(verdict, "needs", ()))
+                self.premises.relied.update(verdict.needs)
                 if doubt := self._doubt(attempt.claim):
                     return PageFinding("claim", verdict, attempt.claim, open=True, doubt=doubt)
                 return self._proved(attempt.claim, verdict)
@@ -316,7 +316,7 @@ class Deduction:
         return PageFinding("claim", verdict, attempt, open=is_open, against=against, given=tuple(told))
 
     def _proved(self, claim: Claim, verdict: Verdict) -> PageFinding:
-        unused = getattr(verdict, "unused", ())
+        unused = verdict.unused
         least = with_fields(claim, assuming=tuple(h for h in claim.assuming if h.text not in unused))
         sides = (*claim.printed, *(side for each in claim.given for side in each.printed))
         verdict = _given_freely((nonzero(PI).text,), verdict) if PI in symbols_in(sides) else verdict

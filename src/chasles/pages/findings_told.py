@@ -129,7 +129,7 @@ def record_of(each: PageEquation) -> dict[str, Any]:
         "role": finding.role if finding else None,
         "declaration": f"{plain(statement.left)} {statement.sign} {plain(statement.right)}" if statement else None,
         "verdict": each.verdict,
-        "needs": list(getattr(finding.verdict, "needs", ())) if finding else [],
+        "needs": list(finding.verdict.needs) if finding else [],
         "given": list(finding.given) or [given.number for given in statement.given] if finding and statement else [],
         "counterexample": _counterexample(counterexample),
         "instead": {"latex": f"{latex(instead.left)} = {latex(instead.right)}", "changes": list(instead.changes)}

@@ -41,7 +41,7 @@ def verdict_table(screen: Screen, decided: Sequence[Decided]) -> Iterator[Render
 
 def is_finding(decision: Decision) -> bool:
     """Whether there is more to say than the verdict: it is wrong as printed, or assumes what it does not need."""
-    return not decision.verdict.true or bool(getattr(decision.verdict, "unused", ()))
+    return not decision.verdict.true or bool(decision.verdict.unused)
 
 
 def findings(screen: Screen, decided: Sequence[Decided]) -> Iterator[RenderableType]:
@@ -65,7 +65,7 @@ def _list(screen: Screen, decided: Sequence[Decided]) -> Iterator[RenderableType
 
 
 def _needs(decision: Decision) -> str:
-    return ", ".join(getattr(decision.verdict, "needs", ()))
+    return ", ".join(decision.verdict.needs)
 
 
 def _short(entry: Entry) -> str:

@@ -13,7 +13,7 @@ from rich.text import Text
 from chasles.deriving import CheckedDerivation, CheckedStep
 from chasles.report.details import number_in_words
 from chasles.report.screen import Screen
-from chasles.report.words import labelled, number_of, point_in_words, reason, said
+from chasles.report.words import labelled, number_of, point_in_words, said
 from chasles.verdict import Fails
 from chasles.vocabulary import Node, plain
 from chasles.vocabulary import latex as in_latex
@@ -59,7 +59,7 @@ def _step(screen: Screen, number: int, step: CheckedStep, latex: bool) -> Iterat
     grid.add_column(justify="right", style="dim", width=3)
     grid.add_column(overflow="fold")
     verdict = labelled(step.verdict, screen.signs)
-    needs = ", ".join(getattr(step.verdict, "needs", ()))
+    needs = ", ".join(step.verdict.needs)
     shown = Text.assemble((step.kind, "bold"), f" {step.reason}  ")
     if step.comparison is None:
         shown.append_text(verdict).append(f" {needs}" if needs else "")
@@ -90,8 +90,8 @@ def objections_of(step: CheckedStep) -> Iterator[str]:
         printed = step.comparison.printed
         if isinstance(printed, Fails):
             yield f"for example at {point_in_words(printed.counterexample.at) or 'every point'}"
-    elif not step.verdict.true and reason(step.verdict) not in step.reason:
-        yield f"because {reason(step.verdict)}"
+    elif not step.verdict.true and step.verdict.reason not in step.reason:
+        yield f"because {step.verdict.reason}"
 
 
 def outcome_of(road: CheckedDerivation) -> Iterator[tuple[str, str]]:
@@ -116,8 +116,8 @@ def _record(step: CheckedStep) -> dict[str, Any]:
             for left, right in step.equations
         ],
         "verdict": step.verdict.name,
-        "needs": list(getattr(step.verdict, "needs", ())),
-        "because": None if step.verdict.true else said(step.verdict) + f" {reason(step.verdict)}".rstrip(),
+        "needs": list(step.verdict.needs),
+        "because": None if step.verdict.true else said(step.verdict) + f" {step.verdict.reason}".rstrip(),
         "compared": _compared(step),
     }
 

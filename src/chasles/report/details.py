@@ -12,9 +12,8 @@ from rich.text import Text
 from chasles.coq.recorded import checked_by_coq
 from chasles.decisions.decision import HOW, Correction, Decision, key_of
 from chasles.report.equations import in_latex, in_words, signature_in_words, standing_in
-from chasles.report.findings import standing
 from chasles.report.records import certificate_hash
-from chasles.report.words import point_in_words, reason, said
+from chasles.report.words import point_in_words, said
 from chasles.statements import Entry, Inverse, Statement
 from chasles.statements.elsewhere import chapter_of, cited
 from chasles.verdict import Counterexample, Fails, Verdict
@@ -58,13 +57,13 @@ def objections(entry: Entry, decision: Decision) -> Lines:
     yield from objections_to_print(decision)
     if decision.correction is not None and isinstance(entry.statement, Statement):
         yield from _instead(entry.statement, decision.correction)
-    if unused := getattr(decision.verdict, "unused", ()):
+    if unused := decision.verdict.unused:
         yield "unused", f"assumes {', '.join(unused)}, which it does not need"
 
 
 def objections_to_print(decision: Decision) -> Lines:
     """Why the equation is wrong as printed."""
-    if why := reason(decision.verdict):
+    if why := decision.verdict.reason:
         yield "because", why
     if isinstance(decision.verdict, Fails):
         yield from refuted(decision.verdict.counterexample)
@@ -77,7 +76,7 @@ def evidence(decision: Decision) -> Lines:
         yield "certificate", str(certificate_hash(certificate))
     if checked := checked_by_coq(decision.statement):
         yield "Coq", checked.in_words
-    if witness := getattr(standing(decision), "witness", None):
+    if witness := getattr(decision.standing, "witness", None):
         yield "example", f"satisfies all that is assumed: {point_in_words(witness)}"
 
 
@@ -105,7 +104,7 @@ def _instead(statement: Statement, correction: Correction) -> Lines:
     text, _ = standing_in(statement, correction.sides)
     how, verdict = HOW[correction.form], correction.verdict
     yield "instead", text
-    yield "", ": ".join(filter(None, (f"{how}, it {_predicate(verdict)}", reason(verdict))))
+    yield "", ": ".join(filter(None, (f"{how}, it {_predicate(verdict)}", verdict.reason)))
     if isinstance(verdict, Fails):
         yield from refuted(verdict.counterexample)
 

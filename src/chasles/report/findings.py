@@ -85,11 +85,6 @@ def replaced_by(decided: Pairs) -> Counter[str]:
     return Counter(found[0].found if found else "nothing" for found in wrong)
 
 
-def standing(decision: Decision) -> Verdict:
-    """The verdict on what stands: on the correction of an equation that is wrong as printed, if it has one."""
-    return decision.correction.verdict if decision.correction and not decision.verdict.true else decision.verdict
-
-
 def slips(decided: Pairs) -> dict[str, Pairs]:
     """The equations that are wrong as printed, by whose slip it probably is; only what there is."""
     wrong = [(entry, decision) for entry, decision in decided if decision.verdict.wrong]

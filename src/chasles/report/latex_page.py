@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
+from jinja2 import Environment
 
 from chasles.decisions.session import Decision
 from chasles.report.details import number_in_words, objections_to_print
@@ -21,6 +21,7 @@ from chasles.report.findings import (
     slips_in_words,
 )
 from chasles.report.html.exercises import WorkedView
+from chasles.report.html.filling import environment
 from chasles.report.words import VERDICTS, counted
 from chasles.statements import Chapter, Entry
 from chasles.verdict import Verdict
@@ -82,22 +83,17 @@ def latex_page(chapter: Chapter, decisions: DecisionsByName, worked: Sequence[Wo
 
 def _environment() -> Environment:
     """Templates whose marks do not look like LaTeX."""
-    environment = Environment(
-        loader=PackageLoader("chasles.report"),
-        undefined=StrictUndefined,
+    found = environment(
+        autoescape=False,
         block_start_string="<%",
         block_end_string="%>",
         variable_start_string="<<",
         variable_end_string=">>",
         comment_start_string="<#",
         comment_end_string="#>",
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-        autoescape=False,
     )
-    environment.filters["tex"] = escaped
-    return environment
+    found.filters["tex"] = escaped
+    return found
 
 
 def _headings(decided: Pairs, hypotheses: Mapping[str, str]) -> Iterator[tuple[str, Iterator[Item]]]:
@@ -141,5 +137,5 @@ def _instead(replacement: Replacement, hypotheses: Mapping[str, str], *, first: 
 
 def _needs(verdict: Verdict, hypotheses: Mapping[str, str]) -> str:
     """The hypotheses that the proof uses, as formulas; in words where one is not told as a formula."""
-    needs = getattr(verdict, "needs", ())
+    needs = verdict.needs
     return ", ".join(f"${hypotheses[text]}$" if hypotheses.get(text) else escaped(text) for text in needs)

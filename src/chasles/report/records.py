@@ -24,7 +24,7 @@ def record(entry: Entry, decision: Decision) -> dict[str, Any]:
     return {
         **_identity(entry),
         "verdict": verdict.name,
-        "needs": list(getattr(verdict, "needs", ())),
+        "needs": list(verdict.needs),
         "contradictory": list(getattr(verdict, "hypotheses", ())),
         "counterexample": _counterexample(getattr(verdict, "counterexample", None)),
         "corrected": _corrected(decision),

@@ -71,5 +71,5 @@ def _record(entry: Entry, repair: Repair) -> dict[str, Any]:
         "modulo": repair.modulo,
         "by": list(repair.by),
         "verdict": repair.verdict.name,
-        "needs": list(getattr(repair.verdict, "needs", ())),
+        "needs": list(repair.verdict.needs),
     }

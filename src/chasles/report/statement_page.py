@@ -26,7 +26,7 @@ def statement_page(
 ) -> Iterator[RenderableType]:
     """The page of one statement, with what was recorded of its kernels where those that were `emitted` are given."""
     number = number_in_words(entry.number, entry.statement.part)
-    verdict, needs = labelled(decision.verdict, screen.signs), ", ".join(getattr(decision.verdict, "needs", ()))
+    verdict, needs = labelled(decision.verdict, screen.signs), ", ".join(decision.verdict.needs)
     yield Text.assemble((number, "bold"), "  ", verdict, " " if needs else "", needs)
     section = f"{entry.section.number} {entry.section.title}"
     yield Text(f"  {entry.name}, {entry.statement.role} in {section}", "dim")

@@ -1,11 +1,12 @@
-"""The verdict on every number of the chapter, a line for each, as a Markdown page."""
+"""The Markdown pages on the chapter: the verdict on every number, a line for each, and the errata."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from chasles.decisions.session import Decision
+from chasles.decisions.session import Decision, Session
 from chasles.report.details import number_in_words
+from chasles.report.errata_page import errata_page
 from chasles.report.findings import (
     DecisionsByName,
     Pairs,
@@ -17,6 +18,7 @@ from chasles.report.findings import (
     slips_in_words,
 )
 from chasles.report.markdown import escaped, table
+from chasles.report.waiting import progress
 from chasles.report.words import VERDICTS, counted, number_of
 from chasles.statements import Chapter, Entry, Section
 from chasles.vocabulary import plain
@@ -46,6 +48,13 @@ declared: then it is marked as a gap of the search. [ERRATA.md](ERRATA.md) says 
 `chasles emit` writes this page; `chasles decide` decides again."""
 
 Group = list[tuple[Entry, Decision]]
+
+
+def pages(book: Chapter, session: Session) -> dict[str, str]:
+    """The text of `VERDICTS.md` and `ERRATA.md`; what the session has decided already is not decided again."""
+    decided = progress(session.decide_all(book), len(book.entries), "Deciding")
+    decisions = {entry.name: decision for entry, decision in decided}
+    return {"VERDICTS.md": verdict_page(book, decisions), "ERRATA.md": errata_page(book, decisions)}
 
 
 def verdict_page(book: Chapter, decisions: DecisionsByName) -> str:
@@ -83,7 +92,7 @@ def _sections(decided: Pairs) -> Iterator[tuple[Section, dict[str, Group]]]:
 def _row(number: str, group: Group) -> tuple[str, ...]:
     roles = dict.fromkeys(entry.statement.role for entry, _ in group)
     worst = min((decision.verdict.name for _, decision in group), key=WORST_FIRST.index)
-    needs = dict.fromkeys(text for _, decision in group for text in getattr(decision.verdict, "needs", ()))
+    needs = dict.fromkeys(text for _, decision in group for text in decision.verdict.needs)
     parts = [
         (f"part {entry.statement.part}: " if len(group) > 1 else "") + _instead(replacements(entry, decision))
         for entry, decision in group
@@ -103,7 +112,7 @@ def _instead(found: tuple[Replacement, ...]) -> str:
     if not found:
         return "**nothing: a gap**"
     first = found[0]
-    needs = ", ".join(getattr(first.verdict, "needs", ()))
+    needs = ", ".join(first.verdict.needs)
     how = "found by repair" if first.found == "repair" else "declared: a gap of the search"
     others = f", with {len(found) - 1} more" if len(found) > 1 else ""
     says = f"{plain(first.left)} = {plain(first.right)}"

@@ -36,13 +36,7 @@ def labelled(verdict: Verdict, signs: bool) -> Text:
 
 def said(verdict: Verdict) -> str:
     """The verdict in a sentence: "holds under |e| = 1, phi != 0"."""
-    needs = getattr(verdict, "needs", ())
-    return " ".join((VERDICTS[verdict.name][2], ", ".join(needs))).strip()
-
-
-def reason(verdict: Verdict) -> str:
-    """Why there is nothing to decide, or why nothing was decided; empty for other verdicts."""
-    return str(getattr(verdict, "reason", ""))
+    return " ".join((VERDICTS[verdict.name][2], ", ".join(verdict.needs))).strip()
 
 
 def counted(verdicts: Iterable[Verdict]) -> str:

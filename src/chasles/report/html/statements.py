@@ -12,7 +12,7 @@ from chasles.decisions.session import Decision
 from chasles.report.by_hand import Refutation, refutations
 from chasles.report.details import number_in_words
 from chasles.report.equations import Sentence, labelled_equations
-from chasles.report.findings import Replacement, likely_slip, replacements, standing
+from chasles.report.findings import Replacement, likely_slip, replacements
 from chasles.report.html.certificates import proof_in_words
 from chasles.report.html.citing import Book, Link, place_of_number
 from chasles.report.html.differences import mark_differences
@@ -20,7 +20,7 @@ from chasles.report.html.formulas import equation_tree, latex_for_mathml, markup
 from chasles.report.html.shown import Equation, Fact, KernelRow, Related, Repaired, StatementShown, badge_of
 from chasles.report.html.words import with_formulas
 from chasles.report.records import certificate_hash
-from chasles.report.words import point_in_words, reason
+from chasles.report.words import point_in_words
 from chasles.statements import Entry, Statement
 from chasles.statements.elsewhere import chapter_of, cited, other_chapter
 from chasles.verdict import Fails, IllFormed
@@ -81,7 +81,7 @@ def _why(entry: Entry, decision: Decision) -> Iterator[Fact]:
     if isinstance(verdict, IllFormed):
         yield Fact("does not fit", with_formulas(verdict.reason, _sides(entry, decision)))
     elif not verdict.true and not isinstance(verdict, Fails):
-        yield Fact("because", escape(reason(verdict)))
+        yield Fact("because", escape(verdict.reason))
     for refuted in refutations(decision):
         if refuted.form != "printed":
             read = "as likely read" if refuted.form == "reading" else "as corrected"
@@ -165,7 +165,7 @@ def _stands(book: Book, replacement: Replacement) -> Markup:
             for number in replacement.by
         )
         return Markup("is the definition with which {} hold").format(Markup(", ").join(links))
-    needs = Markup(", ").join(book.condition(text) for text in getattr(replacement.verdict, "needs", ()))
+    needs = Markup(", ").join(book.condition(text) for text in replacement.verdict.needs)
     word = badge_of(replacement.verdict.name).word
     return Markup("{} {}").format(word, needs) if needs else escape(word)
 
@@ -185,7 +185,7 @@ def _facts(book: Book, entry: Entry, decision: Decision) -> Iterator[Fact]:
         yield Fact("rests on", escape("; ".join(f"{cited(each, here)}: {each.says}" for each in other)))
     if assumed := Markup(", ").join(book.condition(h.text) for h in entry.statement.assuming):
         yield Fact("assuming", assumed)
-    if unused := Markup(", ").join(book.condition(text) for text in getattr(decision.verdict, "unused", ())):
+    if unused := Markup(", ").join(book.condition(text) for text in decision.verdict.unused):
         yield Fact("not needed", unused)
     if decision.certificate is not None:
         yield Fact(
@@ -197,7 +197,7 @@ def _facts(book: Book, entry: Entry, decision: Decision) -> Iterator[Fact]:
         yield Fact("certificate", text.format(certificate_hash(decision.certificate), f"{size:,}"))
     if checked := checked_by_coq(decision.statement):
         yield Fact("Coq", CODE.format(checked.in_words))
-    if witness := getattr(standing(decision), "witness", None):
+    if witness := getattr(decision.standing, "witness", None):
         statements = (entry.statement, *getattr(entry.statement, "given", ()))
         known = _with_rates(side for each in statements if isinstance(each, Statement) for side in each.printed)
         yield Fact("for example at", with_formulas(point_in_words(witness), known, of_words=False))

@@ -11,7 +11,6 @@ from chasles.report.details import number_in_words
 from chasles.report.html.citing import Book
 from chasles.statements import Chapter, Entry, Inverse, Section, Statement, Theorem
 from chasles.statements.chapter import bases
-from chasles.verdict import Verdict
 
 NOWHERE = Section("", "")
 
@@ -51,11 +50,6 @@ def as_displayed(value: object) -> object:
 def rests_on(sentence: Sentence) -> tuple[Statement, ...]:
     """What the sentence names, each once."""
     return tuple(dict.fromkeys(bases(sentence)))
-
-
-def needs_of(verdict: Verdict) -> tuple[str, ...]:
-    """The hypotheses that a proof uses."""
-    return tuple(getattr(verdict, "needs", ()))
 
 
 def cited(statements: Iterable[Statement]) -> str:

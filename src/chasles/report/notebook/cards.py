@@ -23,10 +23,10 @@ from chasles.report.html.derivations import derivation_view
 from chasles.report.html.shown import Fact, badge_of
 from chasles.report.html.statements import CODE, as_printed, equation, expression, part_of
 from chasles.report.html.words import with_formulas
-from chasles.report.notebook.alone import Alone, cited, entry_of, needs_of, rests_on, sections_of
+from chasles.report.notebook.alone import Alone, cited, entry_of, rests_on, sections_of
 from chasles.report.notebook.shown import Card
 from chasles.report.records import certificate_hash
-from chasles.report.words import number_of, point_in_words, reason
+from chasles.report.words import number_of, point_in_words
 from chasles.statements import Chapter, Entry
 from chasles.statements.derivation import Derivation
 from chasles.verdict import Counterexample, Verdict
@@ -87,11 +87,11 @@ def _(value: Verdict) -> Card:
     witness = getattr(value, "witness", None)
     return Card(
         badges=(badge_of(value.name),),
-        needs=tuple(map(escape, needs_of(value))),
-        says=reason(value),
+        needs=tuple(map(escape, value.needs)),
+        says=value.reason,
         facts=(
             *(_refuted(found) if found is not None else ()),
-            *_told({"not needed": escape(", ".join(getattr(value, "unused", ())))}),
+            *_told({"not needed": escape(", ".join(value.unused))}),
             *(_certified(certificate) if certificate is not None else ()),
             *_told({"for example at": CODE.format(point_in_words(witness)) if witness else Markup()}),
         ),
@@ -124,7 +124,7 @@ def _(value: Repair) -> Card:
     return Card(
         title="A repair",
         badges=(badge_of(value.verdict.name),),
-        needs=tuple(map(escape, needs_of(value.verdict))),
+        needs=tuple(map(escape, value.verdict.needs)),
         equations=(equation(value.left, value.right),),
         facts=_told(facts),
     )

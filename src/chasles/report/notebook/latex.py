@@ -14,9 +14,9 @@ from chasles.report.derivation_page import equations_of
 from chasles.report.details import number_in_words, refuted
 from chasles.report.equations import in_latex
 from chasles.report.latex_page import Item, escaped, item_of
-from chasles.report.notebook.alone import Alone, as_displayed, entry_of, needs_of
+from chasles.report.notebook.alone import Alone, as_displayed, entry_of
 from chasles.report.notebook.text import text
-from chasles.report.words import VERDICTS, reason
+from chasles.report.words import VERDICTS
 from chasles.statements import Entry
 from chasles.verdict import Counterexample, Verdict
 from chasles.vocabulary import Node
@@ -73,8 +73,8 @@ def _(value: Decision) -> Iterator[str]:
 
 @_parts.register
 def _(value: Verdict) -> Iterator[str]:
-    yield _headed(VERDICTS[value.name][2], "", escaped(", ".join(needs_of(value))))
-    yield escaped(reason(value))
+    yield _headed(VERDICTS[value.name][2], "", escaped(", ".join(value.needs)))
+    yield escaped(value.reason)
     if found := getattr(value, "counterexample", None):
         yield from _parts(found)
 

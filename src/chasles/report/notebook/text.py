@@ -22,10 +22,10 @@ from chasles.pages.page_equation import PageEquation
 from chasles.repairs.repair import Repair
 from chasles.report.derivation_page import derivation_page
 from chasles.report.details import Lines, evidence, indented, number_in_words, objections, printed, refuted
-from chasles.report.notebook.alone import as_displayed, cited, entry_of, needs_of, sections_of
+from chasles.report.notebook.alone import as_displayed, cited, entry_of, sections_of
 from chasles.report.records import certificate_hash
 from chasles.report.screen import Screen
-from chasles.report.words import labelled, number_of, point_in_words, reason
+from chasles.report.words import labelled, number_of, point_in_words
 from chasles.report.worked_page import worked_page
 from chasles.statements import Chapter, Entry
 from chasles.statements.derivation import Derivation
@@ -76,7 +76,7 @@ def _(value: Decision, screen: Screen) -> Iterator[RenderableType]:
 def _(value: Verdict, screen: Screen) -> Iterator[RenderableType]:
     found, certificate = getattr(value, "counterexample", None), getattr(value, "certificate", None)
     yield _judged("", value, screen)
-    lines = [("because", reason(value))] if reason(value) else []
+    lines = [("because", value.reason)] if value.reason else []
     lines += [("certificate", str(certificate_hash(certificate)))] if certificate is not None else []
     yield indented(chain(lines, refuted(found) if found is not None else ()))
 
@@ -139,7 +139,7 @@ def _(value: CompiledKernel, screen: Screen) -> Iterator[RenderableType]:
 
 
 def _judged(before: str, verdict: Verdict, screen: Screen) -> Text:
-    words = (before, labelled(verdict, screen.signs).plain, ", ".join(needs_of(verdict)))
+    words = (before, labelled(verdict, screen.signs).plain, ", ".join(verdict.needs))
     return Text("  ".join(filter(None, words)))
 
 
