@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from chasles.bounds import AGAINST
+from chasles.bounds.bound import AGAINST
 
 __all__ = ["page"]
 

@@ -18,11 +18,11 @@ from chasles import generated, kernels
 from chasles.decisions.session import Session
 from chasles.lowering.lower import lower
 from chasles.lowering.program import Op, Program
-from chasles.numerics import Specification, specification_of
 from chasles.numerics.draws import CONTEXT
 from chasles.numerics.enclosures import exactly
 from chasles.numerics.reference import Singular
 from chasles.numerics.sampling import moves
+from chasles.numerics.specification import Specification, specification_of
 from chasles.statements import Chapter, load
 
 # Additions, subtractions, multiplications, divisions and roots, with the halving of an angle; cosine and sine apart.

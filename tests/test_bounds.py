@@ -19,15 +19,19 @@ import pytest
 from chasles.generated.numpy import kernels as readable
 
 from chasles import generated, kernels
-from chasles.bounds import DOUBLE, SINGLE, Bound, Guarantee, Model, bound_of, key_of, proving, remembered
+from chasles.bounds import proving
+from chasles.bounds.bound import Bound, Guarantee
 from chasles.bounds.boxes import Boxes, bounds_over
 from chasles.bounds.cases import cases
 from chasles.bounds.cover import covered
 from chasles.bounds.covering import largest
 from chasles.bounds.intervals import Interval
+from chasles.bounds.memory import remembered
+from chasles.bounds.model import DOUBLE, SINGLE, Model
 from chasles.bounds.norms import against_largest
 from chasles.bounds.outline import NoBound, Outline, outlined
 from chasles.bounds.pieces import NEAR, face_values
+from chasles.bounds.proving import bound_of, key_of
 from chasles.bounds.termwise import termwise_errors
 from chasles.cli import emission
 from chasles.cli.failures import Failure

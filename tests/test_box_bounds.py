@@ -11,7 +11,8 @@ import pytest
 import sympy as sp
 
 import chasles
-from chasles.bounds import NoBound, bound_of_program
+from chasles.bounds.box import bound_of_program
+from chasles.bounds.outline import NoBound
 from chasles.compiling.derived import derived_from
 from chasles.compiling.operands import inputs_of, outputs_of
 from chasles.compiling.program_of import program_of

@@ -20,23 +20,12 @@ from numpy.typing import NDArray
 
 from chasles.lowering.cost import roundings
 from chasles.lowering.program import Argument, Op, Program, Result, Step
-from chasles.numerics import (
-    STRATEGIES,
-    Evidence,
-    ExpectedOutput,
-    Finding,
-    MissingValue,
-    Singular,
-    Specification,
-    Unsatisfiable,
-    draw,
-    evaluate,
-    specification_of,
-    specification_of_inverse,
-    verify,
-)
 from chasles.numerics.draws import CONTEXT, turned, unit_of
-from chasles.numerics.sampling import moves
+from chasles.numerics.reference import MissingValue, Singular, evaluate
+from chasles.numerics.sampling import STRATEGIES, Unsatisfiable, draw, moves
+from chasles.numerics.specification import ExpectedOutput, Specification, specification_of
+from chasles.numerics.specification_of_inverse import specification_of_inverse
+from chasles.numerics.verify import Evidence, Finding, verify
 from chasles.statements import (
     Branch,
     Claim,

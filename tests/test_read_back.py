@@ -20,7 +20,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from latex2mathml.converter import convert
 
-from chasles.numerics import Singular, evaluate
+from chasles.numerics.reference import Singular, evaluate
 from chasles.vocabulary import (
     CPM,
     TIME,

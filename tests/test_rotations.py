@@ -20,7 +20,9 @@ from scipy.spatial.transform import Rotation
 from chasles.cli.rechecking import recheck
 from chasles.decisions.memory import Memory
 from chasles.decisions.session import Session
-from chasles.numerics import draw, evaluate, specification_of
+from chasles.numerics.reference import evaluate
+from chasles.numerics.sampling import draw
+from chasles.numerics.specification import specification_of
 from chasles.statements import (
     Claim,
     Entry,

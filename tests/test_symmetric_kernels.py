@@ -13,8 +13,8 @@ from chasles.lowering.declaration import requested
 from chasles.lowering.equivalence.requests import differences
 from chasles.lowering.lower import program_of
 from chasles.lowering.program import Op
-from chasles.numerics import specification_of
 from chasles.numerics.sampling import draw, moves
+from chasles.numerics.specification import specification_of
 from chasles.statements import Definition, Entry, Kernel, Packed, Section, Stack, load
 from chasles.statements.kernel import SIX
 from chasles.targets.commission import kernel_of

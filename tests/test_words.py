@@ -14,7 +14,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from chasles.numerics import Singular, evaluate
+from chasles.numerics.reference import Singular, evaluate
 from chasles.vocabulary import (
     CPM,
     FORCE,

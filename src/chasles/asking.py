@@ -18,8 +18,6 @@ from chasles.statements.citing import UnknownNumber, derivations_cited, statemen
 from chasles.statements.derivations import declared_derivations
 from chasles.statements.packages import BOOK
 
-__all__ = ["decide", "derive", "repair"]
-
 Named = str | Chapter
 """A chapter, or what `chasles.load` reads one from."""
 

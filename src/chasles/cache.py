@@ -11,8 +11,6 @@ from contextlib import suppress
 from pathlib import Path
 from uuid import uuid4
 
-__all__ = ["folder", "keep", "trim", "used"]
-
 
 def folder() -> Path | None:
     """The folder of the cache, which need not exist; None where nothing is to be kept."""

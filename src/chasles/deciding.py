@@ -14,8 +14,6 @@ from chasles.verdict import Contradictory, Counterexample, Fails, Holds, HoldsUn
 if TYPE_CHECKING:
     from chasles.checker.expressions.scalars import ScalarQuestion
 
-__all__ = ["decided"]
-
 
 def decided(problem: Problem, own: tuple[Hypothesis, ...] = (), budget: float = BUDGET) -> Verdict:
     """The verdict on a problem; `own` are the hypotheses whose use it reports."""

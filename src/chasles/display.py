@@ -9,8 +9,6 @@ from collections.abc import Container
 from importlib import import_module
 from types import ModuleType
 
-__all__ = ["Displayed", "displayed_by", "theorems"]
-
 _rooms: list[str] = []
 
 

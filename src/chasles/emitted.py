@@ -10,10 +10,8 @@ from importlib.resources import files
 from typing import Any
 
 from chasles import kernels
-from chasles.bounds import Bound
+from chasles.bounds.bound import Bound
 from chasles.display import Displayed
-
-__all__ = ["EmittedKernel", "kernel"]
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from difflib import get_close_matches
 
-__all__ = ["nearest"]
-
 
 def nearest(word: str, words: Sequence[str]) -> str:
     """The end of a message about an unknown word: what it may have been meant to be; empty if nothing is near."""

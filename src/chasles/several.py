@@ -6,8 +6,6 @@ from typing import TypeVar
 
 from chasles.display import Displayed
 
-__all__ = ["Several"]
-
 T_co = TypeVar("T_co", bound=Displayed, covariant=True)
 
 

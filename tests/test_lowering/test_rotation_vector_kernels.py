@@ -14,7 +14,7 @@ from chasles.lowering.evaluate import decimals, run
 from chasles.lowering.lower import program_of
 from chasles.lowering.program import Op, Program
 from chasles.lowering.request import Request
-from chasles.numerics import evaluate
+from chasles.numerics.reference import evaluate
 from chasles.statements import Claim, Entry, Kernel, Section, nonzero
 from chasles.vocabulary import (
     CPM,

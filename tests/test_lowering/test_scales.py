@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from chasles import kernels
-from chasles.bounds import bound_of
+from chasles.bounds.proving import bound_of
 from chasles.decisions.session import Session
 from chasles.lowering.builder import Builder
 from chasles.lowering.declaration import requested

@@ -14,28 +14,3 @@ A vector counts as a unit vector if its length is within 2^-21 of 1, a matrix as
 with the formula of the case that it takes. The condition of a divisor is the sum of the sizes of its terms over its own
 size. Where the result is not a number, as at a singular point, nothing is said.
 """
-
-from __future__ import annotations
-
-from chasles.bounds.bound import AGAINST, Bound, Guarantee
-from chasles.bounds.box import BoxBound, ResultBound, bound_of_program
-from chasles.bounds.memory import remembered
-from chasles.bounds.model import DOUBLE, SINGLE, Model
-from chasles.bounds.outline import NoBound
-from chasles.bounds.proving import bound_of, key_of
-
-__all__ = [
-    "AGAINST",
-    "DOUBLE",
-    "SINGLE",
-    "Bound",
-    "BoxBound",
-    "Guarantee",
-    "Model",
-    "NoBound",
-    "ResultBound",
-    "bound_of",
-    "bound_of_program",
-    "key_of",
-    "remembered",
-]

@@ -7,8 +7,6 @@ import click
 from chasles import __version__
 from chasles.cli.guarded import Guarded
 
-__all__ = ["main"]
-
 COMMANDS = (
     "list", "show", "decide", "derive", "repair", "solve", "practice", "emit", "verify", "summary", "report",
     "new", "read", "build", "doctor", "completion",

@@ -19,7 +19,10 @@ from chasles.lowering.cost import roundings
 from chasles.lowering.lower import lower
 from chasles.lowering.refusal import LoweringError
 from chasles.nearest import nearest
-from chasles.numerics import Evidence, Specification, Unsatisfiable, specification_of, specification_of_inverse, verify
+from chasles.numerics.sampling import Unsatisfiable
+from chasles.numerics.specification import Specification, specification_of
+from chasles.numerics.specification_of_inverse import specification_of_inverse
+from chasles.numerics.verify import Evidence, verify
 from chasles.report.waiting import progress
 from chasles.statements import Chapter, Entry, Inverse, Kernel, Theorem
 from chasles.statements.packages import BOOK, generated_package, imported

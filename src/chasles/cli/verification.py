@@ -10,7 +10,7 @@ from typing import Any
 
 from chasles.cli.comparison import Asked, backend_of, compared
 from chasles.decisions.session import Session
-from chasles.numerics import Evidence
+from chasles.numerics.verify import Evidence
 from chasles.report.evidence import is_wrong, worst_of
 from chasles.report.words import number_of, seconds
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from chasles.bounds import BoxBound, bound_of_program
+from chasles.bounds.box import BoxBound, bound_of_program
 from chasles.lowering.program import Program
 
 

@@ -25,7 +25,7 @@ from chasles.kernels.signatures import signature_of_call
 from chasles.lowering.program import Op, Program
 
 if TYPE_CHECKING:
-    from chasles.bounds import BoxBound
+    from chasles.bounds.box import BoxBound
 
 MANY_SINGLES = 2**20
 """So many numbers of single precision in a kernel's results are worth a compiler's time."""

@@ -15,8 +15,6 @@ import sympy as sp
 
 from chasles.checker.expressions.complexes import QUOTIENTS
 
-__all__ = ["C", "S", "by_sine_and_cosine", "coefficients", "in_one_angle", "is_of_rational_angle", "without_squares"]
-
 C, S = sp.Symbol("c", real=True), sp.Symbol("s", real=True)
 LARGEST_MULTIPLE = 120
 

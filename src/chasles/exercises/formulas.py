@@ -15,13 +15,9 @@ def scalar_or_matrix(value: Any) -> Any:
     return value[0, 0] if value.shape == (1, 1) else value
 
 
-def _written(name: Node | str) -> tuple[str, str]:
-    return (plain(name), latex(name)) if isinstance(name, Node) else (name, words_in_latex(name))
-
-
 def equation(name: Node | str, value: Any) -> Formula:
     """A name, or an expression, and its value."""
-    text, in_latex = _written(name)
+    text, in_latex = (plain(name), latex(name)) if isinstance(name, Node) else (name, words_in_latex(name))
     return chain([text], [in_latex], value)
 
 

@@ -148,15 +148,11 @@ def _add_derivatives(result: SideConditions, item: Equations, variables: set[Any
             result.equations.append(Equations(text, changing, item.sources, derived=True))
 
 
-def _functions(expression: Any) -> set[Any]:
-    return {part for part in parts_of(expression) if isinstance(part, AppliedUndef)}
-
-
 def orders_of(expressions: Iterable[Any]) -> dict[Any, int]:
     """How often each function is differentiated."""
     found: dict[Any, int] = {}
     for expression in expressions:
-        for function in sorted(_functions(expression), key=str):
+        for function in sorted({part for part in parts_of(expression) if isinstance(part, AppliedUndef)}, key=str):
             found.setdefault(function, 0)
         derivatives = (part for part in parts_of(expression) if isinstance(part, sympy.Derivative))
         for derivative in sorted(derivatives, key=str):

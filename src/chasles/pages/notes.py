@@ -19,8 +19,6 @@ from chasles.reading.reading import Part
 from chasles.statements import Claim
 from chasles.vocabulary import At, Symbol, plain
 
-__all__ = ["DEFINING", "NOTHING", "EquationNote", "is_defining", "notes_of", "parts_of"]
-
 DEFINING = (r"\equiv", ":=", r"\triangleq", r"\coloneqq", r"\doteq", "≡")
 """The signs by which something is defined."""
 EQUAL = ("=", *DEFINING)

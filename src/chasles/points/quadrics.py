@@ -31,7 +31,7 @@ def on_quadrics(context: Context, point: Point, bound: set[Symbol], draw: Random
     for generator in context.generators:
         if generator.hypothesis is None or not generator.hypothesis.free or generator.order:
             continue
-        places = _places(context, generator)
+        places = {k for k, power in enumerate(context.field.ring.degrees(generator.polynomial)) if power}
         if any(context.variables[k].name not in point for k in places):
             continue
         movable = {k for k in places if _may_move(context, k, bound)}
@@ -49,10 +49,6 @@ def _gives_a_symbol(terms: Terms) -> bool:
     """Whether an unknown occurs in one term alone, by itself."""
     occurring = Counter(k for _, powers in terms for k in powers)
     return any(powers == {k: 1} and occurring[k] == 1 for _, powers in terms for k in powers)
-
-
-def _places(context: Context, generator: Generator) -> set[int]:
-    return {k for k, power in enumerate(context.field.ring.degrees(generator.polynomial)) if power}
 
 
 def _may_move(context: Context, place: int, bound: set[Symbol]) -> bool:

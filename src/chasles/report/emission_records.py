@@ -6,7 +6,8 @@ import tomllib
 from collections.abc import Mapping
 from typing import Any
 
-from chasles.bounds import SINGLE, Bound
+from chasles.bounds.bound import Bound
+from chasles.bounds.model import SINGLE
 from chasles.lowering.program import Op
 from chasles.report.details import Lines
 

@@ -12,7 +12,7 @@ from rich.console import RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from chasles.numerics import Evidence
+from chasles.numerics.verify import Evidence
 from chasles.report.details import indented
 from chasles.report.screen import Screen
 

@@ -11,7 +11,7 @@ from rich.table import Table
 from rich.text import Text
 
 from chasles.exact.spelling import decimal_text, text_of
-from chasles.exercises.solution import Formula, Solution, SolutionStep, cited
+from chasles.exercises.solution import Solution, SolutionStep, cited
 
 WIDE, SHORT = 100, 24
 """Signs on a line, and in what stands before a value on the same line."""
@@ -53,12 +53,8 @@ def _step(mark: str, step: SolutionStep, signs: bool) -> RenderableType:
         said.append(f"  {cited(step.cites)}", "dim cyan")
     grid.add_row(mark, said)
     for line in step.lines:
-        grid.add_row("", _formula(line, signs))
+        grid.add_row("", Padding(_with_decimals(line.text, line.decimals, signs), (0, 0, 0, 4)))
     return grid
-
-
-def _formula(line: Formula, signs: bool) -> Padding:
-    return Padding(_with_decimals(line.text, line.decimals, signs), (0, 0, 0, 4))
 
 
 def _with_decimals(text: str, decimals: str, signs: bool) -> Text:

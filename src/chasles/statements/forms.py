@@ -36,10 +36,6 @@ def _total(squares: tuple[Node, ...]) -> Node:
     return squares[0] if len(squares) == 1 else w.Sum(squares)
 
 
-def _zero(like: Node) -> Node:
-    return w.Zero(*like.shape)
-
-
 @dataclass(frozen=True, slots=True)
 class Always(Declared):
     """The two sides are equal."""
@@ -72,7 +68,7 @@ class Minimum(Declared):
         total = _total(tuple(w.Dot(square, square) for square in self.squares))
         excess = ("the excess over the least value is a sum of squares", _minus(self.of, self.value), total)
         there: dict[Node, Node] = {self.over: self.at}
-        vanish = [("the square vanishes there", w.replace(s, there), _zero(s)) for s in self.squares]
+        vanish = [("the square vanishes there", w.replace(s, there), w.Zero(*s.shape)) for s in self.squares]
         return (excess, *vanish)
 
 

@@ -94,7 +94,7 @@ class Inverse(Declared, Displayed):
         for key, value in branch.values:
             if key.shape != value.shape:
                 raise w.Misfit(f"({self.number}), {branch.says}: {w.plain(key)} cannot have the value {w.plain(value)}")
-            if isinstance(key, w.Call) and w.Call(_partner(key), key.argument) not in keys:
+            if isinstance(key, w.Call) and w.Call("sin" if key.function == "cos" else "cos", key.argument) not in keys:
                 raise TypeError(f"({self.number}), {branch.says}: an angle is given by both its cosine and its sine")
         if missing := [key for key in self.sign if key not in keys]:
             raise TypeError(
@@ -209,7 +209,3 @@ def _turned(sentence: Inverse, right: Node) -> Problem:
             Goal(f"still {hypothesis.text}", w.replace(a, turn), w.replace(b, turn)) for a, b in hypothesis.equations
         ]
     return Problem(tuple(goals), hypotheses=hypotheses)
-
-
-def _partner(key: w.Call) -> str:
-    return "sin" if key.function == "cos" else "cos"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from chasles.bounds import Bound
+from chasles.bounds.bound import Bound
 from chasles.decisions.decision import HOW, Decision
 from chasles.lowering.declaration import Decide, requested
 from chasles.lowering.equivalence.requests import differences

@@ -73,7 +73,7 @@ def _bounded(kernel: TargetKernel) -> tuple[str, ...]:
     if not kernel.box_bounds and kernel.bound is None:
         return ()
     # Where nothing is bounded that is not imported.
-    from chasles.bounds import SINGLE
+    from chasles.bounds.model import SINGLE
 
     supposed = f"supposed: {SINGLE.in_words(kernel.program.operations)}"
     if kernel.box_bounds:

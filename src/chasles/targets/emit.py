@@ -20,7 +20,7 @@ from chasles.targets.offering import offering
 from chasles.targets.target import Origin, Page, Target, discover, every_target
 
 if TYPE_CHECKING:
-    from chasles.bounds import Bound
+    from chasles.bounds.bound import Bound
 
 MANIFEST = "MANIFEST.toml"
 HEAD = ("SPDX-License-Identifier: BSD-3-Clause", f"Emitted by chasles {__version__}.")

@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING
 from chasles.lowering.program import Op, Program
 
 if TYPE_CHECKING:
-    from chasles.bounds import Bound, BoxBound
+    from chasles.bounds.bound import Bound
+    from chasles.bounds.box import BoxBound
 
 Exact = Fraction | int | str
 """A rational number, or a decimal numeral such as "0.4794255386042030", or "nan"."""

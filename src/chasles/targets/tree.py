@@ -176,11 +176,7 @@ def _present(root: Path) -> Iterator[str]:
     """Every file below the root, but for what Python and `chasles build` put there."""
     for path in sorted(root.rglob("*")):
         if path.is_file() and not _IGNORED & set(path.relative_to(root).parts):
-            yield _below(root, path)
-
-
-def _below(root: Path, path: Path) -> str:
-    return path.relative_to(root).as_posix()
+            yield path.relative_to(root).as_posix()
 
 
 def _diff(path: str, found: str, text: str) -> str:

@@ -7,8 +7,6 @@ from difflib import SequenceMatcher
 from itertools import groupby
 from xml.etree.ElementTree import Element, tostring
 
-__all__ = ["ADDED", "TAKEN", "mark_differences"]
-
 TAKEN, ADDED = "taken", "added"
 """The classes of what only the one formula has, and only the other."""
 ROWS = ("mrow", "mtable", "mtr", "mtd")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from chasles.bounds import Bound
+from chasles.bounds.bound import Bound
 from chasles.report.details import number_in_words
 from chasles.report.emission_records import emitted_kernels
 from chasles.report.html.citing import Book, Link, place_of_number, slug

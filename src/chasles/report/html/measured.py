@@ -10,8 +10,6 @@ from typing import Any
 
 from chasles.report.html.citing import Link
 
-__all__ = ["ERRORS", "TIMES", "DamagedEvidence", "ErrorAtAngle", "ErrorCurve", "Measured", "measured"]
-
 TIMES, ERRORS = "kernels.json", "errors.json"
 """The files of the evidence."""
 OURS, PRINTED = "chasles_kernels", "numpy_by_hand"

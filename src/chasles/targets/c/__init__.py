@@ -45,8 +45,6 @@ from chasles.targets.constants import Precision
 from chasles.targets.kernel import EmissionError, TargetKernel
 from chasles.targets.target import Page, Target
 
-__all__ = ["TARGET", "pages"]
-
 _FEW_ENTRIES = 512
 """Of a group of items with no more the store of most kernels has room, whatever the registers."""
 

@@ -21,8 +21,6 @@ from chasles.targets.layout import listed
 from chasles.targets.spelling import spelled
 from chasles.targets.target import Page, Target
 
-__all__ = ["TARGET"]
-
 _RESERVED = RESERVED | {"std", "Eigen", "chasles"}
 _MOST_AXES = 2
 """Eigen has no arrays of more axes."""

@@ -17,8 +17,6 @@ from chasles.targets.kernel import TargetKernel, signature
 from chasles.targets.layout import listed
 from chasles.targets.target import Page, Target
 
-__all__ = ["TARGET"]
-
 _USED = {"count", "item", "needed", "stride", "stream", "threads", "most", "blocks"}
 _BUILT_IN = {"blockDim", "blockIdx", "gridDim", "threadIdx", "warpSize"}
 _DEEPER = "\n        "

@@ -18,8 +18,6 @@ from chasles.targets.gufunc.text import c_string
 from chasles.targets.kernel import TargetKernel, signature
 from chasles.targets.target import Page, Target
 
-__all__ = ["TARGET"]
-
 # The order in which NumPy looks for a loop: the first that takes the inputs without loss.
 _LOOPS = (SINGLE, DOUBLE)
 

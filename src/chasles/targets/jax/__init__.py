@@ -15,8 +15,6 @@ from chasles.targets.kernel import EmissionError, TargetKernel
 from chasles.targets.numpy import DIALECT, NAMES, function
 from chasles.targets.target import Page, Target
 
-__all__ = ["TARGET", "Library", "target"]
-
 _TAKEN = ("Any", "Batch", "NamedTuple", "jax", "prepared", "reduce", "special", "xp")
 
 

@@ -18,8 +18,6 @@ from chasles.targets.numpy.hypotheses import divisors, rows
 from chasles.targets.spelling import Spelled, spelled
 from chasles.targets.target import Page, Target
 
-__all__ = ["DIALECT", "NAMES", "TARGET", "function"]
-
 _SPELL: Mapping[Op, Phrase] = {
     **ARITHMETIC,
     Op.SQUARE_ROOT: call("xp.sqrt"),

@@ -21,8 +21,6 @@ from chasles.targets.layout import listed
 from chasles.targets.spelling import spelled
 from chasles.targets.target import Page, Target
 
-__all__ = ["TARGET"]
-
 _KEYWORDS = """
     as async await box break const continue crate do dyn else enum extern false final fn for gen if impl in let loop
     macro match mod move mut override priv pub ref return self Self static struct super trait true try type typeof

@@ -15,8 +15,6 @@ from chasles.targets.contract import cited, contract_in_arrays
 from chasles.targets.kernel import TargetKernel, signature
 from chasles.targets.target import Page, Target
 
-__all__ = ["TARGET"]
-
 _REMARKS = {
     "one": ("Light", "Of one element or a contiguous batch."),
     "checked": ("Checked", "The inputs are tested."),

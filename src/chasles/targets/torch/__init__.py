@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from chasles.targets.jax import Library, target
 
-__all__ = ["TARGET"]
-
 _CUBE_ROOT = "xp.copysign(xp.pow(xp.abs({0}), 1 / 3), {0})"
 _TORCH = Library(
     title="PyTorch",
