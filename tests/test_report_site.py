@@ -10,10 +10,10 @@ import pytest
 
 import chasles
 from chasles.decisions.session import Session
+from chasles.report.html.formulas import with_formulas
 from chasles.report.html.overview import Trusted
 from chasles.report.html.page import PageContents
 from chasles.report.html.site import site
-from chasles.report.html.words import with_formulas
 from chasles.statements import Chapter
 from chasles.vocabulary import plain
 

@@ -14,7 +14,7 @@ from chasles.lowering.program import Argument, Op, Program, Result, Step
 from chasles.targets import EmissionError, Heading, TargetKernel, signature
 from chasles.targets.constants import DOUBLE, SINGLE, literal, literals, rounded
 from chasles.targets.dialect import ARITHMETIC, Dialect, call
-from chasles.targets.gufunc.text import c_string
+from chasles.targets.gufunc import c_string
 from chasles.targets.spelling import spelled
 
 from ..sampling import WHOLE

@@ -63,7 +63,7 @@ class Ratio:
 
     def __mul__(self, other: Ratio) -> Ratio:
         numerator = _times(self.numerator, other.numerator)
-        return Ratio(self.field, numerator, _product(self.denominator, other.denominator))
+        return Ratio(self.field, numerator, joined(self.denominator, other.denominator))
 
     def over(self, denominator: tuple[int, ...]) -> Polynomial:
         """The numerator over a denominator that this one's divides."""
@@ -78,7 +78,7 @@ class Ratio:
         A factor that moves into the numerator stays in the denominator too, so that it is seen to have been divided by.
         """
         numerator = self.numerator if constant == 1 else self.numerator * self.field.ring.constant(1 / constant)
-        total = _product(self.denominator, exponents)
+        total = joined(self.denominator, exponents)
         if any(exponent < 0 for exponent in total):
             numerator = numerator * self.field.power_product(tuple(1 - e if e < 0 else 0 for e in total))
             total = tuple(1 if exponent < 0 else exponent for exponent in total)
@@ -87,7 +87,7 @@ class Ratio:
     def multiplied(self, exponents: tuple[int, ...]) -> Ratio:
         """The same fraction, above and below multiplied by powers of nonzero factors."""
         numerator = _times(self.numerator, self.field.power_product(exponents))
-        return Ratio(self.field, numerator, _product(self.denominator, exponents))
+        return Ratio(self.field, numerator, joined(self.denominator, exponents))
 
     @property
     def is_zero(self) -> bool:
@@ -113,7 +113,8 @@ def _largest(one: tuple[int, ...], other: tuple[int, ...]) -> tuple[int, ...]:
     return tuple(max(a, b) for a, b in zip(_padded(one, size), _padded(other, size), strict=True))
 
 
-def _product(one: tuple[int, ...], other: tuple[int, ...]) -> tuple[int, ...]:
+def joined(one: tuple[int, ...], other: tuple[int, ...]) -> tuple[int, ...]:
+    """The exponents of a product of two products of nonzero factors."""
     if not one or not other:
         return one or other
     size = max(len(one), len(other))

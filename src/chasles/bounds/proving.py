@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import tomllib
+from collections.abc import Iterator, Mapping
 from decimal import ROUND_CEILING, Decimal
 from fractions import Fraction
 from hashlib import sha256
@@ -186,3 +187,19 @@ def _upwards(value: Fraction, to: Decimal) -> str:
     """The numeral, rounded upwards."""
     exact = Decimal(value.numerator) / Decimal(value.denominator) * (1 + Decimal("1e-20"))
     return str(exact.quantize(to, ROUND_CEILING)) if value else "0"
+
+
+def remembered(manifest: str) -> dict[str, Bound]:
+    """The bounds of a manifest's kernels by their hashes. A damaged manifest, or entry, remembers nothing."""
+    try:
+        kernels = tomllib.loads(manifest).get("kernels", {})
+    except tomllib.TOMLDecodeError:
+        return {}
+    found: dict[str, Bound] = {}
+    for kernel in kernels.values() if isinstance(kernels, Mapping) else ():
+        try:
+            bound = Bound.from_data(kernel["bound"])
+        except (KeyError, TypeError, ValueError, AttributeError):
+            continue
+        found[bound.program] = bound
+    return found

@@ -7,8 +7,7 @@ from importlib import import_module
 from pathlib import Path
 
 from chasles.bounds.bound import Bound
-from chasles.bounds.memory import remembered
-from chasles.bounds.proving import bound_of, key_of
+from chasles.bounds.proving import bound_of, key_of, remembered
 from chasles.cli.answers import answers
 from chasles.cli.book import decisions
 from chasles.cli.checkout import installed_folder

@@ -7,7 +7,7 @@ So 1 - cos(phi) has 50 right digits for phi = 1e-60 too.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
 from operator import add
@@ -16,7 +16,6 @@ from typing import Any
 from chasles.evaluation.interpreter import Interpreter
 from chasles.evaluation.matrices import Matrix, each
 from chasles.numerics.enclosures import ends, exactly, interval_context, is_narrow, middle
-from chasles.numerics.functions import Undetermined, function_of, sign_of
 from chasles.vocabulary import PI, At, Call, Determinant, Group, Inverse, Misfit, Node, Norm, Rate, Symbol
 from chasles.vocabulary.differentiation import rate_of
 from chasles.vocabulary.functions import Cases, FunctionOf
@@ -160,3 +159,56 @@ def _flattened(value: Any) -> Iterable[Any]:
             yield from _flattened(part)
     else:
         yield value
+
+
+class Undetermined(ArithmeticError):
+    """What holds of one number in an interval and not of another: more digits may tell."""
+
+
+def function_of(name: str, context: Any) -> Callable[..., Any]:
+    """The function of that name; raises ValueError where it is not real, `Undetermined` where that is not known."""
+
+    def sqrt(x: Any) -> Any:
+        low, high = ends(x)
+        if high < 0:
+            raise ValueError("the square root of a negative number is not real")
+        return context.sqrt(x if low >= 0 else context.mpf([0, x.b]))
+
+    def log(x: Any) -> Any:
+        if sign_of(x) <= 0:
+            raise ValueError("the logarithm of a number that is not positive is not real")
+        return context.log(x)
+
+    def sinh(x: Any) -> Any:
+        return (context.exp(x) - context.exp(-x)) / 2
+
+    def cosh(x: Any) -> Any:
+        return (context.exp(x) + context.exp(-x)) / 2
+
+    found: dict[str, Callable[..., Any]] = {
+        "sqrt": sqrt,
+        "abs": abs,
+        "exp": context.exp,
+        "log": log,
+        "arcsin": lambda x: context.atan2(x, sqrt(1 - x**2)),
+        "arccos": lambda x: context.atan2(sqrt(1 - x**2), x),
+        "arctan": lambda x: context.atan2(x, context.mpf(1)),
+        "atan2": context.atan2,
+        "sinh": sinh,
+        "cosh": cosh,
+        "tanh": lambda x: sinh(x) / cosh(x),
+        "sign": lambda x: context.mpf(sign_of(x)),
+        "max": lambda *xs: reduce(lambda a, b: (a + b + abs(a - b)) / 2, xs),
+        "min": lambda *xs: reduce(lambda a, b: (a + b - abs(a - b)) / 2, xs),
+    }
+    return found[name]
+
+
+def sign_of(x: Any) -> int:
+    """1, 0 or -1; raises `Undetermined` for an interval that holds numbers of different signs."""
+    low, high = ends(x)
+    if low > 0 or high < 0:
+        return 1 if low > 0 else -1
+    if low == high:
+        return 0
+    raise Undetermined("the sign is not known")

@@ -11,9 +11,8 @@ from random import Random
 from chasles.checker.any_size.at_sizes import PointAtSizes, sizes_in
 from chasles.checker.sparse import Rejected
 from chasles.points.adjustment import solution
-from chasles.points.rational import Numbers, free
+from chasles.points.rational import Numbers, SimpleRandom, free
 from chasles.points.satisfying import bind, in_order
-from chasles.points.simple_random import SimpleRandom
 from chasles.problems.variables import entry_name
 from chasles.statements import Problem
 from chasles.statements.varied import opened_parts

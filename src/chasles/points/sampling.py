@@ -17,10 +17,9 @@ from chasles.checker.witness import QUARTERS
 from chasles.points.adjustment import adjusted
 from chasles.points.evaluation import Point, evaluate, satisfies
 from chasles.points.quadrics import on_quadrics
-from chasles.points.rational import CIRCLE, Numbers, circle, free
+from chasles.points.rational import CIRCLE, Numbers, SimpleRandom, circle, free
 from chasles.points.rational_norms import give_norm
 from chasles.points.satisfying import bind, in_order
-from chasles.points.simple_random import SimpleRandom
 from chasles.problems.context import Context
 from chasles.statements import Hypothesis
 from chasles.vocabulary import Symbol

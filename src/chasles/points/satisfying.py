@@ -12,7 +12,7 @@ from operator import mul
 from random import Random
 
 from chasles.checker.witness import root_of
-from chasles.evaluation.matrices import product
+from chasles.evaluation.matrices import plus, product
 from chasles.points.rational import CIRCLE, Numbers, circle, definite, free, half_turn, on_sphere, rotation, unit_vector
 from chasles.statements import Hypothesis
 from chasles.vocabulary import Symbol
@@ -122,8 +122,8 @@ def _bind_matrices(
     else:
         m = values.setdefault((subjects[0], 0), free((rows, rows), draw, rich))
         a, b = (Fraction(draw.randint(-2, 2)) for _ in range(2))
-        shifted = _plus(product(m, m), [[a * x for x in row] for row in m])
-        values[subjects[1], 0] = _plus(shifted, [[b * x for x in row] for row in _unit(rows)])
+        shifted = plus(product(m, m), [[a * x for x in row] for row in m])
+        values[subjects[1], 0] = plus(shifted, [[b * x for x in row] for row in _unit(rows)])
 
 
 def _unit(size: int) -> Numbers:
@@ -200,7 +200,7 @@ def _turning(numbers: Numbers, order: int, draw: Random, rich: bool) -> list[Num
     spins = [[row[0] for row in free((size * (size - 1) // 2, 1), draw, rich)] for _ in range(max(order, 2))]
     for reached in range(order):
         parts = [_spin(rates[reached - k], [comb(reached, k) * x for x in spins[k]]) for k in range(reached + 1)]
-        rates.append(reduce(_plus, parts))
+        rates.append(reduce(plus, parts))
     return rates
 
 
@@ -212,7 +212,3 @@ def _spin(numbers: Numbers, spin: list[Fraction]) -> Numbers:
         total[j] = [sum_ + turn * entry for sum_, entry in zip(total[j], numbers[i], strict=True)]
         total[i] = [sum_ - turn * entry for sum_, entry in zip(total[i], numbers[j], strict=True)]
     return total
-
-
-def _plus(one: Numbers, other: Numbers) -> Numbers:
-    return [[a + b for a, b in zip(row, line, strict=True)] for row, line in zip(one, other, strict=True)]

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 
-from chasles.algebra.localization import Localization, Ratio
+from chasles.algebra.localization import Localization, Ratio, joined
 from chasles.algebra.rings import Polynomial
 from chasles.evaluation.matrices import each, product, transposed
 from chasles.problems.coordinates import Coordinates
-from chasles.problems.divisors import Divisors, joined
+from chasles.problems.divisors import Divisors
 from chasles.problems.moments import BodyMoments
 from chasles.problems.variables import Unlisted, Untreatable, Variable
 from chasles.vocabulary import Node, Norm, Rate, plain

@@ -8,7 +8,7 @@ from functools import reduce
 from itertools import combinations_with_replacement
 from operator import mul
 
-from chasles.algebra.localization import Localization
+from chasles.algebra.localization import Localization, joined
 from chasles.evaluation.matrices import Matrix
 from chasles.vocabulary import Group, Negative, Node, Norm, Number, Power, Quotient, Scale, plain
 from chasles.vocabulary.parts import with_entries
@@ -83,13 +83,6 @@ class Divisors:
         except UndeclaredDivisor:
             return False
         return True
-
-
-def joined(one: tuple[int, ...], other: tuple[int, ...]) -> tuple[int, ...]:
-    """The exponents of a product of two products of nonzero factors."""
-    size = max(len(one), len(other))
-    one, other = one + (0,) * (size - len(one)), other + (0,) * (size - len(other))
-    return tuple(a + b for a, b in zip(one, other, strict=True))
 
 
 def _multiple(field: Localization, polynomial: object, factor: object) -> Fraction | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
@@ -24,7 +24,6 @@ from chasles.report.html.exercises import WorkedView
 from chasles.report.html.filling import environment
 from chasles.report.words import VERDICTS, counted
 from chasles.statements import Chapter, Entry
-from chasles.verdict import Verdict
 from chasles.vocabulary import latex
 
 _SPECIAL = str.maketrans(
@@ -113,7 +112,7 @@ def item_of(entry: Entry, decision: Decision, before: str, hypotheses: Mapping[s
     return Item(
         number="" if entry.number == before else escaped(number_in_words(entry.number)),
         verdict=VERDICTS[decision.verdict.name][2],
-        needs=_needs(decision.verdict, hypotheses),
+        needs=listed(decision.verdict.needs, hypotheses),
         says=escaped(entry.statement.says),
         formulas=in_latex(entry.statement),
         why=tuple(escaped(f"{label}: {text}") for label, text in objections_to_print(decision)),
@@ -124,7 +123,7 @@ def item_of(entry: Entry, decision: Decision, before: str, hypotheses: Mapping[s
 
 def _instead(replacement: Replacement, hypotheses: Mapping[str, str], *, first: bool) -> Instead:
     numbers: Sequence[str] = tuple(map(number_in_words, replacement.by))
-    verdict = f"{VERDICTS[replacement.verdict.name][2]} {_needs(replacement.verdict, hypotheses)}".rstrip()
+    verdict = f"{VERDICTS[replacement.verdict.name][2]} {listed(replacement.verdict.needs, hypotheses)}".rstrip()
     if numbers:
         verdict = escaped(f"is the definition with which {', '.join(numbers)} hold")
     return Instead(
@@ -135,7 +134,6 @@ def _instead(replacement: Replacement, hypotheses: Mapping[str, str], *, first: 
     )
 
 
-def _needs(verdict: Verdict, hypotheses: Mapping[str, str]) -> str:
-    """The hypotheses that the proof uses, as formulas; in words where one is not told as a formula."""
-    needs = verdict.needs
-    return ", ".join(f"${hypotheses[text]}$" if hypotheses.get(text) else escaped(text) for text in needs)
+def listed(texts: Iterable[str], hypotheses: Mapping[str, str]) -> str:
+    """Hypotheses as formulas; in words where one is not told as a formula."""
+    return ", ".join(f"${hypotheses[text]}$" if hypotheses.get(text) else escaped(text) for text in texts)

@@ -19,7 +19,7 @@ def command(sections: tuple[str, ...], json: bool) -> None:
 
         print_data({"statements": [described(entry) for entry in entries]})
     else:
-        from chasles.report.contents import contents
+        from chasles.report.decisions import contents
         from chasles.report.screen import Screen
 
         screen = Screen()

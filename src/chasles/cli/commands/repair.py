@@ -23,8 +23,8 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> None:
     and for a wrong one nothing may be found: both are reported, and neither is a failure.
     """
     from chasles.decisions.recalled import retained, session_of
-    from chasles.report.repair_page import repair_page, repair_record
     from chasles.report.screen import Screen
+    from chasles.report.statement_page import repair_page, repair_record
 
     book = chapter()
     session = session_of(book)

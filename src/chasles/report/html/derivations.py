@@ -13,9 +13,9 @@ from chasles.decisions.processes import spread
 from chasles.decisions.session import Session
 from chasles.deriving import CheckedDerivation, CheckedStep, walk
 from chasles.report.derivation_page import equations_of, objections_of, outcome_of
+from chasles.report.html.formulas import with_formulas
 from chasles.report.html.shown import DerivationView, StepShown, badge_of
 from chasles.report.html.statements import equation, expression
-from chasles.report.html.words import with_formulas
 from chasles.statements.derivation import Consider, Derivation, DerivationStep
 from chasles.vocabulary import Node
 

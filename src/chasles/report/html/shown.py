@@ -1,4 +1,4 @@
-"""What the page shows of one equation, one repair, one statement, one number: plain values for the templates.
+"""What a page or a notebook shows of one equation, repair, statement, number: plain values for the templates.
 
 What may be missing is a tuple, so that a template loops over it and decides nothing.
 """
@@ -135,3 +135,22 @@ class NumberShown:
     classes: str
     parts: tuple[StatementShown, ...]
     roads: tuple[DerivationView, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Card:
+    """A heading with badges, words, equations, facts, what is right instead, steps, rows of a table, code to open."""
+
+    title: str = ""
+    badges: tuple[Badge, ...] = ()
+    needs: tuple[Markup, ...] = ()
+    says: str = ""
+    quiet: str = ""
+    equations: tuple[Equation, ...] = ()
+    facts: tuple[Fact, ...] = ()
+    instead: tuple[Repaired, ...] = ()
+    slip: tuple[str, ...] = ()
+    steps: tuple[StepShown, ...] = ()
+    head: tuple[str, ...] = ()
+    rows: tuple[tuple[Markup | str, ...], ...] = ()
+    code: tuple[tuple[str, str], ...] = ()

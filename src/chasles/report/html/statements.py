@@ -16,9 +16,8 @@ from chasles.report.findings import Replacement, likely_slip, replacements
 from chasles.report.html.certificates import proof_in_words
 from chasles.report.html.citing import Book, Link, place_of_number
 from chasles.report.html.differences import mark_differences
-from chasles.report.html.formulas import equation_tree, latex_for_mathml, markup, math, tree_of
+from chasles.report.html.formulas import equation_tree, latex_for_mathml, markup, math, tree_of, with_formulas
 from chasles.report.html.shown import Equation, Fact, KernelRow, Related, Repaired, StatementShown, badge_of
-from chasles.report.html.words import with_formulas
 from chasles.report.records import certificate_hash
 from chasles.report.words import point_in_words
 from chasles.statements import Entry, Statement

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator
 from functools import singledispatch
 
 from chasles.decisions.decision import Decision
 from chasles.deriving import CheckedDerivation
-from chasles.exercises.solution import Solution
-from chasles.exercises.worksheet_latex import as_latex
+from chasles.exact.spelling import latex_of, plain_in_latex, words_in_latex
+from chasles.exercises.solution import Solution, SolutionStep, cited
 from chasles.repairs.repair import Repair
 from chasles.report.derivation_page import equations_of
 from chasles.report.details import number_in_words, refuted
 from chasles.report.equations import in_latex
-from chasles.report.latex_page import Item, escaped, item_of
+from chasles.report.latex_page import escaped, item_of, listed
 from chasles.report.notebook.alone import Alone, as_displayed, entry_of
 from chasles.report.notebook.text import text
 from chasles.report.words import VERDICTS
@@ -36,7 +36,7 @@ def _parts(value: object) -> Iterator[str]:
 
 @_parts.register
 def _(value: Solution) -> Iterator[str]:
-    yield as_latex(value).rstrip()
+    yield "\n".join(_worked(value))
 
 
 @_parts.register
@@ -52,13 +52,13 @@ def _(value: Entry) -> Iterator[str]:
     yield from map(_display, in_latex(sentence))
     if sentence.assuming:
         known = {hypothesis.text: hypothesis.latex for hypothesis in sentence.assuming}
-        yield f"assuming {_listed(known, known)}"
+        yield f"assuming {listed(known, known)}"
 
 
 @_parts.register
 def _(value: Decision) -> Iterator[str]:
     entry = entry_of(value.statement)
-    item: Item = item_of(entry, value, "", Alone(value.statement).hypotheses)
+    item = item_of(entry, value, "", Alone(value.statement).hypotheses)
     yield _headed(number_in_words(entry.number, entry.statement.part), item.verdict, item.needs)
     yield item.says
     yield from map(_display, item.formulas)
@@ -109,6 +109,21 @@ def _display(formula: str) -> str:
     return rf"\[ {formula} \]"
 
 
-def _listed(texts: Iterable[str], known: Mapping[str, str]) -> str:
-    """Hypotheses as formulas; in words where one is not told as a formula."""
-    return ", ".join(f"${known[text]}$" if known.get(text) else escaped(text) for text in texts)
+def _worked(solution: Solution) -> Iterator[str]:
+    """The steps of a solution, numbered, and the answers."""
+    yield rf"\textbf{{Exercise {solution.exercise}: {plain_in_latex(solution.title)}}}"
+    for assumed in solution.assumptions:
+        yield rf"\par Assumed: {plain_in_latex(assumed)}"
+    for number, step in enumerate(solution.steps, 1):
+        yield rf"\par {number}. {_said(step)}"
+        yield from (rf"\[ {line.latex} \]" for line in step.lines)
+    yield rf"\par\textbf{{Answer: {plain_in_latex(solution.outcome)}}}"
+    yield from (rf"\[ {words_in_latex(name)} = {latex_of(value)} \]" for name, value in solution.answers.items())
+    for check in solution.checks:
+        yield rf"\par {_said(check)}"
+        yield from (rf"\[ {line.latex} \]" for line in check.lines)
+
+
+def _said(step: SolutionStep) -> str:
+    cites = cited(step.cites)
+    return plain_in_latex(step.says) + (f" ({plain_in_latex(cites)})" if cites else "")

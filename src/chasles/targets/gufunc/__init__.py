@@ -14,7 +14,6 @@ from pathlib import Path
 from chasles.targets.c.blocks import loop_name
 from chasles.targets.constants import DOUBLE, SINGLE
 from chasles.targets.contract import contract_in_arrays
-from chasles.targets.gufunc.text import c_string
 from chasles.targets.kernel import TargetKernel, signature
 from chasles.targets.target import Page, Target
 
@@ -52,3 +51,19 @@ def _pages(kernels: tuple[TargetKernel, ...]) -> Iterator[Page]:
 
 
 TARGET = Target("gufunc", Path(__file__).parent, _pages)
+
+
+_ESCAPES = {"\n": "\\n", '"': '\\"', "\\": "\\\\", "?": "\\?"}
+
+
+def c_string(text: str) -> str:
+    """The literal of the text in UTF-8; bytes beyond ASCII are octal escapes, the same for every compiler."""
+    parts = []
+    for character in text:
+        if character in _ESCAPES:
+            parts.append(_ESCAPES[character])
+        elif character.isascii():
+            parts.append(character)
+        else:
+            parts += [f"\\{byte:03o}" for byte in character.encode()]
+    return f'"{"".join(parts)}"'
