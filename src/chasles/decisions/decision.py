@@ -12,18 +12,7 @@ from chasles.statements import Inverse, Statement, Theorem
 from chasles.statements.elsewhere import chapter_of, other_chapter
 from chasles.statements.posing import default_sides
 from chasles.statements.statement import Equation
-from chasles.verdict import (
-    Assumed,
-    Contradictory,
-    Defined,
-    Fails,
-    Holds,
-    HoldsUnder,
-    IllFormed,
-    Posed,
-    Undecided,
-    Verdict,
-)
+from chasles.verdict import Verdict
 
 Sentence = Statement | Theorem | Inverse
 HOW = {"printed": "as printed", "reading": "as read", "repair": "as repaired", "corrected": "as corrected"}
@@ -135,7 +124,7 @@ class Decisions(Several[Decision]):
     @property
     def verdict(self) -> Verdict:
         """The verdict on the part that is least certain: one that is wrong as printed, else one with needs."""
-        return min((each.verdict for each in self), key=lambda said: _LEAST_CERTAIN_FIRST.index(type(said)))
+        return min((each.verdict for each in self), key=lambda said: _LEAST_CERTAIN_FIRST.index(said.name))
 
     @property
     def needs(self) -> tuple[str, ...]:
@@ -148,7 +137,10 @@ class Decisions(Several[Decision]):
         return all(decision.stands for decision in self)
 
 
-_LEAST_CERTAIN_FIRST = (IllFormed, Fails, Contradictory, Undecided, HoldsUnder, Holds, Posed, Assumed, Defined)
+_LEAST_CERTAIN_FIRST = (
+    *("ill-formed", "fails", "contradictory", "undecided"),
+    *("holds-under", "holds", "posed", "assumed", "defined"),
+)
 
 
 def key_of(statement: Sentence, citing: Sentence | None = None) -> str:

@@ -10,37 +10,20 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace as with_fields
 from functools import reduce
 
+from chasles import vocabulary as w
 from chasles.pages.consequences import Consequences
 from chasles.pages.premises import PosedEquation
 from chasles.pages.quantities import Quantity, quantity, symbols_in
 from chasles.reading.spellings import multiplied
 from chasles.repairs.repair import Repair
 from chasles.statements import Claim, Condition, Hypothesis, Statement
-from chasles.vocabulary import (
-    NO_DIMENSION,
-    Contract,
-    Cross,
-    Dot,
-    Identity,
-    Inverse,
-    Misfit,
-    Node,
-    Norm,
-    Quotient,
-    Scale,
-    Sum,
-    Symbol,
-    Transpose,
-    uniform,
-    walk,
-)
 from chasles.vocabulary.functions import FunctionOf
 from chasles.vocabulary.tree import rebuilt
 
 SHAPES = {"matrix": (3, 3), "scalar": (1, 1)}
 """The other kinds that a letter may be, and the shape in which they are tried."""
 ANALYTIC = ("exp", "sin", "cos", "tan", "sinh", "cosh", "tanh")
-Kinds = Mapping[Symbol, Symbol]
+Kinds = Mapping[w.Symbol, w.Symbol]
 
 
 def doubt_of_truth(claim: Claim, consequences: Consequences) -> str:
@@ -65,12 +48,12 @@ def doubt_of_reals(claim: Claim) -> str:
     Sums, products, quotients and analytic functions have no such doubt: a polynomial that vanishes at all real numbers
     is zero.
     """
-    parts = (part for side in _sides(claim) for part in walk(side))
-    is_analytic = all(not isinstance(part, Norm) and getattr(part, "function", "exp") in ANALYTIC for part in parts)
+    parts = (part for side in _sides(claim) for part in w.walk(side))
+    is_analytic = all(not isinstance(part, w.Norm) and getattr(part, "function", "exp") in ANALYTIC for part in parts)
     return "" if is_analytic else "all numbers are real"
 
 
-def imaginary_unit(sides: Iterable[Node]) -> Symbol | None:
+def imaginary_unit(sides: Iterable[w.Node]) -> w.Symbol | None:
     """The letter for the imaginary unit among those of the sides."""
     units = (symbol for symbol in symbols_in(sides) if symbol.meaning.startswith("imaginary unit"))
     return min(units, key=lambda symbol: symbol.name, default=None)
@@ -81,19 +64,19 @@ def _told(kinds: Kinds) -> str:
     return f"{', '.join(map(str, kinds))} {f'are {kind}s' if len(kinds) > 1 else f'is a {kind}'}"
 
 
-def _sides(claim: Claim) -> tuple[Node, ...]:
+def _sides(claim: Claim) -> tuple[w.Node, ...]:
     """The sides of a claim and of its premises."""
     sides = (*claim.printed, *(side for each in claim.given for side in each.printed))
     return sides + tuple(side for each in claim.assuming for side in each.sides)
 
 
-def _in_doubt(claim: Claim) -> dict[Symbol, Symbol]:
+def _in_doubt(claim: Claim) -> dict[w.Symbol, w.Symbol]:
     """The letters of a claim and its premises that may be of another kind, and as what."""
-    found: dict[Symbol, Symbol] = {}
+    found: dict[w.Symbol, w.Symbol] = {}
     for symbol in sorted(symbols_in(_sides(claim)), key=lambda symbol: symbol.name):
         other = symbol.meaning.partition(" or ")[2]
         if other in SHAPES:
-            found[symbol] = with_fields(symbol, size=uniform(SHAPES[other], NO_DIMENSION), meaning=other)
+            found[symbol] = with_fields(symbol, size=w.uniform(SHAPES[other], w.NO_DIMENSION), meaning=other)
     return found
 
 
@@ -111,7 +94,7 @@ def _follows(claim: Claim, kinds: Kinds, consequences: Consequences) -> bool | N
         return consequences.may_follow(*_same_shape(*claim.printed, kinds), rules, posed)
     except _OfMatrices:
         return False
-    except (Misfit, TypeError, ValueError):
+    except (w.Misfit, TypeError, ValueError):
         return None
 
 
@@ -139,40 +122,40 @@ def _rules_of(claim: Claim, kinds: Kinds) -> tuple[dict[Quantity, Statement], Ki
     return made, kinds
 
 
-def _same_shape(left: Node, right: Node, kinds: Kinds) -> tuple[Node, Node]:
+def _same_shape(left: w.Node, right: w.Node, kinds: Kinds) -> tuple[w.Node, w.Node]:
     one, other = _as_large((_of(left, kinds), _of(right, kinds)))
     return one, other
 
 
-def _as_large(terms: tuple[Node, ...]) -> tuple[Node, ...]:
+def _as_large(terms: tuple[w.Node, ...]) -> tuple[w.Node, ...]:
     """The terms with scalars among matrices as multiples of the identity."""
     sizes = {term.shape[0] for term in terms if not term.is_scalar and term.shape[0] == term.shape[1]}
     if len(sizes) != 1 or all(not term.is_scalar for term in terms):
         return terms
     (size,) = sizes
-    return tuple(Scale(term, Identity(int(size))) if term.is_scalar else term for term in terms)
+    return tuple(w.Scale(term, w.Identity(int(size))) if term.is_scalar else term for term in terms)
 
 
-def _of(node: Node, kinds: Kinds) -> Node:
+def _of(node: w.Node, kinds: Kinds) -> w.Node:
     """The expression with letters of other kinds, its products in the order of print; raises `Misfit` where none is."""
-    if isinstance(node, Symbol):
+    if isinstance(node, w.Symbol):
         return kinds.get(node, node) if node.stands_for is None else _of(node.stands_for, kinds)
     parts = tuple(_of(part, kinds) for part in node.below)
     if parts == node.below:
         return node
     match node:
-        case Scale(trailing=trailing):
+        case w.Scale(trailing=trailing):
             return multiplied(*(parts[::-1] if trailing else parts))
-        case Contract():
+        case w.Contract():
             return reduce(multiplied, parts)
-        case Cross() | Dot() if all(part.is_scalar for part in parts):
+        case w.Cross() | w.Dot() if all(part.is_scalar for part in parts):
             return multiplied(*parts)
-        case Quotient() if not parts[1].is_scalar:
-            return multiplied(parts[0], Inverse(parts[1]))
-        case Transpose() if parts[0].is_scalar:
+        case w.Quotient() if not parts[1].is_scalar:
+            return multiplied(parts[0], w.Inverse(parts[1]))
+        case w.Transpose() if parts[0].is_scalar:
             return parts[0]
         case FunctionOf("exp" | "log") if not parts[0].is_scalar:
             raise _OfMatrices
-        case Sum():
-            return Sum(_as_large(parts))
+        case w.Sum():
+            return w.Sum(_as_large(parts))
     return rebuilt(node, parts)

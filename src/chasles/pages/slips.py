@@ -12,6 +12,7 @@ from dataclasses import replace as with_fields
 from fractions import Fraction
 from itertools import count, islice
 
+from chasles import vocabulary as w
 from chasles.decisions.session import Session
 from chasles.pages.attempts import with_premises
 from chasles.pages.bounded_proofs import LESS_WORK, proof_of
@@ -23,21 +24,6 @@ from chasles.pages.random_motion import MOST_FACTORS
 from chasles.repairs.repair import Repair
 from chasles.statements import Claim
 from chasles.verdict import Holds, HoldsUnder
-from chasles.vocabulary import (
-    Contract,
-    Group,
-    Negative,
-    Node,
-    Number,
-    Power,
-    Scale,
-    Sum,
-    Symbol,
-    Transpose,
-    Zero,
-    plain,
-    walk,
-)
 
 MARKS = re.compile(r"[_'^]")
 MOST_EDITS = 12
@@ -79,7 +65,7 @@ def true_but_for_a_slip(
     return None
 
 
-def _is_slip(claim: Claim, sides: tuple[Node, Node], premises: Premises) -> bool:
+def _is_slip(claim: Claim, sides: tuple[w.Node, w.Node], premises: Premises) -> bool:
     """Whether what is changed is a mark; or one letter, in what is said of a quantity that is known.
 
     Another letter, or another term, may make any condition true; of a side that is one product of two letters it leaves
@@ -95,7 +81,7 @@ def _is_slip(claim: Claim, sides: tuple[Node, Node], premises: Premises) -> bool
     spoken, said = ({symbol for symbol, _ in each} for each in (premises.spoken, known))
     if is_one_letter:
         (new,), (old,) = before - after, after - before
-        if new not in spoken and MARKS.split(plain(new))[0] == MARKS.split(plain(old))[0]:
+        if new not in spoken and MARKS.split(w.plain(new))[0] == MARKS.split(w.plain(old))[0]:
             return False
     is_about_known = any(quantity(side) in known for side in claim.printed) or all(
         symbol in said or premises.facts(symbol) for side in claim.printed for symbol, _ in quantities(side)
@@ -103,59 +89,59 @@ def _is_slip(claim: Claim, sides: tuple[Node, Node], premises: Premises) -> bool
     return is_one_letter and is_about_known
 
 
-def _cancels(claim: Claim, sides: tuple[Node, Node]) -> bool:
+def _cancels(claim: Claim, sides: tuple[w.Node, w.Node]) -> bool:
     """Whether the change makes terms cancel that did not: what was printed says more than what would be meant."""
     return sum(map(_cancelling, sides)) > sum(map(_cancelling, claim.printed))
 
 
-def _is_one_product(left: Node, right: Node) -> bool:
+def _is_one_product(left: w.Node, right: w.Node) -> bool:
     """Whether the sides are the same product, written otherwise: that says nothing, hence nothing of what was meant."""
     one, other = (tuple(_factors(side)) for side in (left, right))
     in_order = [[each for each in side if not each.is_scalar] for side in (one, other)]
     return Counter(one) == Counter(other) and in_order[0] == in_order[1]
 
 
-def _factors(side: Node) -> Iterator[Node]:
+def _factors(side: w.Node) -> Iterator[w.Node]:
     match side:
-        case Negative(of):
-            yield from (Number(Fraction(-1)), *_factors(of))
-        case Power(base, exponent) if isinstance(exponent, int) and exponent <= MOST_FACTORS:
+        case w.Negative(of):
+            yield from (w.Number(Fraction(-1)), *_factors(of))
+        case w.Power(base, exponent) if isinstance(exponent, int) and exponent <= MOST_FACTORS:
             yield from (*_factors(base),) * exponent
-        case Group() | Scale() | Contract():
+        case w.Group() | w.Scale() | w.Contract():
             yield from (factor for part in side.below for factor in _factors(part))
-        case Transpose(of) if of.is_scalar:
+        case w.Transpose(of) if of.is_scalar:
             yield from _factors(of)
         case _:
             yield side
 
 
-def _cancelling(side: Node) -> int:
+def _cancelling(side: w.Node) -> int:
     count = 0
-    for part in walk(side):
-        terms = [_unsigned(term) for term in part.terms] if isinstance(part, Sum) else []
+    for part in w.walk(side):
+        terms = [_unsigned(term) for term in part.terms] if isinstance(part, w.Sum) else []
         count += sum((not is_negative, term) in terms for is_negative, term in terms)
     return count
 
 
-def _unsigned(term: Node) -> tuple[bool, Node]:
+def _unsigned(term: w.Node) -> tuple[bool, w.Node]:
     """Whether a term is negative, and what it is but for that and its brackets."""
     is_negative = False
-    while isinstance(term, Negative | Group):
-        is_negative ^= isinstance(term, Negative)
+    while isinstance(term, w.Negative | w.Group):
+        is_negative ^= isinstance(term, w.Negative)
         term = term.below[0]
     return is_negative, term
 
 
-def _symbols(sides: Iterable[Node]) -> Counter[Node]:
-    return Counter(part for side in sides for part in walk(side) if isinstance(part, Symbol))
+def _symbols(sides: Iterable[w.Node]) -> Counter[w.Node]:
+    return Counter(part for side in sides for part in w.walk(side) if isinstance(part, w.Symbol))
 
 
 def _is_one_term_said_to_vanish(claim: Claim) -> bool:
     """Whether a slip of the pen would have left it as true or as false."""
     one, other = claim.printed
-    zero = Number(Fraction(0))
+    zero = w.Number(Fraction(0))
     return any(
-        (right == zero or isinstance(right, Zero)) and not isinstance(left, Sum)
+        (right == zero or isinstance(right, w.Zero)) and not isinstance(left, w.Sum)
         for left, right in ((one, other), (other, one))
     )
 
@@ -165,5 +151,5 @@ def _is_a_value(claim: Claim) -> bool:
     return any(quantity(side) is not None for side in claim.printed) and min(map(_letters, claim.printed)) == 0
 
 
-def _letters(side: Node) -> int:
+def _letters(side: w.Node) -> int:
     return _symbols((side,)).total()
