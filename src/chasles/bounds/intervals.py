@@ -160,14 +160,27 @@ def _intervals(ends: Iterable[tuple[float, float]]) -> Interval:
     return Interval(found[:, 0].copy(), found[:, 1].copy())
 
 
-def _value(name: str, row: tuple[float, ...]) -> tuple[float, float]:
-    from flint import arb
+def balls() -> Any:
+    """The ball arithmetic of python-flint. Raises ModuleNotFoundError, which says what to install, without it."""
+    try:
+        from flint import arb
+    except ModuleNotFoundError:
+        needs = "an error bound with sines, exponentials and the like needs python-flint"
+        raise ModuleNotFoundError(f"{needs}; install it with: pip install 'chasles[fast]'", name="flint") from None
+    return arb
 
+
+def between(low: float, high: float) -> Any:
+    """The ball around the numbers between two, each a binary number of few digits."""
+    arb = balls()
+    return arb(low).union(arb(high)) if low != high else arb(low)
+
+
+def _value(name: str, row: tuple[float, ...]) -> tuple[float, float]:
     if not all(map(math.isfinite, row)):
         return math.nan, math.nan
-    balls = [arb(low).union(arb(high)) if low != high else arb(low) for low, high in zip(*[iter(row)] * 2, strict=True)]
     function: Callable[..., Any] = _FUNCTIONS[name]
-    value = function(*balls)
+    value = function(*(between(low, high) for low, high in zip(*[iter(row)] * 2, strict=True)))
     return enclosed(value) if value.is_finite() else (math.nan, math.nan)
 
 
@@ -186,10 +199,8 @@ def _direction(y: Any, x: Any) -> Any:
 
 
 def _within(ball: Any, most: int) -> Any:
-    from flint import arb
-
-    low, high = max(ball.lower(), arb(-most)), min(ball.upper(), arb(most))
-    return low.union(high)
+    one = type(ball)
+    return max(ball.lower(), one(-most)).union(min(ball.upper(), one(most)))
 
 
 _FUNCTIONS: dict[str, Callable[..., Any]] = {

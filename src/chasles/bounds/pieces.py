@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from chasles.bounds.intervals import Interval, enclosed
+from chasles.bounds.intervals import Interval, balls, between, enclosed
 from chasles.bounds.symmetry import Sign
 
 SLACK = 2.0**-21
@@ -119,34 +119,26 @@ class AnglePiece:
 
     def functions(self, factor: Fraction) -> Callable[[float, float], tuple[tuple[int, float, float], ...]]:
         """Sine and cosine of the factor times the angle, over a box by its ends: for each a power of t and the ends."""
-        from flint import arb
-
+        arb = balls()
         multiple = float(factor)
         turned = self.quarter * factor / self.least
         shift, quarters = float(turned) / 2, int(turned) % 4 if turned.denominator == 1 else None
         most = arb.pi() * multiple
 
         def over(low: float, high: float) -> tuple[tuple[int, float, float], ...]:
-            moved = self.side * multiple * _between(0.0 if self.near else low, high)
+            moved = self.side * multiple * between(0.0 if self.near else low, high)
             if quarters is None:
                 moved += shift
             sine, cosine = (0, moved.sin_pi()), (0, moved.cos_pi())
             if self.near and quarters is not None:
                 # sin(x) / x shrinks between 0 and pi.
                 ratio = (arb(multiple * high).sin_pi() / high).union(most)
-                sine = 1, self.side * ratio * _between(low, high)
+                sine = 1, self.side * ratio * between(low, high)
             for _ in range(quarters or 0):
                 sine, cosine = cosine, (sine[0], -sine[1])
             return (sine[0], *enclosed(sine[1])), (cosine[0], *enclosed(cosine[1]))
 
         return over
-
-
-def _between(low: float, high: float) -> Any:
-    """The ball around the numbers between two, each a binary number of few digits."""
-    from flint import arb
-
-    return arb(low).union(arb(high)) if low != high else arb(low)
 
 
 Piece = FacePiece | AnglePiece

@@ -1,12 +1,14 @@
-"""Kernels as installed here, each with the specification from its statement that it is compared with."""
+"""Kernels as installed here compared with 50 digits of their statements, and which of their errors are failures."""
 
 from __future__ import annotations
 
 import warnings
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from hashlib import sha256
 from importlib import import_module
 from itertools import product
+from time import perf_counter
 from types import ModuleType
 from typing import Any
 
@@ -23,7 +25,9 @@ from chasles.numerics.sampling import Unsatisfiable
 from chasles.numerics.specification import Specification, specification_of
 from chasles.numerics.specification_of_inverse import specification_of_inverse
 from chasles.numerics.verify import Evidence, verify
+from chasles.report.evidence import is_wrong, worst_of
 from chasles.report.waiting import progress
+from chasles.report.words import number_of, seconds
 from chasles.statements import Chapter, Entry, Inverse, Kernel, Theorem
 from chasles.statements.packages import BOOK, generated_package, imported
 
@@ -100,3 +104,61 @@ def _specification(entry: Entry, kernel: Kernel, session: Session) -> Specificat
     if isinstance(of, Inverse):
         return specification_of_inverse(program.name, of, kernel, names, roundings(program), session.accepted)
     return specification_of(program.name, of, kernel, names, roundings(program), session.accepted)
+
+
+@dataclass(frozen=True, slots=True)
+class Verification:
+    """The evidence on kernels of a backend ("c" or "numpy"), and how long it took to gather it."""
+
+    backend: str
+    evidence: tuple[Evidence, ...]
+    seconds: float
+
+    @property
+    def wrong(self) -> tuple[str, ...]:
+        """The kernels that do not compute what their statements say."""
+        return tuple(dict.fromkeys(found.kernel for found in self.evidence if is_wrong(found)))
+
+    @property
+    def lossy(self) -> tuple[str, ...]:
+        """The others that lose digits somewhere."""
+        names = dict.fromkeys(found.kernel for found in self.evidence if not found.passed)
+        return tuple(name for name in names if name not in self.wrong)
+
+    @property
+    def in_words(self) -> Iterator[str]:
+        """Totals, the largest errors and the time."""
+        count = len({found.kernel for found in self.evidence})
+        points = sum(found.samples - found.skipped for found in self.evidence)
+        compared = f"{number_of(count, 'kernel')} ({self.backend}) compared with 50 digits"
+        yield f"{compared} at {number_of(points, 'point')} in {seconds(self.seconds)}"
+        if self.evidence:
+            yield worst_of(self.evidence)
+        if self.lossy:
+            yield f"digits are lost near singular points by {', '.join(self.lossy)}; `chasles verify` shows where"
+
+    def failures(self, strict: bool) -> Iterator[str]:
+        """A line for each kind of failure; lost digits are one only if `strict`."""
+        if self.wrong:
+            yield f"not what the statements say: {', '.join(self.wrong)}"
+        if self.lossy and strict:
+            yield f"these kernels lose digits: {', '.join(self.lossy)}"
+
+    def as_json(self) -> dict[str, Any]:
+        """All of it as plain data."""
+        return {
+            "backend": self.backend,
+            "seconds": round(self.seconds, 3),
+            "wrong": list(self.wrong),
+            "lossy": list(self.lossy),
+            "evidence": [found.as_json() for found in self.evidence],
+        }
+
+
+def verified(
+    asked: Sequence[Asked], kernels: ModuleType, strategies: Sequence[str], samples: int, session: Session
+) -> Verification:
+    """Compare the kernels asked for at so many points of each kind, in each precision."""
+    started = perf_counter()
+    evidence = tuple(compared(asked, kernels, strategies, samples, session))
+    return Verification(backend_of(kernels), evidence, perf_counter() - started)

@@ -135,9 +135,9 @@ class CompiledKernel(Displayed):
             ValueError: for a box that does not fit; where the box holds a singularity, with the place.
             ModuleNotFoundError: where expressions with sines or arctangents are to be bounded without python-flint.
         """
-        from chasles.compiling.bound import error_bound
+        from chasles.bounds.box import bound_of_program
 
-        return error_bound(self.program, box, dtype, in_numpy=self.backend == "numpy")
+        return bound_of_program(self.program, box, dtype, in_numpy=self.backend == "numpy")
 
     def write(
         self,
@@ -159,7 +159,7 @@ class CompiledKernel(Displayed):
             ValueError: for a target that there is not or that cannot spell the kernel, and as `error_bound` does.
             OSError: where a file cannot be written; then none is.
         """
-        from chasles.compiling.bound import error_bound
+        from chasles.bounds.box import bound_of_program
         from chasles.compiling.sources import target_kernel
         from chasles.compiling.written import written
         from chasles.targets.c.functions import precisions_of
@@ -167,7 +167,7 @@ class CompiledKernel(Displayed):
         kernel = target_kernel(self.program)
         if box is not None:
             precisions = (numpy.float64, numpy.float32)[: len(precisions_of(kernel))]
-            bounds = tuple(error_bound(self.program, box, precision) for precision in precisions)
+            bounds = tuple(bound_of_program(self.program, box, precision) for precision in precisions)
             kernel = replace(kernel, box_bounds=bounds)
         return written(kernel, Path(folder), targets, license)
 

@@ -12,8 +12,8 @@ from chasles.cli.chosen_chapter import chapter
 from chasles.cli.failures import complain
 
 if TYPE_CHECKING:
+    from chasles.cli.comparison import Verification
     from chasles.cli.outcome import Outcome
-    from chasles.cli.verification import Verification
 
 
 @click.command("summary", short_help="Decide and compare; sum up by section.", epilog="Example: chasles summary")
@@ -25,9 +25,8 @@ def command(sections: tuple[str, ...], samples: int, json: bool) -> int:
 
     The exit status is 1 where that of `decide` or of `verify` is.
     """
-    from chasles.cli.comparison import installed_kernels
+    from chasles.cli.comparison import installed_kernels, verified
     from chasles.cli.outcome import decide
-    from chasles.cli.verification import verified
 
     book = chapter()
     entries = chosen(book, (), sections)

@@ -37,8 +37,7 @@ def command(names: tuple[str, ...], points: tuple[str, ...], samples: int, stric
     finding. Status 1 means that a kernel loses digits elsewhere. With names, the proved error bounds are shown too.
     """
     from chasles.cli.checkout import manifest
-    from chasles.cli.comparison import asking, installed_kernels
-    from chasles.cli.verification import verified
+    from chasles.cli.comparison import asking, installed_kernels, verified
     from chasles.decisions.recalled import session_of
     from chasles.report.emission_records import emitted_kernels, proved
     from chasles.report.evidence import evidence_table, losses
