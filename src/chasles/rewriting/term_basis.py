@@ -74,12 +74,9 @@ class TermBasis:
     def terms(self, like: Node) -> tuple[Node, ...]:
         """The terms that can be added to an expression, the simpler first; some are multiples or sums of others."""
         if like.measure not in self._terms:
-            dimension = dimension_of(like)
-            found: Iterator[Node]
-            if dimension is None:
-                found = (node for node in self._products(like.shape) if fit(node, like))
-            else:
-                found = self.of_dimension(like.shape, dimension)
+            dimension, products = dimension_of(like), self._products(like.shape)
+            fitting = (node for node in products if fit(node, like))
+            found = fitting if dimension is None else self.of_dimension(like.shape, dimension)
             self._terms[like.measure] = tuple(node for node in islice(found, MOST_TERMS) if node not in self.without)
         return self._terms[like.measure]
 
@@ -160,12 +157,10 @@ class TermBasis:
         yield from (node for node in pairs if node.shape == shape)
         flipped = [w.Transpose(node) for node in everything if isinstance(node, w.Symbol) and node.shape != VECTOR]
         yield from (node for node in flipped if node.shape == shape)
-        for one, other in (*product(flipped, everything), *product(everything, flipped)):
+        transposed = *product(flipped, everything), *product(everything, flipped)
+        for one, other in (*transposed, *product(self.arrays, pairs)):
             if (one.shape[0], other.shape[1]) == shape:
                 yield from _fitting(_contracted, one, other)
-        for one, pair in product(self.arrays, pairs):
-            if (one.shape[0], pair.shape[1]) == shape:
-                yield from _fitting(_contracted, one, pair)
 
     def _chains(self, shape: Shape) -> Iterator[Node]:
         """Products of a shape in which each factor stands beside one that it is printed beside, the shorter first."""
@@ -206,8 +201,6 @@ def _collect(basis: TermBasis, node: Node, without: frozenset[Node], *, factor: 
             node = w.Rate(of)
         case w.At(of):
             node = of
-        case _:
-            pass
     if node.measure is None:
         return
     match node:
@@ -231,8 +224,6 @@ def _collect(basis: TermBasis, node: Node, without: frozenset[Node], *, factor: 
             for one, other in pairwise(factors):
                 if not any(part in without for factor in (one, other) for part in w.walk(factor)):
                     basis.beside.setdefault(one, {})[other] = None
-        case _:
-            pass
     grouped = isinstance(node, w.Group | w.Sum | w.Negative | w.Block)
     for part in w.children(node):
         _collect(basis, part, without, factor=factor if grouped else True)
