@@ -154,13 +154,17 @@ def _found(problem: Problem, own: tuple[Hypothesis, ...], budget: float, source:
 
 def _decided(problem: Problem, own: tuple[Hypothesis, ...], budget: float, source: DeclaredPoints) -> Verdict:
     """The verdict; one on rotations that move is proved for all spins."""
-    if problem.has_functions and _words_in(problem) > (MOST_IN_BRIEF if source is BRIEF else MOST_WORDS):
-        raise _Unproved("written out it is too long")
+    if problem.has_functions:
+        _require_few_words(problem, source)
     if sizes_in(problem) or problem.has_functions:
         return decided(problem, own, budget)
     spun = with_spins(problem)
     if spun is problem:
-        return decide_problem(problem, own, budget, source)
+        verdict = decide_problem(problem, own, budget, source)
+        if not (isinstance(verdict, Undecided) and verdict.without_form):
+            return verdict
+        _require_few_words(problem, source)
+        return decided(problem, own, budget)
     try:
         verdict = decide_problem(problem, own, budget, source)
     except _Unproved as error:
@@ -171,6 +175,11 @@ def _decided(problem: Problem, own: tuple[Hypothesis, ...], budget: float, sourc
     if isinstance(moved, Holds | HoldsUnder):
         return replace(moved, certificate={**moved.certificate, "spins": True})
     return verdict
+
+
+def _require_few_words(problem: Problem, source: DeclaredPoints) -> None:
+    if _words_in(problem) > (MOST_IN_BRIEF if source is BRIEF else MOST_WORDS):
+        raise _Unproved("written out it is too long")
 
 
 def _words_in(problem: Problem) -> int:

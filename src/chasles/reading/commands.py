@@ -58,6 +58,10 @@ MARKS = _commands(
     "dot ddot dddot ddddot hat widehat tilde widetilde bar overline underline vec overrightarrow overleftarrow acute "
     "grave breve check mathring underrightarrow overleftrightarrow wideparen cancel utilde underbar"
 )
+WITH_LIMITS = _commands("sum prod int lim min max sup inf bigcup bigcap") | {
+    rf"\operatorname{{{name}}}" for name in ("argmin", "argmax", "min", "max")
+}
+"""Signs under which stands what runs."""
 TWO_ARGUMENTS = _commands("frac binom overset underset stackrel")
 ARGUMENT_KEPT = _commands(
     "boxed mathbin mathrel mathord mathop mathopen mathclose mathpunct mathinner ensuremath smash lefteqn fbox "

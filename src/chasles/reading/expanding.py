@@ -6,15 +6,17 @@ Sums and integrals are quantities of their own, as print has them; limits of wha
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from itertools import pairwise
 
-from chasles.reading.atoms import Atom, Atoms
+from chasles.reading.atoms import Atom, Atoms, Terms
 from chasles.reading.context import FittingContext
 from chasles.reading.derivatives import derivative
 from chasles.reading.fits import Fit, made
-from chasles.reading.glyphs import in_latex, letter_of, text_of_row
+from chasles.reading.glyphs import in_latex, letter_of, text_of, text_of_row
+from chasles.reading.grammar import terms_in
 from chasles.reading.page_notation import PageNotation
 from chasles.reading.quotients import of_atoms
-from chasles.reading.spellings import called
+from chasles.reading.spellings import called, is_extremum
 from chasles.vocabulary import Node, Norm, Number, Power, Symbol, symbols_of
 from chasles.vocabulary.dimension import has_units
 from chasles.vocabulary.expansions import Limit, UpTo
@@ -89,6 +91,43 @@ def totals(sign: Atom, inside: Atoms, read: Callable[[Atoms], list[Fit]], ctx: F
     fits = read(inside) if is_sum else []
     terms = [fit.node for fit in fits if fit.node is not None and fit.shape]
     return limits(sign, terms, ctx) or ctx.of_its_own(in_latex(text_of_row((sign, *inside))), terms)
+
+
+def whole_extrema(terms: Terms) -> Terms:
+    """The terms with an extremum of all that follows as one piece."""
+    for place, row in enumerate(terms.rows):
+        begin = next((k for k in range(len(row)) if is_extremum(row[k:])), None)
+        if begin is not None:
+            inside = Terms(("", *terms.signs[place + 1 :]), (row[begin:], *terms.rows[place + 1 :]))
+            whole = *row[:begin], Atom("EVENT", text_of(inside), row[begin].place)
+            return Terms(terms.signs[: place + 1], (*terms.rows[:place], whole))
+    return terms
+
+
+def whole_integrals(terms: Terms) -> Terms:
+    """The terms with each integral of a sum without brackets, up to its differential, as one piece."""
+    signs, rows = terms.signs, terms.rows
+    for first, row in enumerate(rows):
+        begin = next((place for place, piece in enumerate(row) if piece.text in TOTALS[len(OPEN) :]), None)
+        if begin is None or _differentials(row):
+            continue
+        for last, other in enumerate(rows[first + 1 :], first + 1):
+            end = end_of_total(row[begin], other)
+            if any(piece.text in TOTALS[len(OPEN) :] for piece in other):
+                break
+            if _differentials(other[:end]) and end:
+                inside = row[begin:], *rows[first + 1 : last], other[:end]
+                text = text_of(Terms(("", *signs[first + 1 : last + 1]), inside))
+                whole = (*row[:begin], Atom("EVENT", text, row[begin].place), *other[end:])
+                less = Terms((*signs[: first + 1], *signs[last + 1 :]), (*rows[:first], whole, *rows[last + 1 :]))
+                return whole_integrals(less)
+    return terms
+
+
+def _differentials(row: Atoms) -> int:
+    """How many differentials stand in a row, and in the fractions and brackets there."""
+    inner = (each for piece in row for terms in terms_in(piece) for each in terms.rows)
+    return sum(_is_differential(one, other) for one, other in pairwise(row)) + sum(map(_differentials, inner))
 
 
 def end_of_total(sign: Atom, inside: Atoms) -> int:

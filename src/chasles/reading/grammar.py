@@ -145,16 +145,17 @@ def _terminals(atoms: Atoms) -> list[Terminal]:
 
 
 def _with_events(atoms: Atoms) -> Atoms:
-    """The atoms with what is said of an event as one: P(X = 1), p(x | y)."""
+    r"""The atoms with what is said of an event as one, P(X = 1), p(x | y), and a set: \{x | x > 0\}."""
     found: list[Atom] = []
     place = 0
     while place < len(atoms):
         atom, end = atoms[place], closing(atoms, place)
         is_behind = bool(found) and found[-1].kind in ("LETTER", "COMMAND", "EVENT") and not found[-1].sups
-        if atom.kind == "OPEN" and is_behind and end and _says_event(atoms[place + 1 : end]):
-            name, last = found.pop(), atoms[end]
-            inside = (name, *atoms[place:end], last.bare)
-            found.append(replace(last, kind="EVENT", text=in_braces(inside), place=name.place))
+        if atom.kind == "OPEN" and (is_behind or atom.text == r"\{") and end and _says_event(atoms[place + 1 : end]):
+            name, last = found[-is_behind:] * is_behind, atoms[end]
+            del found[len(found) - len(name) :]
+            inside = (*name, *atoms[place:end], last.bare)
+            found.append(replace(last, kind="EVENT", text=in_braces(inside), place=inside[0].place))
             place = end
         else:
             found.append(atom)

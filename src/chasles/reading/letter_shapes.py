@@ -15,7 +15,7 @@ from chasles.reading.spellings import called
 Shape = tuple[int, int]
 ShapeOf = Callable[[Glyph], tuple[Shape | None, tuple[str, ...]]]
 """What shape a letter has, None if that is not known, and which accents and superscripts are no part of its name."""
-SCALAR, VECTOR, MATRIX = (1, 1), (3, 1), (3, 3)
+SCALAR, VECTOR, MATRIX, QUATERNION = (1, 1), (3, 1), (3, 3), (4, 1)
 OF_ANY = (r"\exp", r"\log", r"\ln", "Exp", "Log", r"\det", "tr", r"\tr", "Tr", "trace", "diag", "skew", "vect")
 """Functions of what may be no scalar."""
 TRANSPARENT = (r"\sum", r"\int", r"\oint", r"\prod", r"\lim")
@@ -195,7 +195,9 @@ def _combined(sign: str, one: Shape | None, other: Shape | None, is_number: bool
             raise Misshapen
         return VECTOR
     if sign == r"\otimes" and None not in (one, other) and SCALAR not in (one, other):
-        return MATRIX if one == other == VECTOR else _same(one, other)
+        if one != other or one not in (VECTOR, QUATERNION):
+            raise Misshapen
+        return MATRIX if one == VECTOR else QUATERNION
     if sign == "/":
         if other not in (SCALAR, None):
             raise Misshapen

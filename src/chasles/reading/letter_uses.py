@@ -20,7 +20,6 @@ from chasles.reading.segments import chains_of
 from chasles.reading.spellings import called
 from chasles.vocabulary.measure import Extent
 
-DIFFERENTIAL = re.compile(r"\\o?int\b|\bd t\b|\\mathrm \{ d \}")
 GRID = re.compile(r"\\begin\{(?:\w*matrix|array)\}|[])] \^ \{ (?:- 1|T) \}")
 """A matrix that is written out, or brackets that are inverted or transposed."""
 TURNING = re.compile(r"\\(?:omega|Omega|sin|cos)\b|\bS O\b|\bSO\b")
@@ -91,8 +90,6 @@ def letter_uses(
     for place, chains in enumerate(found):
         for side in (side for chain in chains for side in chain.sides):
             _note(side, "", _Noting(uses, place, marks, alone))
-    if any(map(DIFFERENTIAL.search, texts)):
-        uses.pop(Glyph("d"), None)
     products = [[each for chain in chains for each in _products(chain)] for chains in found]
     pairs = [each for page in products for each in page if len(each) == 2]
     for letter in set().union(*map(_in_both_orders, (*products, pairs))):
@@ -227,6 +224,8 @@ def _note(terms: Terms | None, within: str, noting: _Noting) -> None:
             name = called(piece)
             if piece.kind == "LETTER" and name in usual_names():
                 before = name
+                continue
+            if letter_of(piece).base == "d" and (within == "d" or (after and _is_derivative(terms, within))):
                 continue
             if (
                 after is not None

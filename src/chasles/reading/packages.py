@@ -22,6 +22,7 @@ ALWAYS = r"""
 \newcommand\T{\top} \newcommand\transp{\top} \newcommand\tran{\top} \newcommand\comma{,}
 \newcommand\SO{\operatorname{SO}} \newcommand\SE{\operatorname{SE}}
 \newcommand\asin{\arcsin} \newcommand\acos{\arccos} \newcommand\atan{\arctan}
+\newcommand\argmin{\operatorname{argmin}} \newcommand\argmax{\operatorname{argmax}}
 \newcommand\bbm{\begin{bmatrix}} \newcommand\ebm{\end{bmatrix}}
 \newcommand\bpm{\begin{pmatrix}} \newcommand\epm{\end{pmatrix}}
 """

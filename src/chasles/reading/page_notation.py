@@ -143,7 +143,8 @@ def usual_spellings(notation: PageNotation) -> None:
     spellings.add(r"\exp(#)", exponential)
     spellings.add(r"\operatorname{Exp}(#)", exponential)
     spellings.add(r"\log(#)", lambda of: FunctionOf("log", (of,)))
-    spellings.add(r"\operatorname{arctan2}(#, #)", lambda *of: FunctionOf("atan2", of))
+    for name in (r"\operatorname{arctan2}", r"\arctan", r"\operatorname{atan}", r"\operatorname{arctg}"):
+        spellings.add(f"{name}(#, #)", lambda *of: FunctionOf("atan2", of))
     for name in RATIOS:
         command = name if name in COMMANDS else f"operatorname{{{name}}}"
         spellings.add(rf"\{command}(#)", lambda of, name=name: _quotient(name, of))

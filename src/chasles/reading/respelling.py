@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 from chasles.reading import commands
 from chasles.reading.atoms import ROW_END, Atom, Atoms, single
@@ -197,6 +198,8 @@ class _Respelling:
         if name := self.plain_name(text):
             self.at += len(name) - 1
             return [single(token._replace(text=commands.PLAIN_NAMES[name]))]
+        if text == r"\not" and self.peek() == "=":
+            text, self.at = r"\neq", self.at + 1
         if (sign := commands.IN_ASCII.get(text + self.ahead())) is not None:
             self.at += 1
             text = sign
@@ -231,6 +234,10 @@ class _Respelling:
         arguments = [tuple(self.argument(token)) for _ in range(1 + (token.text in commands.TWO_ARGUMENTS))]
         if token.text in (r"\overset", r"\stackrel") and [each.text for each in arguments[1]] in (["="], [r"\equiv"]):
             return single(token._replace(text=r"\triangleq"))
+        if token.text in (r"\overset", r"\underset") and len(arguments[1]) == 1:
+            script, (sign,) = arguments
+            if sign.text in commands.WITH_LIMITS:
+                return replace(sign, sub=script) if token.text == r"\underset" else replace(sign, sups=(script,))
         kind = "COMMAND" if len(arguments) == 1 else "COMMAND_OF_TWO"
         arguments += [] if degree is None else [tuple(_Respelling(degree).whole())]
         return Atom(kind, token.text, token, tuple(arguments))

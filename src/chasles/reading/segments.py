@@ -13,6 +13,7 @@ from chasles.reading.commands import IMPLICATIONS
 from chasles.reading.grammar import Chain, closing, formula
 from chasles.reading.lexemes import BadPage, cut
 from chasles.reading.printed import PrintedEquation
+from chasles.reading.spellings import is_extremum
 
 CONDITIONS = re.compile(r"(?:(?:for|if|when|where|provided|with|as|in|on|at|over)\b|i\.e\.)", re.IGNORECASE)
 PROSE = re.compile(r"(?:is|are|being)\b")
@@ -25,6 +26,7 @@ DOTS = (r"\dots", r"\ldots", r"\cdots", "..")
 def segments(marks: Atoms) -> list[tuple[Atoms, bool]]:
     """What stands side by side or line by line, and whether it is a condition, without what says of what kind it is."""
     found: list[tuple[Atoms, bool]] = []
+    is_problem = False  # what is to be made least, and the words behind it, claim nothing
     for line in filter(None, lines_of(marks, (r"\\",))):
         condition = is_used = for_all = False
         pieces = _side_by_side(line)
@@ -35,13 +37,17 @@ def segments(marks: Atoms) -> list[tuple[Atoms, bool]]:
             for_all = for_all or word == "forall"
             if word == "forall" or (for_all and not _relations(part)):
                 continue
+            is_problem |= bool(part) and is_extremum(tuple(part)) and not _relations(part)
+            if is_problem and not _relations(part):
+                continue
             if not _relations(part) and (PROSE.match(behind) or [token.text for token in part] in ABBREVIATIONS):
                 continue
             is_prose = condition and CONDITIONS.match(word) and not _relations(part)
             if (part and part[-1].text == ":") or is_prose:  # a heading, or as in "for small angles"
                 continue
             in_brackets = bool(found and _relations(part[1:-1]) and closing(part) == len(part) - 1)
-            *before, last = cut(part[1:-1] if in_brackets else part, tuple(IMPLICATIONS))
+            mapped = cut(part[1:-1] if in_brackets else part, (r"\mapsto",))
+            *before, last = cut(mapped[-1] if _relations(mapped[-1]) else part, tuple(IMPLICATIONS))
             found += [(tuple(each), True) for each in before if each]
             found += [(tuple(last), condition or in_brackets)] if last else []
     found = _joined_lists(found)
@@ -69,8 +75,9 @@ def _relations(part: Sequence[Atom]) -> list[str]:
 
 
 def _is_membership(part: Atoms) -> bool:
-    """Whether it says of what kind something is, and nothing else."""
-    return _relations(part) == [r"\in"]
+    r"""Whether it says of what kind something is, and nothing else: x \in A, f : A \to B."""
+    is_function = any(atom.text == ":" for atom in part) and _relations(part) in ([r"\to"], [r"\rightarrow"])
+    return is_function or _relations(part) == [r"\in"]
 
 
 def _lists_values(part: Atoms) -> bool:

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache, partial
-from itertools import combinations, islice, product
+from itertools import combinations, islice, pairwise, product
 
 from chasles.reading.atoms import Atoms, Terms
 from chasles.reading.glyphs import ARROWS, Glyph, letter_of, spelled
 from chasles.reading.grammar import Chain
 from chasles.reading.letter_names import NameMarks, is_declared, parted, stem_of
-from chasles.reading.letter_shapes import Misshapen, Shape, shape_of_chain
+from chasles.reading.letter_shapes import SCALAR, Misshapen, Shape, shape_of_chain
 from chasles.reading.letter_uses import SKEW, LetterUse, letter_uses, looks
 from chasles.reading.marks import SIZE
 from chasles.reading.notation_file import usual_names
@@ -178,7 +178,7 @@ class _KindSearch:
                     yield tuple(zip(chosen, kinds, strict=True))
 
     def _wanted(self, place: int) -> Iterator[tuple[Glyph, Shape]]:
-        """The shapes of what letters are set equal to, and of columns that they are added to."""
+        """The shapes of what letters are set equal to, of columns that they are added to, and that a matrix takes."""
         for chain in self.chains[place]:
             sides = [side.rows for side in chain.sides if side is not None]
             shapes = dict.fromkeys(self._shape(row) for rows in sides for row in rows)
@@ -187,6 +187,10 @@ class _KindSearch:
                 stem = self.known_by(letter_of(row[-1]))[0] if is_letter else None
                 wanted = [each for each in shapes if each and (count == 1 or each[0] != 1 == each[1])]
                 yield from ((stem, shape) for shape in wanted if stem in self.uses)
+                grids = ((one, other) for one, other in pairwise(row) if one.kind == "GRID" and other.kind != "INFIX")
+                for taken, shape in ((self.known_by(letter_of(of))[0], self._shape((grid,))) for grid, of in grids):
+                    if taken in self.uses and shape and SCALAR not in (shape, (shape[1], 1)):
+                        yield taken, (shape[1], 1)
 
     def _shape(self, row: Atoms) -> Shape | None:
         try:

@@ -15,6 +15,7 @@ from chasles.vocabulary.rotation_vectors import RotationByVector
 
 Make = Callable[..., Node]
 HOLES = (r"\holeA", r"\holeB")
+EXTREMA, ARGUMENTS = ("min", "max", "sup", "inf"), ("argmin", "argmax", "minimize", "maximize")
 
 
 @dataclass
@@ -79,6 +80,12 @@ def called(atom: Atom) -> str:
     """The name of a function: without its typeface where that is upright."""
     letter = letter_of(atom)
     return letter.base.removeprefix(r"\mathrm ")
+
+
+def is_extremum(row: Atoms) -> bool:
+    """Whether a row begins with a minimum or maximum that says what runs, or with where it is taken."""
+    name, behind = (called(piece).strip("\\") for piece in (*row, row[0])[:2])
+    return (name in EXTREMA and row[0].sub is not None) or name in ARGUMENTS or (name == "arg" and behind in EXTREMA)
 
 
 def _infix(row: Atoms) -> tuple[str, object] | None:

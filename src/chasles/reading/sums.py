@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from chasles.reading.atoms import Atoms, Terms, Unread
 from chasles.reading.context import FittingContext
-from chasles.reading.expanding import order_of, up_to_order
+from chasles.reading.expanding import order_of, up_to_order, whole_extrema, whole_integrals
 from chasles.reading.fits import MOST, Fit, Shape, kept, made
 from chasles.reading.glyphs import in_latex, text_of, text_of_row
 from chasles.reading.rows import row_fits
@@ -25,6 +25,7 @@ def sum_fits(terms: Terms, ctx: FittingContext) -> list[Fit]:
     """The readings of a sum, the usual ones first."""
     if len(terms.rows) > MOST_TERMS:
         raise Unread(f"a sum of more than {MOST_TERMS} terms: write it as several")
+    terms = terms if has_units(ctx.notation.home) else whole_integrals(whole_extrema(terms))
     said = [row for row in terms.rows if not _is_open(row)]
     if EITHER.intersection(terms.signs) or 0 < len(said) < len(terms.rows):
         return _either(terms, ctx)
