@@ -72,11 +72,12 @@ assuming = ['n_x \cdot n_y = 0', 'n_z = n_x \times n_y']
 
 
 def test_a_slip_for_which_no_point_is_found_is_told_with_what_was_likely_meant() -> None:
-    letters = {r"\mathbf{a}": "vector", r"\theta": "angle", "C": "scalar", "m": "scalar"}
-    said = (r"\theta = \|\mathbf{a}\|", r"C = 2 - 3 \cos\theta", r"C + m + 3 \cos\theta = 2 - m")
+    letters = {**{rf"\mathbf{{{each}}}": "vector" for each in "abc"}, r"\theta": "angle", "m": "scalar"}
+    law, slip = r"\mathbf{c} = 2 \mathbf{b} - 3 \cos\theta \mathbf{b}", r"2 \mathbf{b} - m \mathbf{b}"
+    said = (r"\theta = \|\mathbf{a}\|", law, rf"\mathbf{{c}} + m \mathbf{{b}} + 3 \cos\theta \mathbf{{b}} = {slip}")
     *_, slip = read("\n".join(f"$$ {each} $$" for each in said), {"symbols": letters}).equations
     assert slip.verdict == "open"
-    assert str(slip.finding.instead.left) == "C - m + 3 cos(theta)"
+    assert str(slip.finding.instead.left) == "c - m b + 3 cos(theta) b"
 
 
 NUMBERS = {"symbols": dict.fromkeys(("a", "b", "c", "x", "y", "z", "k", "m", "u"), "scalar")}
