@@ -364,7 +364,7 @@ def test_what_one_section_says_another_may_say_otherwise() -> None:
     [
         ([r"\int_0^1 x + y z \,dt = s", r"\int_0^1 x + y z dt = s + 0"], ["defined", "holds"]),
         ([r"\int_0^1 (x + y) z dt = s", r"\int_0^1 x + y z dt = s"], ["defined", "defined"]),
-        ([r"s = \int_0^1 \frac{dx}{x} + \int_0^1 a dx", r"s - \int_0^1 a dx = \int_0^1 \frac{dx}{x}"], ["defined", "holds"]),
+        ([r"s = \int \frac{dx}{x} + \int_0^1 a dx", r"s - \int_0^1 a dx = \int \frac{dx}{x}"], ["defined", "holds"]),
         ([r"\dot x = a d", r"s = \int_0^1 x dt"], ["defined", "defined"]),
         ([r"v = \min_u a + u", r"v + b = b + \min_u a + u"], ["defined", "holds"]),
         ([r"u^* = \argmin_u J(u)", r"u^* = \underset{u}{\operatorname{argmin}} J(u)"], ["defined", "holds"]),
@@ -373,7 +373,7 @@ def test_what_one_section_says_another_may_say_otherwise() -> None:
         ([r"f : A \to B; \quad a \mapsto f(a) = b"], ["defined"]),
         ([r"\theta = \arctan(y, x)", r"\theta = \operatorname{atan2}(y, x)"], ["defined", "holds-under"]),
         ([r"\cos(\pi/3) = 1/2", r"\sin(\pi/6) = 1"], ["holds", "fails"]),
-        ([r"\dot x = \begin{bmatrix} 0 & 1 \\ 2 & 3 \end{bmatrix} x + \begin{bmatrix} u \\ 0 \end{bmatrix}"], ["defined"]),
+        ([r"\dot x = \begin{bmatrix} 0 & 1\\ 2 & 3\end{bmatrix} x + \begin{bmatrix} 0\\ u\end{bmatrix}"], ["defined"]),
         ([r"x' = \mathbf{q} \otimes x \otimes \mathbf{q}^*", r"\mathbf{q} \otimes \mathbf{q}_2 = \mathbf{q}_3"],
          ["defined", "defined"]),
     ],
