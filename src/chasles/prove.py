@@ -25,6 +25,7 @@ from chasles.from_sympy.decimals import as_decimals
 from chasles.from_sympy.exponents import require_moderate
 from chasles.from_sympy.induction import by_induction
 from chasles.from_sympy.inequalities import definitions, without_inequalities
+from chasles.from_sympy.integrals import without_integrals
 from chasles.from_sympy.opening import excerpt
 from chasles.from_sympy.splitting import Splitting
 from chasles.problems.variables import Untreatable
@@ -79,7 +80,7 @@ def prove(
         require_moderate(expressions_in([lhs, rhs, given, nonzero]))
         said = _said(exact, lhs, rhs, given, nonzero)
         of_any_size = has_letters_for_sizes(expressions_in(said))
-        asked = said if of_any_size else without_inequalities(said)
+        asked = said if of_any_size else without_inequalities(without_integrals(said))
         with within(EFFORT, budget):
             verdict = verdict_at_any_size(*asked) if of_any_size else _decided_or_by_induction(*asked)
     except OutOfTime as error:
@@ -189,7 +190,7 @@ def recheck(
     if has_letters_for_sizes(expressions_in(said)):
         check_at_any_size(verdict, *said)
         return
-    asked = without_inequalities(said)
+    asked = without_inequalities(without_integrals(said))
     if not isinstance(verdict, Holds | HoldsUnder | Fails):
         raise TypeError(f"the verdict is {verdict.name}: only what holds or fails can be checked")
     for text in definitions(said, asked):

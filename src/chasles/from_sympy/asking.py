@@ -42,6 +42,7 @@ def ask(lhs: Any, rhs: Any, given: Any, nonzero: Any) -> Question | IllFormed | 
     if left.shape != right.shape:
         return IllFormed(f"cannot equate {left.size} (the left side) and {right.size} (the right side)")
     parts = RealParts()
+    parts.require([lhs, rhs, given, nonzero])
     declared = [parts.nonzero(scalar) for scalar in nonvanishing(nonzero)]
     rows = left.shape[0]
     left, right = parts.equal(left, right)

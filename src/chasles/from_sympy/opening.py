@@ -83,7 +83,7 @@ def opened(value: Any, what: str) -> Entries:
     except sympy.SympifyError:
         raise Untreatable(f"{what} is {value!r}, which is no SymPy expression or matrix") from None
     if isinstance(value, MatrixExpr):
-        value = _spelled_out(explicit, value)
+        value = written(explicit, value)
     if isinstance(value, MatrixBase):
         if 0 in value.shape:
             raise Untreatable(f"{what} is an empty matrix, {value.shape[0]} x {value.shape[1]}")
@@ -95,7 +95,8 @@ def opened(value: Any, what: str) -> Entries:
     return Entries(((_evaluated(value),),), is_matrix=False)
 
 
-def _spelled_out(write: Callable[[Any], Any], value: Any) -> Any:
+def written(write: Callable[[Any], Any], value: Any) -> Any:
+    """What is written out of it; raises `Untreatable` where that cannot be done."""
     try:
         return write(value)
     except Rejected as reason:
@@ -106,15 +107,13 @@ def _spelled_out(write: Callable[[Any], Any], value: Any) -> Any:
 
 def _evaluated(entry: Any) -> Any:
     """The entry written out, derivatives of expressions taken, with zero for the symbols that SymPy is told to be."""
-    whole, entry = entry, _spelled_out(valued, entry)
+    whole, entry = entry, written(valued, entry)
     if entry.has(sympy.zoo, sympy.nan) and not whole.has(sympy.zoo, sympy.nan):
         raise Untreatable(f"{excerpt(whole)} is not treated: it divides by what is assumed to be zero")
     parts = list(parts_of(entry))
     for inexact in (part for part in parts if isinstance(part, sympy.Float)):
         exact = str(sympy.nsimplify(inexact, rational=True))
         raise Untreatable(f"{inexact} is a floating-point number, which is not exact: write Rational({exact!r})")
-    if integral := next((part for part in parts if isinstance(part, sympy.Integral)), None):
-        raise Untreatable(f"{excerpt(integral)} is not treated: an integral is not")
     for derivative in (part for part in parts if isinstance(part, sympy.Derivative)):
         if not isinstance(derivative.expr, AppliedUndef):
             entry = entry.xreplace({derivative: derivative.doit()})

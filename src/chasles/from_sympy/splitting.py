@@ -59,6 +59,7 @@ class Splitting:
         self._left, self._right = opened(self.lhs, "the left side"), opened(self.rhs, "the right side")
         self.possible, self._rows = self._left.shape == self._right.shape, self._left.shape[0]
         parts = RealParts()
+        parts.require([self.lhs, self.rhs, self.given, self.nonzero])
         self._left, self._right = parts.equal(self._left, self._right)
         declared = tuple(map(parts.nonzero, nonvanishing(self.nonzero)))
         items = listed(self.given, "given")

@@ -1,0 +1,110 @@
+"""Integrals of sums of products of powers, exponentials, cosines and sines: an antiderivative at both ends.
+
+In complex exponentials, x^n e^(a x) is the derivative of e^(a x) (x^n/a - n x^(n - 1)/a^2 + ...).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import sympy
+
+from chasles.checker.expressions.defined_functions import without_calls
+from chasles.from_sympy.complex_symbols import expressions_in
+from chasles.from_sympy.decimals import with_values
+from chasles.from_sympy.opening import excerpt
+from chasles.from_sympy.side_conditions import listed
+from chasles.problems.variables import Untreatable
+
+CIRCULAR = (sympy.sin, sympy.cos, sympy.sinh, sympy.cosh)
+LARGEST_POWER = 32
+
+
+def without_integrals(said: tuple[Any, ...]) -> tuple[Any, ...]:
+    """What is said, with their values for integrals between limits; what they divide by does not vanish.
+
+    Raises `Untreatable` for integrals without limits, and for those whose value is not known here.
+    """
+    found = {part for e in expressions_in(said) for part in e.atoms(sympy.Integral)}
+    if not found:
+        return said
+    outer = found - {part for integral in found for part in integral.function.atoms(sympy.Integral)}
+    values = {integral: _value(integral) for integral in sorted(outer, key=str)}
+    lhs, rhs, given, nonzero = with_values(said, values)
+    lost = dict.fromkeys(divisor for integral in values for divisor in _divisors(integral))
+    return without_integrals((lhs, rhs, given, [*(item for _, item in listed(nonzero, "nonzero")), *lost]))
+
+
+def _divisors(integral: Any) -> Iterator[Any]:
+    """What an integral divides by, whatever its variables are."""
+    powers = sorted((power for power in integral.atoms(sympy.Pow) if power.exp.is_negative), key=str)
+    bound = {symbol for part in integral.atoms(sympy.Integral) for symbol in part.variables}
+    yield from (power.base for power in powers if not power.base.has(*bound) and not power.base.is_nonzero)
+
+
+def _value(integral: Any) -> Any:
+    """The value of an integral, the inner one first; integrals in it are put in before."""
+    inner = {part: _value(part) for part in integral.function.atoms(sympy.Integral)}
+    term = integral.function.xreplace(inner)
+    for index, *ends in integral.limits:
+        if len(ends) < 2:
+            raise Untreatable(f"{excerpt(integral)} is not treated: without limits it is known up to a constant only")
+        plain = list(map(without_calls, ends))
+        signs = {kind: True for kind in ("positive", "nonnegative") if all(getattr(e, f"is_{kind}") for e in plain)}
+        x = sympy.Dummy(str(index), real=True, **signs)
+        term = term.xreplace({index: x})
+        parts = sympy.Add.make_args(_in_exponentials(term, x))
+        before = sympy.expand(sympy.Add(*(_antiderivative(part, x, integral) for part in parts)))
+        # That the derivative is right between the ends will do.
+        y = sympy.Dummy(positive=True) if x.is_nonnegative else x
+        gap = _in_exponentials(before.xreplace({x: y}).diff(y) - term.xreplace({x: y}), y)
+        if sympy.expand(sympy.fraction(sympy.together(gap))[0]) != 0:
+            raise Untreatable(f"{excerpt(integral)} is not treated: no antiderivative was found")
+        low, high = (before.xreplace({x: end}) for end in ends)
+        term = sympy.expand(high - low)
+    return term
+
+
+def _in_exponentials(e: Any, x: Any) -> Any:
+    """The expression multiplied out, functions of angles and hyperbolic ones of the variable as exponentials."""
+    calls = {call: call.rewrite(sympy.exp) for call in e.atoms(*CIRCULAR) if call.has(x)}
+    powers = {power for power in e.atoms(sympy.Pow) if power.exp.has(x)}
+    return sympy.expand(e.xreplace(calls | {power: sympy.exp(power.exp * sympy.log(power.base)) for power in powers}))
+
+
+def _antiderivative(part: Any, x: Any, whole: Any) -> Any:
+    """What has a product as its derivative, wherever the variable may be, in functions of real numbers."""
+    (constant, rest), power, exponent = part.as_independent(x, as_Add=False), sympy.S.Zero, sympy.S.Zero
+    for factor in sympy.Mul.make_args(rest):
+        base, above = factor.as_base_exp()
+        if base == x and not above.has(x):
+            power += above
+        elif not base.has(x) and (base is sympy.E or without_calls(base).is_positive):
+            exponent += sympy.expand(above * sympy.log(base))
+        elif factor != 1:
+            raise _unknown(factor, x, whole)
+    rate = exponent.coeff(x)
+    fixed = sympy.expand(exponent - rate * x)
+    known = power.is_Integer and 0 <= power <= LARGEST_POWER
+    known = known or (rate == 0 and bool(x.is_positive or (x.is_nonnegative and power.is_nonnegative)))
+    if fixed.has(x) or not known:
+        raise _unknown(rest, x, whole)
+    if rate == 0:
+        return constant * _real(fixed) * (sympy.log(x) if power == -1 else x ** (power + 1) / (power + 1))
+    turn = rate.coeff(sympy.I)
+    growth = sympy.expand(rate - sympy.I * turn)
+    inverse = (growth - sympy.I * turn) / (growth**2 + turn**2)
+    terms = ((-1) ** k * sympy.ff(power, k) * x ** (power - k) * inverse ** (k + 1) for k in range(int(power) + 1))
+    return constant * _real(exponent) * sympy.Add(*terms)
+
+
+def _real(exponent: Any) -> Any:
+    """The exponential in functions of real numbers."""
+    turn = exponent.coeff(sympy.I)
+    return sympy.exp(exponent - sympy.expand(sympy.I * turn)) * (sympy.cos(turn) + sympy.I * sympy.sin(turn))
+
+
+def _unknown(part: Any, x: Any, whole: Any) -> Untreatable:
+    told = excerpt(part.xreplace({x: sympy.Symbol(x.name)}))
+    return Untreatable(f"{excerpt(whole)} is not treated: no antiderivative of {told} is known between these limits")
