@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import pytest
 
+from chasles.pages.findings_told import line_of
 from chasles.pages.page import read_page
 from chasles.reading.glyphs import letter_in
 from chasles.reading.notation_file import load_notation
 from chasles.reading.pages import Kind, printed_page
 from chasles.reading.proposal import proposed
-from chasles.reading.prose import said_of_letters
+from chasles.reading.prose import poses, said_of_letters
 
 SAID = {
     r"For a unit vector $\mathbf{e}$ and an angle $\phi$ the rotation is": {
@@ -72,3 +73,71 @@ def test_roles_of_structured_text_are_prose_too() -> None:
     assert [remark.latex for remark in page.remarks] == [r"\mathbf{e}", "m"]
     assert len(said_of_letters(page.remarks, "")) == 2
     assert len(page.equations) == 1
+
+
+LEADING = {
+    "The equation of motion is": True,
+    "The equations of motion of the pendulum (see the figure) are": True,
+    "By Newton's second law, the force is known. The body obeys": True,
+    "where the state satisfies the differential equation": True,
+    "Hooke's law states that": True,
+    "We assume that": True,
+    "subject to the constraint": True,
+    "The system is governed by\n\n": True,
+    "From the equation of motion we obtain": False,
+    "Substituting into the equations of motion gives": False,
+    "Inserting this, the equation of motion is": False,
+    "The rotation satisfies the identity": False,
+    "It obeys a law. It follows that": False,
+    "The kinetic energy is": False,
+}
+
+
+@pytest.mark.parametrize("text", LEADING)
+@pytest.mark.parametrize(("kind", "opening"), [("tex", "$$"), ("tex", "\\begin{equation}"), ("md", "$$"), ("rst", "")])
+def test_a_sentence_may_lead_to_a_law_and_not_to_what_follows(text: str, kind: Kind, opening: str) -> None:
+    closing = opening.replace("begin", "end")
+    display = f"\n\n.. math:: a + b = 1\n\n{text}\n\n.. math:: c + d = 2\n"
+    page = display if kind == "rst" else f"{opening} a + b = 1 {closing}\n{text}\n{opening} c + d = 2 {closing}"
+    first, second = printed_page(page, kind).equations
+    assert not poses(first.before)
+    assert poses(second.before) == LEADING[text]
+
+
+PENDULUM = r"""
+A pendulum with the angle $\theta$ has the equation of motion
+\begin{equation} \ddot{\theta} + \frac{g}{\ell} \sin\theta = 0 \end{equation}
+and the energy
+\begin{equation} E = \frac12 m \ell^2 \dot\theta^2 - m g \ell \cos\theta, \end{equation}
+so that
+\begin{equation} \dot{E} = 0. \end{equation}
+"""
+
+
+def _read(page: str) -> list[str]:
+    printed = printed_page(page, "tex")
+    found = read_page(printed.equations, load_notation(proposed(*printed)))
+    return [line_of(each, "").partition(": ")[2] for each in found.equations]
+
+
+def test_what_follows_from_a_law_of_the_page_may_need_that_letters_are_constant() -> None:
+    law, energy, rate = _read(PENDULUM)
+    assert law == "(1) assumed"
+    assert energy.startswith("(2) defines E")
+    assert rate == "(3) holds under (1), ell is constant, g is constant, m is constant"
+
+
+def test_a_letter_with_a_rate_on_the_page_is_not_taken_for_constant() -> None:
+    *_, rate, other = _read(PENDULUM + r"$$ \dot{g} = g - 1 $$")
+    assert rate.startswith("(3) open")
+    assert "g_dot" in other or "open" in other
+
+
+def test_what_is_led_to_as_a_law_is_decided_where_it_can_be() -> None:
+    right, wrong = _read(
+        r"For a unit vector $\mathbf{e}$ the projection satisfies"
+        r"$$ (\mathbf{e} \mathbf{e}^T)^2 = \mathbf{e} \mathbf{e}^T $$ and the governing equation is"
+        r"$$ \mathbf{e} \times (\mathbf{e} \times \mathbf{v}) = (\mathbf{e} \cdot \mathbf{v}) \mathbf{e} + \mathbf{v} $$"
+    )
+    assert right.endswith("holds under |e| = 1")
+    assert "fails" in wrong or "slip" in wrong

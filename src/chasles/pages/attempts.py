@@ -89,11 +89,15 @@ def _premise_sets(claim: Claim, premises: Premises) -> Iterator[Known]:
     for table in (*tables, with_open):
         yield chosen_rules(sides, table), ()
         yield chosen_rules(sides, last_said(table, place)), ()
+    last_of_all: list[Known] = []
     for rules, tied in (*((rules, True) for rules in ({}, *found)), (shallow, False)):
         known = premises.restricting(free_quantities(sides, rules), rules, tied)
         posed = tuple(each for each in known if not each.is_rule)[-MOST_POSED:]
         if posed:
             yield rules, posed
+        if resting := premises.at_rest(sides, rules):
+            last_of_all += [(rules, resting), (rules, (*posed, *resting))]
+    yield from last_of_all
 
 
 def with_premises(

@@ -13,7 +13,8 @@
   does not hold. An open equation is assumed in what follows, under its number; for its sake something fails only if it
   is a slip away from what follows from it, and other claims of the page rest on it, too. What is likely a slip is no
   premise. What one section says of a symbol, another may say anew.
-- A condition or a law is one because a person says so: it is posed, and what follows rests on it.
+- A condition or a law is one because a person says so: it is posed, and what follows rests on it. What is open is
+  posed, too, if the sentence that leads to it says that it is a law or a condition.
 """
 
 from __future__ import annotations
@@ -136,22 +137,24 @@ class Deduction:
         right: Node,
         note: EquationNote = NOTHING,
         ahead: Iterable[Claim] = (),
+        is_posed: bool = False,
     ) -> PageFinding:
         """The finding on the next equation of the page, which is a premise of what follows.
 
-        What is `ahead` may say what new symbols of a claim are, as behind "where".
+        What is `ahead` may say what new symbols of a claim are, as behind "where". What neither follows nor fails is
+        assumed if it `is_posed`, and open otherwise.
         """
         finding = self._foretold.pop((number, part), None)
         if finding is None:
             claim = self._as_said(Claim(number, left, right, part=part, sign=sign, sic=True))
-            finding = self._found(claim, note, tuple(ahead))
+            finding = self._found(claim, note, tuple(ahead), is_posed)
         self.premises.spoken.update(q for side in (left, right) for q in quantities(side))
         self.premises.stated.append({left, right})
         if self._said_here[0] and (key := quantity(left)) is not None:
             self._said_here[1].setdefault(key, right)
         return finding
 
-    def _found(self, claim: Claim, note: EquationNote, ahead: tuple[Claim, ...]) -> PageFinding:
+    def _found(self, claim: Claim, note: EquationNote, ahead: tuple[Claim, ...], is_posed: bool) -> PageFinding:
         role = note.role
         if claim.sign not in ("=", *DEFINING):
             return PageFinding("claim", Undecided(f"relations such as {claim.sign} are not decided"), claim, open=True)
@@ -192,6 +195,8 @@ class Deduction:
             return self._posed_or_defined(claim, meant, with_fields(finding, unless=None))
         if not finding.open or (finding.instead and not finding.verdict.true):
             return finding  # what is likely a slip is no premise of what follows
+        if is_posed and not meant and not finding.doubt:
+            return self._posed(claim, False, Assumed())
         return self._posed_or_defined(claim, meant, finding)
 
     def _defines(self, claim: Claim, key: Quantity, ahead: tuple[Claim, ...]) -> bool:

@@ -23,14 +23,16 @@ from chasles.pages.other_kinds import imaginary_unit
 from chasles.pages.page_chapter import chapter_of
 from chasles.pages.page_equation import PageEquation
 from chasles.pages.premises import Premises
+from chasles.pages.quantities import quantity
 from chasles.reading.equations import read_equations
 from chasles.reading.notation_file import load_notation
 from chasles.reading.page_notation import PageNotation
 from chasles.reading.pages import Kind, displayed
 from chasles.reading.printed import PrintedEquation
+from chasles.reading.prose import poses
 from chasles.reading.reading import Part, ReadEquation, Reading
 from chasles.statements import Chapter, Claim
-from chasles.vocabulary import latex
+from chasles.vocabulary import latex, walk
 
 MOST_READINGS = 4
 """So many readings of one equation are decided."""
@@ -122,9 +124,11 @@ def read_page(
     """
     known = known or KnownAnswers()
     equations = tuple(map(without_misfits_in_chains, read_equations(printed, notation)))
-    sides = (side for equation in equations for reading in equation.readings for side in reading.sides)
+    sides = [side for equation in equations for reading in equation.readings for side in reading.sides]
     session, is_complex = Session(WORK, memory=known.memory), imaginary_unit(sides) is not None
-    premises = Premises(cache(lambda symbol: facts_of(symbol, kind_in_meaning(symbol))))
+    printed_rates = (quantity(part) for side in sides for part in walk(side))
+    moving = frozenset(key[0] for key in printed_rates if key and key[1])
+    premises = Premises(cache(lambda symbol: facts_of(symbol, kind_in_meaning(symbol))), moving=moving)
     deduction = Deduction(premises, session, notation.proposed, is_complex, known.may_follow)
     for said in notation.assuming:
         for part in parts_of(said, notation, f"[page] assuming '{said}'"):
@@ -195,11 +199,12 @@ def _said(
     printed: PrintedEquation,
 ) -> Iterator[tuple[Part, PageFinding]]:
     claims = _relations(reading, number, first)
+    is_posed = poses(printed.before)
     with deduction.where(number, reading.given, printed.display, printed.section):
         for place, (part, claim) in enumerate(zip(reading.parts, claims, strict=True), 1):
             following = (*(each for each in claims[place:] if each.sign in ("=", *DEFINING)), *ahead)
             note = notes.get((number, claim.part), NOTHING)
-            yield part, deduction.say(number, claim.part, part.left, part.sign, part.right, note, following)
+            yield part, deduction.say(number, claim.part, part.left, part.sign, part.right, note, following, is_posed)
 
 
 def _verdict(finding: PageFinding) -> str:

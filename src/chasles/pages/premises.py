@@ -6,11 +6,12 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from dataclasses import replace as with_fields
+from fractions import Fraction
 
 from chasles.pages.quantities import Quantity, quantities
 from chasles.problems.scanning import differs
 from chasles.statements import Hypothesis, Statement
-from chasles.vocabulary import Integral, Negative, Node, Sum, Symbol, walk
+from chasles.vocabulary import Integral, Negative, Node, Number, Rate, Sum, Symbol, Zero, plain, walk
 
 Rules = Mapping[Quantity, Statement]
 
@@ -37,7 +38,7 @@ class Premises:
     used before; `proved` the last claim proved of it, `opened` the last open equation that says what it is; `said` are
     all of these in their order, `stated` what each equation says, and `spoken` is what has occurred; a section has
     `begun` behind so many of what is posed, said and stated.
-    On what is `relied` a proved claim rests.
+    On what is `relied` a proved claim rests. What is `moving` has a rate somewhere on the page.
     """
 
     facts: Callable[[Symbol], tuple[Hypothesis, ...]]
@@ -50,6 +51,8 @@ class Premises:
     stated: list[set[Node]] = field(default_factory=list)
     begun: tuple[int, int, int] = (0, 0, 0)
     relied: set[str] = field(default_factory=set)
+    moving: frozenset[Symbol] = frozenset()
+    resting: dict[Symbol, PosedEquation] = field(default_factory=dict)
 
     def begin_section(self) -> None:
         """From here on another section."""
@@ -116,6 +119,17 @@ class Premises:
             tied = len(kept) < len(chosen)
             chosen = kept
         return tuple(self.posed[place] for place in chosen)
+
+    def at_rest(self, sides: Iterable[Node], rules: Rules) -> tuple[PosedEquation, ...]:
+        """That each symbol is constant of which a rate remains once rules are applied, and none is on the page."""
+        found = sorted((each for side in sides for each in _remaining(side, rules)), key=str)
+        still = dict.fromkeys(symbol for symbol, order in found if order and symbol not in self.moving)
+        for symbol in still.keys() - self.resting.keys():
+            zero = Number(Fraction(0)) if symbol.is_scalar else Zero(*symbol.shape)
+            sides, said = (Rate(symbol), zero), f"{plain(symbol)} is constant"
+            hypothesis = Hypothesis("posed", (sides[0],), (sides,), (), said, said, free=True)
+            self.resting[symbol] = PosedEquation(hypothesis, *sides, open=False)
+        return tuple(map(self.resting.__getitem__, still))
 
     def relevant_to(self, found: Iterable[Quantity]) -> tuple[PosedEquation, ...]:
         """The posed equations that share symbols with those found, or with equations that do."""

@@ -61,6 +61,12 @@ class Source:
         column = at - self._lines[line - 1] + (self._first[1] if line == 1 else 1)
         return line + self._first[0] - 1, column
 
+    def before(self, token: Token, length: int) -> str:
+        """As much of the text as that before the place of a lexeme."""
+        line = token.line - self._first[0]
+        at = self._lines[line] + token.column - (1 if line else self._first[1])
+        return self.text[max(0, at - length) : at]
+
     def lexeme(self) -> Token | None:
         """The next lexeme, macros unexpanded; None at the end."""
         while not self.waiting and self.at < self.end:

@@ -23,7 +23,8 @@ class Remark(NamedTuple):
 class PrintedEquation:
     """A displayed equation: its LaTeX with macros expanded, where it stands in the page, and what it is called there.
 
-    `fault` says why a display cannot be split, if so; the rows of one have the number of their `display`.
+    `fault` says why a display cannot be split, if so; the rows of one have the number of their `display`, and the text
+    `before` it.
     """
 
     latex: str
@@ -36,6 +37,7 @@ class PrintedEquation:
     fault: str = ""
     display: int = 0
     found: Atoms = field(default=(), repr=False, compare=False)
+    before: str = field(default="", repr=False, compare=False)
 
     @cached_property
     def atoms(self) -> Atoms:

@@ -54,6 +54,31 @@ FACE = re.compile(r"\\(?:math(?:bb|cal|rm|sf|bf|frak)|operatorname|text|boldsymb
 _BAR = r"(?:\\(?:left|right))?(?:\\[lr]?Vert|\\[lr]vert|\\\||\|)"
 UNIT = re.compile(rf"^{_BAR}(.+?){_BAR}=1$")
 
+OPENING = re.compile(r"\s*(?:`{3,}|~{3,}|:{3,})?\s*(?:\{?math\}?|\.\. math::)?\s*$")
+SENTENCE = re.compile(r"[.!?]\s|\n\s*\n|\$\$|\\\]|\\end\{[^}]*\}|```|\\item\b|\}\s*\n")
+"""What ends before the sentence that leads to a display."""
+POSING = re.compile(
+    r"(?:equations? of motion|(?:governing|constitutive|state|differential|dynamical?) equations?"
+    r"|\blaws?\b[\w\s-]{0,30}|\bdynamics|model|(?:constraint|condition)s?)\s*(?:of [\w\s-]{0,40})?"
+    r"(?:is|are|reads?|states?(?: that)?|has the form|(?:is|are) given by|as follows)?\W*$"
+    r"|(?:satisf(?:y|ies)|obeys?|subject to|governed by|modell?ed (?:by|as)|described by"
+    r"|(?:we )?(?:assume|require|postulate|suppose)(?: that)?)\s*(?:(?:the|a) )?"
+    r"(?:following |differential |kinematic )*(?:equation|relation|condition|constraint|law)?s?\W*$"
+)
+"""How a text leads to a law or a condition."""
+DERIVING = re.compile(
+    r"\b(?:from|using|into|substitut|insert|differentiat|integrat|solv|multipl|eliminat|combin|simplif|linear[iz]|impl"
+    r"|yield|gives?|obtain|deriv|becomes?|therefore|hence|thus|we (?:get|find|see))"
+)
+"""What is said of an equation that follows from others."""
+
+
+def poses(before: str) -> bool:
+    """Whether the sentence that leads to a display says that it is a law or a condition, and not that it follows."""
+    sentence = re.sub(r"\([^()]*\) ?", "", _plain(SENTENCE.split(OPENING.sub("", before))[-1]))
+    found = POSING.search(sentence)
+    return bool(found) and not DERIVING.search(sentence[: found.start()])
+
 
 def said_of_letters(remarks: Iterable[Remark], equations: str) -> Told:
     """What is said of each letter in words, if nothing else is said of it elsewhere.

@@ -18,7 +18,7 @@ MOST_CHARACTERS = 5_000_000
 MOST_EQUATIONS = 20_000
 DEEPEST_INPUT = 10
 LONGEST_INLINE = 2_000
-LONGEST_REMARK, MOST_REMARKS, AROUND = 60, 20_000, 60
+LONGEST_REMARK, MOST_REMARKS, AROUND, LEADING = 60, 20_000, 60, 240
 DEFINITION = re.compile(r"\\(?:\w*newcommand|def|let|Declare\w+|NewDocumentCommand)\b")
 DISPLAYS = re.compile(
     r"(?:equation|x?align(?:at)?|flalign|gather|multline|eqnarray|displaymath|dmath|IEEEeqnarray|empheq)\*?$"
@@ -209,6 +209,7 @@ class TexPage:
     ) -> None:
         """Takes in the equations of a display whose content is known."""
         self.displays += 1
+        before = source.before(opening, LEADING)
         is_numbered = self.counts and not UNNUMBERED.match(environment)
         rows = rows_of(raw, bool(ROW_NUMBERED.match(environment)))
         for at, row in enumerate(rows):
@@ -227,10 +228,8 @@ class TexPage:
                 line, column = (fault.line, fault.column) if fault else each.place[1:]
                 named = each.label or label or None
                 where = self.numbering.name, source.file, each.fault
-                found = tuple(each.atoms)
-                self.found.append(
-                    PrintedEquation(each.latex, line, column, each.number, named, *where, self.displays, found)
-                )
+                inner = self.displays, tuple(each.atoms), before
+                self.found.append(PrintedEquation(each.latex, line, column, each.number, named, *where, *inner))
 
     def content(self, opening: Token, opener: str, source: Source) -> tuple[list[Token], BadPage | None]:
         """The lexemes up to the display's end, macros expanded, and what is wrong with it if anything is."""
