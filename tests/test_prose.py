@@ -137,7 +137,8 @@ def test_what_is_led_to_as_a_law_is_decided_where_it_can_be() -> None:
     right, wrong = _read(
         r"For a unit vector $\mathbf{e}$ the projection satisfies"
         r"$$ (\mathbf{e} \mathbf{e}^T)^2 = \mathbf{e} \mathbf{e}^T $$ and the governing equation is"
-        r"$$ \mathbf{e} \times (\mathbf{e} \times \mathbf{v}) = (\mathbf{e} \cdot \mathbf{v}) \mathbf{e} + \mathbf{v} $$"
+        r"$$ \mathbf{e} \times (\mathbf{e} \times \mathbf{v})"
+        r" = (\mathbf{e} \cdot \mathbf{v}) \mathbf{e} + \mathbf{v} $$"
     )
     assert right.endswith("holds under |e| = 1")
     assert "fails" in wrong or "slip" in wrong
