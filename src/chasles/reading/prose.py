@@ -77,7 +77,7 @@ def poses(before: str) -> bool:
     """Whether the sentence that leads to a display says that it is a law or a condition, and not that it follows."""
     sentence = re.sub(r"\([^()]*\) ?", "", _plain(SENTENCE.split(OPENING.sub("", before))[-1]))
     found = POSING.search(sentence)
-    return bool(found) and not DERIVING.search(sentence[: found.start()])
+    return found is not None and not DERIVING.search(sentence[: found.start()])
 
 
 def said_of_letters(remarks: Iterable[Remark], equations: str) -> Told:
