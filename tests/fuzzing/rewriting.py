@@ -91,7 +91,7 @@ def rewritten(e: Any, draw: Random, times: int = 2) -> Any:
 
 def distorted(e: Any, draw: Random) -> Any:
     """The expression with a slip: it may still be equal to it."""
-    parts = [p for p in sp.preorder_traversal(e) if p.args or isinstance(p, sp.Symbol | sp.Integer)]
+    parts = [p for p in sp.preorder_traversal(e) if isinstance(p, sp.Expr) and (p.args or p.is_Symbol or p.is_Integer)]
     if not parts:
         return e + 1
     part = draw.choice(parts)
