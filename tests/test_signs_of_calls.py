@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import dataclasses
 from typing import Any
 
 import pytest
 import sympy as sp
 from sympy import Abs, Eq, Mod, Ne, Rational, cosh, exp, floor, sinh, tanh
 
-from chasles.prove import prove
+from chasles.prove import Rejected, prove, recheck
 from chasles.verdict import Holds, HoldsUnder
 
 x = sp.Symbol("x", real=True)
@@ -66,3 +67,30 @@ def test_what_may_be_divided_by_zero_is_said() -> None:
 ], ids=str)  # fmt: skip
 def test_what_follows_from_the_argument_is_seen(e: Any) -> None:
     assert isinstance(prove(e + x, 1 + x), Holds)
+
+
+even, least = sp.Symbol("e", even=True), sp.Symbol("e", even=True, nonnegative=True)
+odd_root, k = sp.Symbol("i", irrational=True), sp.Symbol("k", integer=True)
+
+
+@pytest.mark.parametrize(
+    "value", [least / 3, least / 3 + least**2, (odd_root**2 - 2) ** 2, (even / 3 - k) ** 2], ids=str
+)
+@pytest.mark.parametrize(
+    "e", [one_where(positive(x)), one_where(Ne(x, 0)), sp.Heaviside(x, 0), 1 - sp.KroneckerDelta(x, 0)]
+)
+def test_what_sympy_takes_for_positive_though_it_may_be_zero_is_not(e: Any, value: Any) -> None:
+    """For SymPy a third of an even number is no integer, and the square of an irrational number irrational."""
+    assert not isinstance(prove(e, 1, given=[Eq(x, value, evaluate=False)]), Holds | HoldsUnder)
+
+
+@pytest.mark.parametrize("text", ["9**9**9", "(9**9999)**9999", "("])
+def test_a_witness_that_takes_forever_to_write_out_is_rejected(text: str) -> None:
+    verdict = prove(x + 1, 1 + x)
+    forged = dataclasses.replace(verdict, certificate={**verdict.certificate, "witness": {"x": text}})
+    with pytest.raises(Rejected):
+        recheck(forged, x + 1, 1 + x)
+
+
+def test_a_multiple_of_a_logarithm_s_argument_is_taken_apart() -> None:
+    assert prove(sp.log(Abs(n / 3 + 1)), sp.log(Abs(n + 3)) - sp.log(3)).true

@@ -16,8 +16,6 @@ from sys import modules
 from types import ModuleType
 from typing import TYPE_CHECKING
 
-from chasles.display import displayed_by
-
 if TYPE_CHECKING:
     from chasles import checked as checked
     from chasles import kernels as kernels
@@ -63,7 +61,8 @@ class _Package(ModuleType):
 
 
 modules[__name__].__class__ = _Package
-displayed_by(f"{__name__}.report.notebook", f"{__name__}.coq.identities")
+# The modules whose functions say how a thing is displayed: `html`, `latex`, `text`; and `as_theorem` for Coq.
+displayed_by = f"{__name__}.report.notebook", f"{__name__}.coq.identities"
 
 
 def __getattr__(name: str) -> object:

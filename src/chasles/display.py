@@ -7,19 +7,19 @@ from __future__ import annotations
 
 from collections.abc import Container
 from importlib import import_module
+from sys import modules
 from types import ModuleType
 
-_rooms: list[str] = []
+__all__ = ["Displayed", "theorems"]
 
 
-def displayed_by(pages: str, theorems: str) -> None:
-    """Name the modules whose functions say how a thing is displayed: `html`, `latex`, `text`; `as_theorem` for Coq."""
-    _rooms[:] = [pages, theorems]
+def _pages() -> ModuleType:
+    return import_module(modules[__package__].displayed_by[0])
 
 
 def theorems() -> ModuleType:
     """The module that tells Coq of verdicts."""
-    return import_module(_rooms[1])
+    return import_module(modules[__package__].displayed_by[1])
 
 
 class Displayed:
@@ -28,13 +28,13 @@ class Displayed:
     __slots__ = ()
 
     def _repr_text_(self) -> str:
-        return str(import_module(_rooms[0]).text(self))
+        return str(_pages().text(self))
 
     def _repr_html_(self) -> str:
-        return str(import_module(_rooms[0]).html(self))
+        return str(_pages().html(self))
 
     def _repr_latex_(self) -> str:
-        return str(import_module(_rooms[0]).latex(self))
+        return str(_pages().latex(self))
 
     def _repr_mimebundle_(
         self, include: Container[str] | None = None, exclude: Container[str] | None = None

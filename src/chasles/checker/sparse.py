@@ -11,7 +11,9 @@ from math import lcm
 from operator import add, mul, or_
 from struct import unpack
 
-MALFORMED = (ArithmeticError, AssertionError, AttributeError, LookupError, RuntimeError, TypeError, ValueError)
+MALFORMED = (
+    ArithmeticError, AssertionError, AttributeError, LookupError, RuntimeError, SyntaxError, TypeError, ValueError,
+)  # fmt: skip
 MOST_PRODUCTS, MOST_POWER = 10_000_000, 2**15 - 1
 """So many products of terms does a check form at most, and no higher power of a variable."""
 _left: ContextVar[list[int]] = ContextVar("left", default=[])  # noqa: B039 - nothing is counted there

@@ -176,7 +176,7 @@ class Elementary(Placeholders):
         for base, power, signed in self._factors(value):
             if base.is_Rational:
                 sign *= -1 if base < 0 and signed.is_odd else 1
-                for prime, count in sympy.factorint(abs(base)).items():
+                for prime, count in sympy.factorrat(abs(base)).items():
                     total += power * count * self._logarithm(sympy.Integer(prime))
             elif base in self.exponents:
                 total += power * self.exponents[base]

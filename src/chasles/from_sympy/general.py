@@ -13,13 +13,11 @@ import sympy
 from chasles.checker.expressions.defined_functions import defined_by
 from chasles.checker.expressions.generalised import Generalised
 from chasles.checker.expressions.readings import CIRCULAR
+from chasles.checker.expressions.remainders import MOST_PARTS
 from chasles.checker.sparse import Rejected
 from chasles.from_sympy.enclosures import Enclosures
 from chasles.from_sympy.opening import atoms_of
 from chasles.problems.variables import Untreatable
-
-LARGEST = 90
-"""Half a turn is divided into at most so many parts, and multiples have at most such denominators."""
 
 
 class General(Generalised):
@@ -59,15 +57,17 @@ class General(Generalised):
         if all(map(_in_roots, turns)):
             return 0
         parts = lcm(*(part.denominator for turn in turns for part in (turn, turn - Fraction(1, 2))))
-        if parts > LARGEST:
-            raise Untreatable(f"angles that are multiples of pi/{parts} are not treated: of pi/{LARGEST} at the least")
+        if parts > MOST_PARTS:
+            raise Untreatable(
+                f"angles that are multiples of pi/{parts} are not treated: of pi/{MOST_PARTS} at the least"
+            )
         return parts
 
 
 def _ratio(values: Enclosures, one: Any, other: Any) -> Any:
     """The fraction that the quotient of two expressions seems to be; None for any other."""
     above, below = (enclosed.low + enclosed.high for enclosed in map(values, (one, other)))
-    near = sympy.Rational(Fraction(above, below).limit_denominator(LARGEST))
+    near = sympy.Rational(Fraction(above, below).limit_denominator(MOST_PARTS))
     return near if near != 0 and not values(one - near * other).sign else None
 
 

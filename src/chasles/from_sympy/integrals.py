@@ -10,7 +10,8 @@ from typing import Any
 
 import sympy
 
-from chasles.checker.expressions.defined_functions import without_calls
+from chasles.checker.expressions.assumptions import SIGNS
+from chasles.checker.expressions.visible import signs_of
 from chasles.from_sympy.complex_symbols import expressions_in
 from chasles.from_sympy.decimals import with_values
 from chasles.from_sympy.opening import excerpt
@@ -40,7 +41,7 @@ def _divisors(integral: Any) -> Iterator[Any]:
     """What an integral divides by, whatever its variables are."""
     powers = sorted((power for power in integral.atoms(sympy.Pow) if power.exp.is_negative), key=str)
     bound = {symbol for part in integral.atoms(sympy.Integral) for symbol in part.variables}
-    yield from (power.base for power in powers if not power.base.has(*bound) and not power.base.is_nonzero)
+    yield from (power.base for power in powers if not power.base.has(*bound) and 0 in signs_of(power.base))
 
 
 def _value(integral: Any) -> Any:
@@ -50,8 +51,8 @@ def _value(integral: Any) -> Any:
     for index, *ends in integral.limits:
         if len(ends) < 2:
             raise Untreatable(f"{excerpt(integral)} is not treated: without limits it is known up to a constant only")
-        plain = list(map(without_calls, ends))
-        signs = {kind: True for kind in ("positive", "nonnegative") if all(getattr(e, f"is_{kind}") for e in plain)}
+        found = signs_of(ends[0]) | signs_of(ends[1])
+        signs = {kind: True for kind in ("positive", "nonnegative") if found <= {*SIGNS[kind]}}
         x = sympy.Dummy(str(index), real=True, **signs)
         term = term.xreplace({index: x})
         parts = sympy.Add.make_args(_in_exponentials(term, x))
@@ -80,7 +81,7 @@ def _antiderivative(part: Any, x: Any, whole: Any) -> Any:
         base, above = factor.as_base_exp()
         if base == x and not above.has(x):
             power += above
-        elif not base.has(x) and (base is sympy.E or without_calls(base).is_positive):
+        elif not base.has(x) and (base is sympy.E or signs_of(base) == {1}):
             exponent += sympy.expand(above * sympy.log(base))
         elif factor != 1:
             raise _unknown(factor, x, whole)

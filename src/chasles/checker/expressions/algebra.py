@@ -12,6 +12,7 @@ from math import gcd
 
 from chasles.checker.sparse import ZERO, Polynomial, Rejected, cleared, exponents, number, packed, product, variable
 
+MOST_DIGITS = 10_000_000
 Key = frozenset[tuple[int, int]]
 
 
@@ -94,6 +95,8 @@ class QuotientRing:
     def power(self, base: Polynomial, exponent: int) -> Polynomial:
         """A power with a natural exponent."""
         if (value := constant(base)) is not None:
+            if max(value.numerator.bit_length(), value.denominator.bit_length()) * exponent > MOST_DIGITS:
+                raise Rejected("a number is raised to a very large power")
             return number(value**exponent)
         total = number(1)
         while exponent:

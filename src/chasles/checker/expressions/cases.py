@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import partial, reduce
 from itertools import combinations
@@ -13,11 +13,11 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from chasles.checker.expressions.assumptions import NUMBERS
-from chasles.checker.expressions.defined_functions import is_entire, without_calls
-from chasles.checker.expressions.enclosed import sign_of_multiple, sign_of_number
+from chasles.checker.expressions.defined_functions import is_entire
+from chasles.checker.expressions.enclosed import sign_of_multiple, sign_of_number, written
 from chasles.checker.expressions.quantities import with_values
-from chasles.checker.expressions.remainders import at_integer
-from chasles.checker.expressions.switches import SWITCHES, deciding, excludes, factored, visible_sign, written
+from chasles.checker.expressions.remainders import MOST_PARTS, at_integer
+from chasles.checker.expressions.switches import SWITCHES, deciding, factored, visible_signs
 from chasles.checker.sparse import Rejected
 
 Pairs = tuple[tuple[Any, Any], ...]
@@ -66,12 +66,11 @@ class CheckedCase:
     @property
     def impossible(self) -> bool:
         """Whether what is known here visibly contradicts itself, two facts each other, or what is given."""
-        signs = any(excludes(e, sign) for e, sign in self.facts)
+        signs = any(sign not in visible_signs(e) for e, sign in self.facts)
         for (e, sign), (other, known) in combinations(self.facts, 2):
-            multiple = sign_of_multiple(e, other)
-            signs = signs or (multiple is not None and sign != multiple * known)
+            signs = signs or ((multiple := sign_of_multiple(e, other)) is not None and sign != multiple * known)
         apart = [one - other for one, other in self.pairs] + list(self.equations)
-        return signs or any(self.sign(e) in (1, -1) or without_calls(e).is_odd for e in apart)
+        return signs or any(self.sign(e) in (1, -1) or 0 not in visible_signs(e) for e in apart)
 
     def each(self, change: Callable[[Any], Any]) -> CheckedCase:
         """The case with everything changed."""
@@ -97,8 +96,8 @@ class CheckedCase:
     def sign(self, e: Any) -> int | None:
         """The sign of an expression, if it is known: by itself, as a multiple of a known one, or by its factors."""
         e = sympy.expand(e)
-        if (visible := visible_sign(e)) is not None:
-            return visible
+        if len(visible := visible_signs(e)) == 1:
+            return next(iter(visible))
         for known, sign in self.facts:
             if (multiple := sign_of_multiple(e, known)) is not None:
                 return sign * multiple
@@ -128,7 +127,8 @@ class CheckedCase:
         """The cases of an integer by its remainder, the quotient a new integer."""
         symbol = self.named[text]
         calls = {call for e in self.spoken for call in e.atoms(AppliedUndef, sympy.Derivative)}
-        if not symbol.is_integer or any(call.has(symbol) for call in calls) or modulus < 1 or name in self.names:
+        taken = name in self.names or any(call.has(symbol) for call in calls)
+        if taken or not symbol.is_integer or modulus not in range(1, MOST_PARTS + 1):
             raise Rejected(f"{text} is not split by a remainder of {modulus}")
         signs = {kind: True for kind in ("nonnegative", "negative") if getattr(symbol, f"is_{kind}")}
         quotient = sympy.Symbol(name, integer=True, **signs)
@@ -146,7 +146,7 @@ class CheckedCase:
     def _with(self, factor: Any, sign: int, positive: Any) -> CheckedCase:
         zeros = self.zeros if sign else (*self.zeros, self.back(factor))
         atom = self._free(factor)
-        if atom is None or excludes(factor, sign):
+        if atom is None or sign not in visible_signs(factor):
             equations = self.equations if sign else (*self.equations, factor)
             return replace(self, equations=equations, facts=(*self.facts, (factor, sign)), zeros=zeros)
         value = sympy.expand(atom + (sign * positive - factor) / sympy.diff(factor, atom))
@@ -183,27 +183,21 @@ class CheckedCase:
     def _outside(self) -> list[Any]:
         """The powers with rational exponents that are not within conditions."""
         plain = (e.replace(lambda part: isinstance(part, sympy.Piecewise), lambda _: sympy.S.Zero) for e in self.spoken)
-        return sorted({power for e in plain for power in e.atoms(sympy.Pow) if power.exp.is_Rational}, key=str)
+        return _rational_powers(plain)
 
     def within(self) -> tuple[Any, ...]:
         """The powers with rational exponents within conditions, as the question has them."""
-        if self.inside is not None:
-            return self.inside
-        parts = {part for e in self.spoken for part in e.atoms(sympy.Piecewise)}
-        return tuple(sorted({q for part in parts for q in part.atoms(sympy.Pow) if q.exp.is_Rational}, key=str))
+        known, parts = self.inside, (part for e in self.spoken for part in e.atoms(sympy.Piecewise))
+        return tuple(_rational_powers(parts)) if known is None else known
 
     def required(self) -> list[tuple[str, ...]]:
         """What is to be said of divisors and radicands outside of conditions, each in one of some ways."""
-        return [texts for power in self._outside() for texts in _requirements(power, visible_sign(power.base))]
+        return [texts for power in self._outside() for texts in _requirements(power)]
 
     def required_inside(self) -> list[tuple[str, ...]]:
         """What is to be said of those within, where it is not seen in this case whether it holds."""
-        found = []
-        for power in self.within():
-            sign = self.sign(self.here(power.base))
-            unseen = sign is None or (sign < 0 and power.exp.is_Integer) or sign > 0
-            found += _requirements(power, sign) if unseen else []
-        return found
+        unseen = (power for power in self.within() if self.sign(self.here(power.base)) is None)
+        return [texts for power in unseen for texts in _requirements(power)]
 
     def here(self, e: Any) -> Any:
         """An expression of the question in this case."""
@@ -224,13 +218,16 @@ def _with_value(e: Any, put: Mapping[Any, Any]) -> Any:
         return sympy.zoo
 
 
-def _requirements(power: Any, sign: int | None) -> list[tuple[str, ...]]:
-    """The ways to say what a power with a rational exponent needs of its base, whose sign may be known."""
+def _rational_powers(parts: Iterable[Any]) -> list[Any]:
+    return sorted({power for e in parts for power in e.atoms(sympy.Pow) if power.exp.is_Rational}, key=str)
+
+
+def _requirements(power: Any) -> list[tuple[str, ...]]:
+    """The ways to say what a power with a rational exponent needs of its base."""
     base, found = power.base, list[tuple[str, ...]]()
-    if is_entire(power):
-        return found  # A gamma function is never zero.
-    if power.exp < 0 and sign not in (1, -1):
+    signs = {1} if is_entire(power) else visible_signs(base)  # a gamma function is never zero
+    if power.exp < 0 and 0 in signs:
         found.append((f"{base} != 0", f"{base} > 0"))
-    if not power.exp.is_Integer and sign not in (0, 1) and not without_calls(base).is_nonnegative:
+    if not power.exp.is_Integer and -1 in signs:
         found.append((f"{base} >= 0", f"{base} > 0"))
     return found

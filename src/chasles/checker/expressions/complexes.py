@@ -124,28 +124,22 @@ def _exp(a: Any, b: Any) -> Pair:
 
 # With z = a + b I; Abramowitz and Stegun, Handbook of Mathematical Functions, 4.2.35, 4.3.55, 4.3.56, 4.5.49, 4.5.50.
 RULES: Mapping[type, Callable[[Any, Any], Pair]] = {
-    sympy.re: lambda a, b: (a, sympy.S.Zero),
-    sympy.im: lambda a, b: (b, sympy.S.Zero),
-    sympy.conjugate: lambda a, b: (a, -b),
-    sympy.arg: lambda a, b: (sympy.atan2(b, a), sympy.S.Zero),
+    sympy.re: lambda a, b: (a, sympy.S.Zero), sympy.im: lambda a, b: (b, sympy.S.Zero),
+    sympy.conjugate: lambda a, b: (a, -b), sympy.arg: lambda a, b: (sympy.atan2(b, a), sympy.S.Zero),
     sympy.Abs: lambda a, b: (sympy.Abs(a) if b == 0 else sympy.sqrt(a**2 + b**2), sympy.S.Zero),
     sympy.exp: _exp,
     sympy.sin: lambda a, b: (sympy.sin(a) * sympy.cosh(b), sympy.cos(a) * sympy.sinh(b)),
     sympy.cos: lambda a, b: (sympy.cos(a) * sympy.cosh(b), -sympy.sin(a) * sympy.sinh(b)),
     sympy.sinh: lambda a, b: (sympy.sinh(a) * sympy.cos(b), sympy.cosh(a) * sympy.sin(b)),
     sympy.cosh: lambda a, b: (sympy.cosh(a) * sympy.cos(b), sympy.sinh(a) * sympy.sin(b)),
-}
+}  # fmt: skip
 
 QUOTIENTS: Mapping[type, Callable[[Any], Any]] = {
-    sympy.tan: lambda z: sympy.sin(z) / sympy.cos(z),
-    sympy.cot: lambda z: sympy.cos(z) / sympy.sin(z),
-    sympy.sec: lambda z: 1 / sympy.cos(z),
-    sympy.csc: lambda z: 1 / sympy.sin(z),
-    sympy.tanh: lambda z: sympy.sinh(z) / sympy.cosh(z),
-    sympy.coth: lambda z: sympy.cosh(z) / sympy.sinh(z),
-    sympy.sech: lambda z: 1 / sympy.cosh(z),
-    sympy.csch: lambda z: 1 / sympy.sinh(z),
-}
+    sympy.tan: lambda z: sympy.sin(z) / sympy.cos(z), sympy.cot: lambda z: sympy.cos(z) / sympy.sin(z),
+    sympy.sec: lambda z: 1 / sympy.cos(z), sympy.csc: lambda z: 1 / sympy.sin(z),
+    sympy.tanh: lambda z: sympy.sinh(z) / sympy.cosh(z), sympy.coth: lambda z: sympy.cosh(z) / sympy.sinh(z),
+    sympy.sech: lambda z: 1 / sympy.cosh(z), sympy.csch: lambda z: 1 / sympy.sinh(z),
+}  # fmt: skip
 
 
 def parts(reading: Expressions, e: Any) -> tuple[Polynomial, Polynomial]:

@@ -13,9 +13,8 @@ from typing import Any
 
 import sympy
 
-from chasles.checker.expressions.assumptions import SIGNS
-from chasles.checker.expressions.quantities import is_atom
-from chasles.checker.expressions.remainders import Floor
+from chasles.checker.expressions.remainders import Floor, is_integral
+from chasles.checker.expressions.visible import signs_of
 from chasles.checker.sparse import Rejected
 
 LARGEST = 200
@@ -26,18 +25,6 @@ BOUNDED = {
 """Real functions of which no more is known than that they are no larger; of Bessel's, those of integral order."""
 VALUED = (Floor, sympy.Mod, sympy.gamma, *BOUNDED)
 """What is a quantity by itself once all others are said by these."""
-
-
-ALWAYS = {
-    sympy.exp: "positive", sympy.cosh: "positive", sympy.Abs: "nonnegative", Floor: "integer",
-    **dict.fromkeys((sympy.sin, sympy.cos, sympy.Max, sympy.Min), "real"),
-}  # fmt: skip
-"""What values at real arguments are."""
-INHERITED = {
-    Floor: ("nonnegative",), sympy.Abs: ("nonzero",), sympy.gamma: ("positive",),
-    **dict.fromkeys((sympy.sinh, sympy.tanh, sympy.asinh, sympy.atan, sympy.erf, sympy.log), tuple(SIGNS)),
-}  # fmt: skip
-"""And what they are where their arguments are so; a logarithm, where it is so of one less."""
 
 
 def _apart(one: Any, other: Any, value: Any, same: Any) -> Any:
@@ -55,7 +42,7 @@ def _binomial(e: Any) -> Any:
 def _binet(e: Any) -> Any:
     """By powers of the roots of x^2 = x + 1, if it is one of an integer."""
     n, root, sign = e.args[0], (1 + sympy.sqrt(5)) / 2, 1 if isinstance(e, sympy.lucas) else -1
-    whole = len(e.args) == 1 and n.is_integer
+    whole = len(e.args) == 1 and is_integral(n)
     return (root**n + sign * (-1) ** n * root**-n) / sympy.sqrt(3 - 2 * sign) if whole else e
 
 
@@ -81,24 +68,20 @@ def _principal(e: Any) -> Any:
 
 
 BY_OTHERS = {
-    sympy.floor: lambda e: Floor(e.args[0]),
-    sympy.ceiling: lambda e: -Floor(-e.args[0]),
-    sympy.frac: lambda e: e.args[0] - Floor(e.args[0]),
+    sympy.floor: lambda e: Floor(e.args[0]), sympy.ceiling: lambda e: -Floor(-e.args[0]),
+    sympy.frac: lambda e: e.args[0] - Floor(e.args[0]), sympy.erfc: lambda e: 1 - sympy.erf(e.args[0]),
     # Else what divides by zero might cancel.
-    sympy.Mod: lambda e: remainder(e) if without_calls(e.args[1]).is_nonzero else e,
-    sympy.factorial: lambda e: sympy.gamma(e.args[0] + 1),
-    sympy.binomial: _binomial,
+    sympy.Mod: lambda e: remainder(e) if 0 not in signs_of(e.args[1]) else e,
+    sympy.factorial: lambda e: sympy.gamma(e.args[0] + 1), sympy.binomial: _binomial,
     sympy.rf: lambda e: sympy.gamma(e.args[0] + e.args[1]) / sympy.gamma(e.args[0]),
     sympy.ff: lambda e: sympy.gamma(e.args[0] + 1) / sympy.gamma(e.args[0] - e.args[1] + 1),
     sympy.beta: lambda e: sympy.gamma(e.args[0]) * sympy.gamma(e.args[1]) / sympy.gamma(e.args[0] + e.args[1]),
-    sympy.erfc: lambda e: 1 - sympy.erf(e.args[0]),
     **dict.fromkeys((sympy.fibonacci, sympy.lucas), _binet),
     sympy.sinc: lambda e: _apart(e.args[0], 0, sympy.sin(e.args[0]) / e.args[0], 1),
     sympy.KroneckerDelta: lambda e: _apart(e.args[0], e.args[1], 0, 1) if len(e.args) == 2 else e,
     **dict.fromkeys(map(type, (sympy.GoldenRatio, sympy.TribonacciConstant)), lambda e: e.expand(func=True)),
-    sympy.Subs: lambda e: e.doit(),
-    sympy.Pow: _principal,
-}
+    sympy.Subs: lambda e: e.doit(), sympy.Pow: _principal,
+}  # fmt: skip
 
 
 class Recurrences:
@@ -148,29 +131,6 @@ def defined_by(e: Any) -> tuple[Any, ...]:
     """What has to be defined for a quantity that is the value of a function to be; nothing for any other."""
     call = 1 / e if e.is_Pow else e
     return call.args if isinstance(call, VALUED) else ()
-
-
-def assumed_of(e: Any) -> dict[str, bool]:
-    """What is known of the value of a function at real arguments, or of one over it."""
-    call = 1 / e if e.is_Pow else e
-    argument = without_calls(call.args[0] - int(isinstance(call, sympy.log)))
-    kinds = (kind for kind in INHERITED.get(call.func, ()) if getattr(argument, f"is_{kind}"))
-    return dict.fromkeys((*kinds, *filter(None, [ALWAYS.get(call.func)])), True)
-
-
-def without_calls(e: Any) -> Any:
-    """The expression with a symbol for each call, of which no more is known than is said here.
-
-    SymPy (1.14) takes atan(n) and asin(n) for no zeros where n is rational, though it may be zero.
-    """
-    if is_atom(e) or not e.has(sympy.Function):
-        return e
-    if isinstance(e, sympy.Add | sympy.Mul | sympy.Pow):
-        return e.func(*map(without_calls, e.args))
-    if e.func not in ALWAYS | INHERITED or not all(without_calls(part).is_real for part in e.args):
-        return sympy.Dummy()
-    real = not isinstance(e, sympy.log | sympy.gamma) or without_calls(e.args[0]).is_positive
-    return sympy.Dummy(**{**assumed_of(e), "real": True}) if real else sympy.Dummy()
 
 
 def gamma_at(x: Any) -> Any:

@@ -68,25 +68,10 @@ def _inverted(rule: Callable[[Expressions, Polynomial], Polynomial]) -> Callable
 
 
 FUNCTIONS: Mapping[str, Callable[..., Polynomial]] = {
-    "exp": lambda read, u: read.exp(u),
-    "log": _log,
-    "sinh": _halved(-1),
-    "cosh": _halved(1),
-    "tanh": _quotient(1),
-    "coth": _quotient(-1),
-    "sech": _under(1),
-    "csch": _under(-1),
-    "asinh": _asinh,
-    "acosh": _acosh,
-    "atanh": _atanh,
-    "acsch": _inverted(_asinh),
-    "asech": _inverted(_acosh),
-    "acoth": _inverted(_atanh),
-    "atan": lambda read, u: read.arc(u, ONE),
-    "asin": _asin,
-    "acos": _acos,
-    "acot": _inverted(lambda read, u: read.arc(u, ONE)),
-    "asec": _inverted(_acos),
-    "acsc": _inverted(_asin),
-    "atan2": lambda read, y, x: read.arc(y, x),
-}
+    "exp": lambda read, u: read.exp(u), "log": _log, "sinh": _halved(-1), "cosh": _halved(1),
+    "tanh": _quotient(1), "coth": _quotient(-1), "sech": _under(1), "csch": _under(-1),
+    "asinh": _asinh, "acosh": _acosh, "atanh": _atanh,
+    "acsch": _inverted(_asinh), "asech": _inverted(_acosh), "acoth": _inverted(_atanh),
+    "atan2": lambda read, y, x: read.arc(y, x), "atan": lambda read, u: read.arc(u, ONE), "asin": _asin, "acos": _acos,
+    "acot": _inverted(lambda read, u: read.arc(u, ONE)), "asec": _inverted(_acos), "acsc": _inverted(_asin),
+}  # fmt: skip

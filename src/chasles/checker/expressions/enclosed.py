@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import reduce
+from itertools import combinations
 from math import lcm, prod
 from operator import truediv
 from typing import Any
@@ -19,12 +20,14 @@ from sympy.core.relational import Relational
 from chasles.checker.expressions.complexes import QUOTIENTS
 from chasles.checker.expressions.defined_functions import BOUNDED, gamma_at, is_entire, remainder
 from chasles.checker.expressions.intervals import Enclosing, Enclosure, Unbounded
-from chasles.checker.expressions.remainders import Floor
+from chasles.checker.expressions.remainders import Floor, is_integral
 from chasles.checker.sparse import Rejected
 
 BITS = 200
 MOST_BITS = 20_000
 LARGEST_EXPONENT = 10_000
+Sign = Callable[[Any], int | None]
+"""The sign of an expression, where it is known."""
 HOLDING = {"==": (0,), "!=": (1, -1), ">": (1,), ">=": (0, 1), "<": (-1,), "<=": (0, -1)}
 
 
@@ -70,13 +73,6 @@ class EnclosedValues:
         except ZeroDivisionError:
             raise Rejected(f"{e} has no value at the point") from None
 
-    def holds(self, condition: Any) -> bool:
-        """Whether a condition holds; raises `Rejected` where that is not clear."""
-        found = truth(condition, self.sign)
-        if found is None:
-            raise Rejected(f"{condition} is no condition that the checker reads")
-        return found
-
     def power(self, e: Any) -> Enclosure:
         """A power: of a root if the exponent is rational, else by the logarithm; one over a pole is zero."""
         exponent = e.exp.xreplace(dict(self.point))
@@ -90,12 +86,38 @@ class EnclosedValues:
         return self.at.power(base if exponent.q == 1 else self.at.root(base, int(exponent.q)), int(exponent.p))
 
 
-def truth(condition: Any, sign_of: Callable[[Any], int | None]) -> bool | None:
+def truth(condition: Any, sign_of: Sign) -> bool | None:
     """Whether a condition holds, as far as the signs of differences say."""
     signs = {relation: sign_of(relation.lhs - relation.rhs) for relation in condition.atoms(Relational)}
     known = {r: sympy.sympify(sign in HOLDING[r.rel_op]) for r, sign in signs.items() if sign is not None}
     found = condition.xreplace(known)
     return bool(found) if found in (sympy.true, sympy.false) else None
+
+
+def written(part: Any, sign_of: Sign) -> Any:
+    """What a part is that changes its form; None where that takes a sign that is not known."""
+    if isinstance(part, sympy.Piecewise):
+        for value, condition in part.args:
+            holds = truth(condition, sign_of)
+            if holds is None or holds:
+                return value if holds else None
+        return sympy.nan
+    if isinstance(part, sympy.Max | sympy.Min):
+        for one, other in combinations(sorted(part.args, key=str), 2):
+            sign = sign_of(one - other)
+            if sign is not None:
+                first = sign >= 0 if isinstance(part, sympy.Max) else sign <= 0
+                least = other if first else one
+                return part.func(*(e for e in part.args if e != least))
+        return None
+    sign = sign_of(part.args[0])
+    if sign is None:
+        return None
+    if isinstance(part, sympy.Abs):
+        return sign * part.args[0]
+    if isinstance(part, sympy.sign):
+        return sympy.Integer(sign)
+    return sympy.Integer(max(sign, 0)) if sign else part.args[1]
 
 
 def _larger(one: Enclosure, other: Enclosure) -> Enclosure:
@@ -121,7 +143,7 @@ def _floor(of: EnclosedValues, e: Any) -> Enclosure:
 
 def _bounded(of: EnclosedValues, e: Any) -> Enclosure:
     """No more than that it is bounded, where its arguments have values."""
-    if e.args[:-1] and not e.args[0].is_integer:
+    if e.args[:-1] and not is_integral(e.args[0]):
         raise Rejected(f"{e} is not known to be real")
     of(e.args[-1])
     return Enclosure(-BOUNDED[e.func] * of.at.one, BOUNDED[e.func] * of.at.one)
@@ -140,27 +162,19 @@ def _direction(of: EnclosedValues, e: Any) -> Enclosure:
 
 ENCLOSED: dict[type, Callable[[EnclosedValues, Any], Enclosure]] = {
     sympy.Rational: lambda of, e: of.at.number(Fraction(int(e.p), int(e.q))),
-    type(sympy.pi): lambda of, _: of.at.pi,
-    sympy.Add: lambda of, e: reduce(Enclosure.__add__, map(of, e.args)),
-    sympy.Mul: lambda of, e: reduce(of.at.times, map(of, e.args)),
-    sympy.Pow: EnclosedValues.power,
+    type(sympy.pi): lambda of, _: of.at.pi, type(sympy.E): lambda of, _: of.at.exp(of.at.number(1)),
+    sympy.Add: lambda of, e: reduce(Enclosure.__add__, map(of, e.args)), sympy.Pow: EnclosedValues.power,
+    sympy.Mul: lambda of, e: reduce(of.at.times, map(of, e.args)), sympy.atan2: _direction,
     sympy.Abs: lambda of, e: _larger(of(e.args[0]), -of(e.args[0])),
-    sympy.sign: lambda of, e: of.at.number(of.sign(e.args[0])),
-    sympy.Heaviside: lambda of, e: of.at.number(int(s > 0)) if (s := of.sign(e.args[0])) else of(e.args[1]),
-    **dict.fromkeys((Floor, sympy.floor), _floor),
-    sympy.Mod: lambda of, e: of(remainder(e)),
-    sympy.gamma: lambda of, e: of(gamma_at(of.exactly(e.args[0]))),
-    **dict.fromkeys(BOUNDED, _bounded),
+    **dict.fromkeys((sympy.Piecewise, sympy.sign, sympy.Heaviside), lambda of, e: of(written(e, of.sign))),
+    **dict.fromkeys((Floor, sympy.floor), _floor), **dict.fromkeys(BOUNDED, _bounded),
+    sympy.Mod: lambda of, e: of(remainder(e)), sympy.gamma: lambda of, e: of(gamma_at(of.exactly(e.args[0]))),
     sympy.Max: lambda of, e: reduce(_larger, map(of, e.args)),
     sympy.Min: lambda of, e: -reduce(_larger, (-of(part) for part in e.args)),
-    sympy.Piecewise: lambda of, e: of(next((value for value, condition in e.args if of.holds(condition)), sympy.nan)),
     sympy.cos: lambda of, e: of.at.cosine_and_sine(of(e.args[0]))[0],
     sympy.sin: lambda of, e: of.at.cosine_and_sine(of(e.args[0]))[1],
-    sympy.exp: lambda of, e: of.at.exp(of(e.args[0])),
+    sympy.exp: lambda of, e: of.at.exp(of(e.args[0])), sympy.atan: lambda of, e: of.at.atan(of(e.args[0])),
     sympy.log: lambda of, e: of(reduce(truediv, map(sympy.log, e.args))) if e.args[1:] else of.at.log(of(e.args[0])),
-    sympy.atan: lambda of, e: of.at.atan(of(e.args[0])),
-    sympy.atan2: _direction,
-    type(sympy.E): lambda of, _: of.at.exp(of.at.number(1)),
     **{function: _rewritten(rule) for function, rule in {
         **QUOTIENTS,
         sympy.sinh: lambda x: (sympy.exp(x) - sympy.exp(-x)) / 2,

@@ -12,10 +12,12 @@ from typing import Any
 
 import sympy
 
-from chasles.checker.expressions.defined_functions import VALUED, Recurrences, assumed_of, defined_by, is_entire
+from chasles.checker.expressions.defined_functions import VALUED, Recurrences, defined_by, is_entire
 from chasles.checker.expressions.enclosed import sign_of_number
 from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.expressions.readings import CIRCULAR
+from chasles.checker.expressions.remainders import MOST_PARTS
+from chasles.checker.expressions.visible import assumed_of
 from chasles.checker.sparse import Rejected
 
 
@@ -26,6 +28,8 @@ class Generalised:
     """
 
     def __init__(self, expressions: Sequence[Any], parts: int, taken: set[str]) -> None:
+        if parts > MOST_PARTS:
+            raise Rejected(f"half a turn is divided into {parts} parts, more than {MOST_PARTS}")
         self.parts, self.taken = parts, taken
         self.symbols: dict[Any, Any] = {}
         self.roots: list[tuple[Any, Any]] = []

@@ -36,15 +36,11 @@ class KnownRoots(SignedReading):
 
     def state_word(self, name: str, square: Polynomial, visible: bool) -> None:
         """A new variable is the root of what has to be not negative, where that is not `visible`."""
-        place = self.named(name, square)
-        self.words.add(place)
-        if square.places <= self.numeric:
-            self.numeric.add(place)
-        elif not visible:
-            self.domains.append(square)
-            self.know(square)
+        root = self._new_root(square, name)
+        if not visible:
+            self.require_nonnegative(square)
         scale, key = _key(square)
-        self._roots.setdefault(key, (scale, variable(place)))
+        self._roots.setdefault(key, (scale, root))
 
     def state_root(self, square: Polynomial, factors: Sequence[Polynomial]) -> None:
         """The root of a polynomial: factors that are not negative, and whose product squared it is."""
@@ -134,9 +130,9 @@ class KnownRoots(SignedReading):
             raise Rejected(f"the certificate does not say what the root of {square} is")
         return total * number(isqrt(rest))
 
-    def _new_root(self, square: Polynomial) -> Polynomial:
-        """The root of what is not negative, and of which the certificate does not speak."""
-        place = self.fresh("root", square)
+    def _new_root(self, square: Polynomial, name: str = "") -> Polynomial:
+        """The root of what is not negative; it has no name where the certificate does not speak of it."""
+        place = self.named(name, square) if name else self.fresh("root", square)
         self.words.add(place)
         if square.places <= self.numeric:
             self.numeric.add(place)

@@ -120,7 +120,10 @@ def _follows(point: AtPoint, fact: Polynomial, others: list[Polynomial], time: A
             slope, own = other.partials()[place], fact.partials().get(place)
             number_of = constant(slope)
             if own is not None and number_of is not None:
-                fact = read.normal(_put(fact, place, variable(place) - other * number(1 / number_of)))
+                factors = {k: variable(k) for k in fact.places}
+                factors[place] = variable(place) - other * number(1 / number_of)
+                terms = (product(factors, m) * number(Fraction(c, fact.below)) for m, c in fact.terms.items())
+                fact = read.normal(reduce(add, terms, ZERO))
                 break
             linear = own is not None and place not in slope.places | own.places
             if own is not None and linear and point.sign(point.value_of(slope)):
@@ -128,13 +131,6 @@ def _follows(point: AtPoint, fact: Polynomial, others: list[Polynomial], time: A
                 break
     changing = (read.atoms[place] for place in _spoken_of(read, fact))
     return read.vanishes(fact) or not any(e.has(time) for e in changing)
-
-
-def _put(polynomial: Polynomial, place: int, value: Polynomial) -> Polynomial:
-    """The polynomial with a value in the place of a variable."""
-    factors = {k: variable(k) for k in polynomial.places} | {place: value}
-    terms = (product(factors, m) * number(Fraction(c, polynomial.below)) for m, c in polynomial.terms.items())
-    return reduce(add, terms, ZERO)
 
 
 def _is_determinant(read: Expressions, fact: Polynomial, moving: list[GivenEquation]) -> bool:

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from functools import reduce
-from math import gcd
 from operator import mul
 
 from chasles.checker.expressions.algebra import constant, primitive
 from chasles.checker.expressions.asked import Asked
 from chasles.checker.expressions.factoring import Terms, quotient
 from chasles.checker.expressions.reading_of_proof import Proven
-from chasles.checker.expressions.signs import is_nonnegative, is_positive
+from chasles.checker.expressions.signs import is_nonnegative, is_positive, may_vanish
 from chasles.checker.expressions.spoken import Spoken
 from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, variable
 
@@ -68,14 +67,7 @@ def _is_evident(reading: Proven, place: int) -> bool:
     base = reading.inverses[place]
     if reading.is_number(base):
         return bool(reading.sign(base))
-    return is_positive(reading, base) or is_positive(reading, -base) or _leaves_remainder(reading, base)
-
-
-def _leaves_remainder(reading: Proven, base: Polynomial) -> bool:
-    """Whether a multiple of something is an integer that leaves a remainder, as an odd one does."""
-    divisor = gcd(*(c for monomial, c in base.terms.items() if monomial))
-    integral = (place in reading.atoms and reading.atoms[place].is_integer for place in base.places)
-    return divisor > 0 and base.terms.get(0, 0) % divisor != 0 and all(integral)
+    return not may_vanish(reading, base)
 
 
 def _is_excluded(reading: Proven, place: int, said: list[_SaidNeed]) -> bool:
@@ -91,7 +83,7 @@ def _is_excluded(reading: Proven, place: int, said: list[_SaidNeed]) -> bool:
                 rest = left
         if any(quotient(polynomial, rest) is not None for polynomial in (ONE, *polynomials)):
             return True
-        if rest is not product and (is_positive(reading, rest) or is_positive(reading, -rest)):
+        if rest is not product and not may_vanish(reading, rest):
             return True
     return False
 

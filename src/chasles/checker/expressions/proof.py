@@ -17,7 +17,7 @@ from chasles.checker.expressions.facts import Facts
 from chasles.checker.expressions.given import require_given
 from chasles.checker.expressions.needs import require_needs
 from chasles.checker.expressions.reading_of_proof import Proven
-from chasles.checker.expressions.signs import is_positive
+from chasles.checker.expressions.signs import may_vanish
 from chasles.checker.expressions.spoken import Spoken
 from chasles.checker.expressions.widened import check_widened
 from chasles.checker.sparse import ONE, Polynomial, Rejected, number, parsed, variable, well_formed
@@ -139,7 +139,7 @@ def _follows(certificate: Data, reading: Proven, facts: Facts, claim: Polynomial
             raise Rejected(f"entry {label} is multiplied by a power {power!r}")
         if place is not None:
             powers[place] = powers.get(place, 0) + power
-        elif not (is_positive(reading, divisor) or is_positive(reading, -divisor)):
+        elif may_vanish(reading, divisor):
             raise Rejected(f"entry {label} is multiplied by what the question does not divide by, and may vanish")
         for _ in range(power):
             factor = factor * (divisor if place is None else number(primitive(divisor)[0]))

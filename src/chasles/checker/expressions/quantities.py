@@ -12,7 +12,7 @@ from sympy.matrices.expressions.matexpr import MatrixElement
 
 from chasles.checker.sparse import Rejected
 
-COMPARING = (sympy.Piecewise, Relational, sympy.sign, sympy.Heaviside)
+COMPARING = (sympy.Piecewise, Relational, sympy.sign, sympy.Heaviside, sympy.atan2, sympy.arg)
 
 
 def is_atom(e: Any) -> bool:

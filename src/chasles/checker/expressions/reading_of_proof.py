@@ -20,7 +20,6 @@ from chasles.checker.expressions.given import eliminate_angle
 from chasles.checker.expressions.known_roots import KnownRoots
 from chasles.checker.expressions.quantities import atoms_of
 from chasles.checker.expressions.rates import MOST_RATES
-from chasles.checker.expressions.signs import is_nonnegative
 from chasles.checker.expressions.spoken import Spoken
 from chasles.checker.sparse import ONE, Polynomial, Rejected, exponents, packed, parsed, variable
 
@@ -163,7 +162,7 @@ class Proven(KnownRoots):
         if kind not in ("sqrt", "abs"):
             raise Rejected(f"{name} is said to be {kind!r} of something, neither a root nor an absolute value")
         square = self.normal(inside if kind == "sqrt" else inside * inside)
-        self.state_word(name, square, kind == "abs" or is_nonnegative(self, square))
+        self.state_word(name, square, kind == "abs")
 
     def _state_root(self, text: str, texts: list[str]) -> None:
         self.state_root(parsed(text, self.places), [parsed(factor, self.places) for factor in texts])

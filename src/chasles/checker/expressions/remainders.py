@@ -9,6 +9,9 @@ import sympy
 from chasles.checker.expressions.quantities import rebuilt
 from chasles.checker.expressions.readings import CIRCULAR
 
+MOST_PARTS = 90
+"""Half a turn is divided into at most so many parts, and integers are by no larger number."""
+
 
 class Floor(sympy.Function):  # type: ignore[misc]
     """The greatest integer; SymPy's own (1.14) takes a sixth of an even number, or of 2 (k + 1), for an integer."""
@@ -52,3 +55,8 @@ def is_whole(term: Any) -> bool:
         for base, n in rest.as_powers_dict().items()
     )
     return bool(multiple.is_Integer) and (rest == 1 or all(factors))
+
+
+def is_integral(e: Any) -> bool:
+    """Whether an expression is a sum of integral multiples of products of integers."""
+    return all(map(is_whole, sympy.Add.make_args(sympy.expand(e))))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from fractions import Fraction
 from itertools import chain, islice
+from math import gcd
 
 from chasles.checker.expressions.algebra import primitive
 from chasles.checker.expressions.factoring import Terms, divides
@@ -55,6 +56,15 @@ def is_nonnegative(reading: SignedReading, polynomial: Polynomial) -> bool:
 def is_positive(reading: SignedReading, polynomial: Polynomial) -> bool:
     """Whether a polynomial is visibly positive."""
     return _strictly(reading, polynomial) is True
+
+
+def may_vanish(reading: SignedReading, polynomial: Polynomial) -> bool:
+    """Whether it is not seen to have one sign, nor to be by an integer no multiple of another, as an odd one is."""
+    divisor = gcd(*(c for monomial, c in polynomial.terms.items() if monomial))
+    integral = (place in reading.atoms and reading.atoms[place].is_integer for place in polynomial.places)
+    if divisor and polynomial.terms.get(0, 0) % divisor and all(integral):
+        return False
+    return not (is_positive(reading, polynomial) or is_positive(reading, -polynomial))
 
 
 def _strictly(

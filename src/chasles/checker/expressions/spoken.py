@@ -51,12 +51,10 @@ class Spoken:
                 return self.reading.root(self._read(radicand))
             case ast.Call(ast.Name("Abs"), [value], []):
                 return self.reading.absolute(self._read(value))
-            case ast.Call(ast.Name("cos" | "sin" as function), [angle], []):
-                return self.reading.direction(self._read(angle))[function == "sin"]
-            case ast.Call(ast.Name("tan" | "cot" | "sec" | "csc" as function), [angle], []):
+            case ast.Call(ast.Name("cos" | "sin" | "tan" | "cot" | "sec" | "csc" as function), [angle], []):
                 above, below = CIRCULAR[getattr(sympy, function)]
-                of = dict(zip(("cos", "sin"), self.reading.direction(self._read(angle)), strict=True))
-                return of.get(above, ONE) * self.reading.inverse(of[below])
+                of = dict(zip(("", "cos", "sin"), (ONE, *self.reading.direction(self._read(angle))), strict=True))
+                return of[above] * (self.reading.inverse(of[below]) if below else ONE)
             case ast.Call(ast.Name(function), arguments, []) if function in FUNCTIONS:
                 return FUNCTIONS[function](self.reading, *map(self._read, arguments))
             case ast.Name("E"):

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 import sympy
 
 from chasles.checker.expressions.intervals import Enclosing
+from chasles.checker.expressions.reals import LARGEST_PART
 from chasles.checker.sparse import Polynomial, Rejected, number
 
 if TYPE_CHECKING:
     from chasles.checker.expressions.expressions import Expressions
 
-LARGEST_PART = 60
 DIGITS = 64
 
 

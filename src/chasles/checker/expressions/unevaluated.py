@@ -13,6 +13,7 @@ from sympy.matrices import MatrixBase, MatrixExpr
 from sympy.matrices.expressions.matexpr import MatrixElement
 
 from chasles.checker.expressions.quantities import COMPARING, with_values
+from chasles.checker.expressions.remainders import is_integral
 from chasles.checker.sparse import Rejected
 
 MOST_TERMS = 1000
@@ -88,8 +89,8 @@ def summed(e: Any) -> Any:
             put = with_values if term.has(*COMPARING) else sympy.Basic.subs
             values = [put(term, {index: low + k}) for k in range(int(size))]
             term = sympy.Add(*values) if isinstance(e, sympy.Sum) else sympy.Mul(*values)
-        elif isinstance(e, sympy.Sum) and size.xreplace(outer).is_integer:
-            number = sympy.Dummy(integer=low.xreplace(outer).is_integer)
+        elif isinstance(e, sympy.Sum) and is_integral(size.xreplace(outer)):
+            number = sympy.Dummy(integer=is_integral(low.xreplace(outer)) or None)
             inside = term.subs(outer | {index: number}).replace(sympy.Sum, lambda *args: summed(sympy.Sum(*args)))
             before = _before(e, inside, number).xreplace({value: known for known, value in outer.items()})
             term = sympy.expand(before.xreplace({number: high + 1}) - before.xreplace({number: low}))
@@ -104,7 +105,7 @@ def _integers(limits: Any) -> dict[Any, Any]:
     """The indices, those that start from an integer as integers."""
     known: dict[Any, Any] = {}
     for index, low, _ in reversed(limits):
-        known[index] = sympy.Dummy(integer=low.xreplace(known).is_integer)
+        known[index] = sympy.Dummy(integer=is_integral(low.xreplace(known)) or None)
     return known
 
 

@@ -6,6 +6,7 @@ question, what stands in the arguments of cosines and sines is a symbol, and so 
 
 from __future__ import annotations
 
+import ast
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
@@ -21,7 +22,7 @@ from sympy.core.function import AppliedUndef
 from chasles.checker.expressions.assumptions import NUMBERS, SIGNS
 from chasles.checker.expressions.cases import CheckedCase
 from chasles.checker.expressions.complexes import Parts
-from chasles.checker.expressions.enclosed import HOLDING, EnclosedValues, vanishes
+from chasles.checker.expressions.enclosed import BITS, HOLDING, LARGEST_EXPONENT, EnclosedValues, vanishes
 from chasles.checker.expressions.generalised import Generalised
 from chasles.checker.expressions.intervals import Enclosure
 from chasles.checker.expressions.needs import RELATIONS
@@ -221,9 +222,17 @@ def put(e: Any, atom: Any, value: Any) -> Any:
 
 def plain_expression(text: str, names: Mapping[str, Any]) -> Any:
     """The expression that a text says in these names; raises `Rejected` for a text that says anything else."""
-    if not PLAIN.fullmatch(text) or "__" in text:
+    if not PLAIN.fullmatch(text) or "__" in text or _highest(ast.parse(text.strip(), mode="eval")) > LARGEST_EXPONENT:
         raise Rejected(f"{text!r} is no plain expression")
     return sympy.sympify(text, locals={"floor": Floor, **names})
+
+
+def _highest(node: ast.AST) -> int:
+    """A bound of the power to which something is raised: (x**2)**3 is a sixth power."""
+    if not isinstance(node, ast.BinOp) or not isinstance(node.op, ast.Pow):
+        return max(map(_highest, ast.iter_child_nodes(node)), default=1)
+    numbers = (int(part.value) for part in ast.walk(node.right) if isinstance(part, ast.Constant))  # type: ignore[arg-type]
+    return int(_highest(node.left) * max(numbers, default=1) ** min(_highest(node.right), BITS))
 
 
 def _require_witness(verdict: Any, case: CheckedCase) -> None:

@@ -1,0 +1,93 @@
+"""The signs that an expression is seen to have, whatever its symbols are; what is seen of values of functions.
+
+Of SymPy's assumptions those on symbols are believed, and none that it makes of what is composed of them: for SymPy
+(1.14) a third of an even number is not zero, a sixth is an integer, and atan(n) has a sign where n may be zero.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache, lru_cache
+from typing import Any
+
+import sympy
+
+from chasles.checker.expressions.assumptions import SIGNS
+from chasles.checker.expressions.complexes import OF_COMPLEX
+from chasles.checker.expressions.quantities import atoms_of, is_atom, require_real
+from chasles.checker.expressions.remainders import Floor
+from chasles.checker.expressions.signs import SignedReading, is_nonnegative, may_vanish
+from chasles.checker.sparse import Rejected, limited
+
+MOST_PRODUCTS = 10_000
+ALWAYS = {
+    sympy.exp: "positive", sympy.cosh: "positive", sympy.Abs: "nonnegative", Floor: "integer",
+    **dict.fromkeys((sympy.sin, sympy.cos, sympy.Max, sympy.Min), "real"),
+}  # fmt: skip
+"""What values at real arguments are."""
+INHERITED = {
+    Floor: ("nonnegative",), sympy.Abs: ("nonzero",), sympy.gamma: ("positive",),
+    **dict.fromkeys((sympy.sinh, sympy.tanh, sympy.asinh, sympy.atan, sympy.erf, sympy.log), tuple(SIGNS)),
+}  # fmt: skip
+"""And what they are where their arguments are so; a logarithm, where it is so of one less."""
+LEAST = {"composite": 4, "prime": 2, "positive": 1, "negative": 1, "nonnegative": 0, "nonpositive": 0}
+"""The least size of an integer of which this is so."""
+
+
+@lru_cache(maxsize=4096)
+def signs_of(e: Any) -> frozenset[int]:
+    """The signs that the values of an expression may have, where it has real ones."""
+    try:
+        with limited(MOST_PRODUCTS):  # what is remembered takes no part of the work that is left to others
+            return frozenset(_signs(SignedReading({}, {}), e))
+    except Rejected:
+        return frozenset((-1, 0, 1))
+
+
+def _signs(reading: SignedReading, e: Any) -> Iterator[int]:
+    for atom in atoms_of(e):
+        require_real(atom)
+    if e.has(*OF_COMPLEX):
+        raise Rejected(f"{e} is not seen to be real")
+    value = reading.normal(reading(_without_calls(e)))
+    if value and not is_nonnegative(reading, -value):
+        yield 1
+    if value and not is_nonnegative(reading, value):
+        yield -1
+    if may_vanish(reading, reading.cleared(value)[0]):
+        yield 0
+
+
+def assumed_of(e: Any) -> dict[str, bool]:
+    """What is known of the value of a function at real arguments, or of one over it."""
+    call = 1 / e if e.is_Pow else e
+    signs = signs_of(call.args[0] - int(isinstance(call, sympy.log)))
+    kinds = (kind for kind in INHERITED.get(call.func, ()) if signs <= {*SIGNS[kind]})
+    return dict.fromkeys((*kinds, *filter(None, [ALWAYS.get(call.func)])), True)
+
+
+def _without_calls(e: Any) -> Any:
+    """The expression with a symbol for each call, and integers by others that are not negative."""
+    if is_atom(e) or not e.args:
+        return _counted(e) if e.is_Symbol else e
+    if isinstance(e, sympy.Add | sympy.Mul) or (e.is_Pow and e.exp.is_Rational and not e.exp.q & (e.exp.q - 1)):
+        return e.func(*map(_without_calls, e.args))
+    if e.is_Pow:
+        signs = signs_of(e.base)
+        return sympy.Dummy(**{kind: True for kind in ("positive", "nonnegative") if signs <= {*SIGNS[kind]}})
+    if e.func not in ALWAYS | INHERITED or (isinstance(e, sympy.log | sympy.gamma) and signs_of(e.args[0]) != {1}):
+        return sympy.Dummy()
+    return sympy.Dummy(**{**assumed_of(e), "real": True})
+
+
+@cache
+def _counted(symbol: Any) -> Any:
+    """An integer as a multiple of another, which is not negative if its sign is known, and a number."""
+    if not symbol.is_integer:
+        return symbol
+    step, rest = 2 if symbol.is_even or symbol.is_odd else 1, int(bool(symbol.is_odd))
+    least = [n for kind, n in LEAST.items() if getattr(symbol, f"is_{kind}")]
+    if not least:
+        return step * sympy.Dummy(integer=True) + rest
+    number = step * sympy.Dummy(integer=True, nonnegative=True) + least[0] + (least[0] - rest) % step
+    return -number if symbol.is_nonpositive else number
