@@ -11,7 +11,7 @@ from rich.text import Text
 
 from chasles.coq.recorded import checked_by_coq
 from chasles.decisions.decision import HOW, Correction, Decision, key_of
-from chasles.report.equations import in_latex, in_words, signature_in_words, standing_in
+from chasles.report.equations import in_both, in_latex, in_words, signature_in_words
 from chasles.report.records import certificate_hash
 from chasles.report.words import point_in_words, said
 from chasles.statements import Entry, Inverse, Statement
@@ -101,7 +101,7 @@ def refuted(found: Counterexample) -> Lines:
 
 
 def _instead(statement: Statement, correction: Correction) -> Lines:
-    text, _ = standing_in(statement, correction.sides)
+    text, _ = in_both(correction.sides, statement.sign)
     how, verdict = HOW[correction.form], correction.verdict
     yield "instead", text
     yield "", ": ".join(filter(None, (f"{how}, it {_predicate(verdict)}", verdict.reason)))

@@ -38,10 +38,10 @@ def hypotheses_in_latex(book: Chapter) -> dict[str, str]:
     return {hypothesis.text: hypothesis.latex for entry in book for hypothesis in entry.statement.assuming}
 
 
-def standing_in(statement: Statement, sides: Equation) -> tuple[str, str]:
-    """What replaces a statement, in plain text and in LaTeX."""
+def in_both(sides: Equation, sign: str) -> tuple[str, str]:
+    """An equation in plain text and in LaTeX."""
     left, right = sides
-    return f"{plain(left)} = {plain(right)}", f"{latex(left)} {statement.sign} {latex(right)}"
+    return f"{plain(left)} = {plain(right)}", f"{latex(left)} {sign} {latex(right)}"
 
 
 def signature_in_words(entry: Entry) -> str | None:

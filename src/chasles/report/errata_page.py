@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from chasles.decisions.session import Decision
 from chasles.report.by_hand import Refutation, refutations
 from chasles.report.details import number_in_words
-from chasles.report.equations import in_latex, in_words
+from chasles.report.equations import in_both, in_latex, in_words
 from chasles.report.findings import (
     SLIPS,
     DecisionsByName,
@@ -19,11 +19,10 @@ from chasles.report.findings import (
     slips_in_words,
 )
 from chasles.report.markdown import code, displayed, escaped
-from chasles.report.words import point_in_words, said
+from chasles.report.words import point_in_words
 from chasles.statements import Chapter, Entry, Statement
 from chasles.statements.elsewhere import chapter_of, cited
 from chasles.verdict import IllFormed
-from chasles.vocabulary import latex, plain
 
 ABOUT = """\
 # Errata
@@ -59,15 +58,15 @@ def _slip(entry: Entry, decision: Decision) -> Iterator[str]:
     yield ""
     yield "Printed:"
     yield ""
-    for formula, words in zip(in_latex(entry.statement), in_words(entry.statement), strict=True):
-        yield from _equation(formula, words)
+    for words, formula in zip(in_words(entry.statement), in_latex(entry.statement), strict=True):
+        yield from _equation(words, formula)
     yield from _why(decision)
     found = replacements(entry, decision)
     if not found:
         yield from ("No correct form has been found.", "")
     for place, replacement in enumerate(found):
         yield from _instead(replacement, first=place == 0)
-    yield f"Probably {likely_slip(entry, decision)}."
+    yield likely_slip(entry, decision)
 
 
 def _why(decision: Decision) -> Iterator[str]:
@@ -79,10 +78,7 @@ def _why(decision: Decision) -> Iterator[str]:
         else:
             yield "With the marks that the scan may have lost, it reads" if refuted.form == "reading" else "Corrected:"
             yield ""
-            left, right = refuted.statement.printed
-            yield from _equation(
-                f"{latex(left)} {refuted.statement.sign} {latex(right)}", f"{plain(left)} = {plain(right)}"
-            )
+            yield from _equation(*in_both(refuted.statement.printed, refuted.statement.sign))
             yield "and fails:"
         yield ""
         yield from _by_hand(refuted, chapter_of(decision.statement))
@@ -110,38 +106,22 @@ def _definition(given: Statement, here: str) -> str:
     """The number of a definition; if the book does not number it, what it says."""
     if given.number[0].isdigit():
         return escaped(cited(given, here))
-    left, right = given.printed
-    return code(f"{plain(left)} = {plain(right)}")
+    return code(in_both(given.printed, given.sign)[0])
 
 
 def _instead(replacement: Replacement, *, first: bool) -> Iterator[str]:
     yield "Right is" if first else "or"
     yield ""
-    yield from _equation(
-        f"{latex(replacement.left)} {replacement.sign} {latex(replacement.right)}",
-        f"{plain(replacement.left)} = {plain(replacement.right)}",
-    )
-    yield f"which {_verdict(replacement)}. {_found(replacement)}"
+    yield from _equation(*in_both((replacement.left, replacement.right), replacement.sign))
+    freedom = f" {escaped(replacement.modulo)}." if replacement.modulo else ""
+    yield f"which {escaped(replacement.in_words)}. {replacement.who_found}{freedom}"
     if replacement.changes:
         yield ""
         yield from (f"- {escaped(change)}" for change in replacement.changes)
     yield ""
 
 
-def _verdict(replacement: Replacement) -> str:
-    words = said(replacement.verdict)
-    if replacement.by:
-        numbers = ", ".join(number_in_words(number) for number in replacement.by)
-        return escaped(f"is the definition with which {numbers} hold")
-    return escaped(words if words.startswith("holds") else f"is {words}")
-
-
-def _found(replacement: Replacement) -> str:
-    how = "The search for a repair found it." if replacement.found == "repair" else "It was declared, not found."
-    return f"{how} {escaped(replacement.modulo)}." if replacement.modulo else how
-
-
-def _equation(formula: str, words: str) -> Iterator[str]:
+def _equation(words: str, formula: str) -> Iterator[str]:
     yield displayed(formula)
     yield ""
     yield code(words)

@@ -7,10 +7,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from chasles.decisions.session import Decision
+from chasles.report.details import number_in_words
+from chasles.report.equations import in_both
 from chasles.report.lost_marks import lost_marks
+from chasles.report.words import said
 from chasles.statements import Chapter, Entry, Statement
 from chasles.verdict import Verdict
-from chasles.vocabulary import Node, latex
+from chasles.vocabulary import Node
 
 DecisionsByName = Mapping[str, Decision]
 """By the name of the statement."""
@@ -36,6 +39,19 @@ class Replacement:
     changes: tuple[str, ...] = ()
     modulo: str | None = None
     by: tuple[str, ...] = ()
+
+    @property
+    def in_words(self) -> str:
+        """Behind "which": it holds, under what, or it is the definition with which others hold."""
+        if self.by:
+            return f"is the definition with which {', '.join(map(number_in_words, self.by))} hold"
+        words = said(self.verdict)
+        return words if words.startswith("holds") else f"is {words}"
+
+    @property
+    def who_found(self) -> str:
+        """A sentence that says whether the search found it."""
+        return "The search for a repair found it." if self.found == "repair" else "It was declared, not found."
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,22 +122,17 @@ def _slip(entry: Entry, decision: Decision) -> str:
 
 
 def likely_slip(entry: Entry, decision: Decision) -> str:
-    """Whose slip it probably is, and which marks the scan has lost."""
+    """A sentence that says whose slip it probably is, and which marks the scan has lost."""
     statement, slip = entry.statement, _slip(entry, decision)
     if slip == "print":
-        return "a misprint"
+        return "Probably a misprint."
     assert isinstance(statement, Statement)
-    lost = lost_marks(*(_in_latex(statement, form) for form in ("printed", "reading")))
-    said = [f"has lost {_listed(lost.marks)}"] if lost.marks else []
-    said += [f"has {_listed(lost.letters)}"] if lost.letters else []
+    lost = lost_marks(*(in_both(statement.form(form), statement.sign)[1] for form in ("printed", "reading")))
+    has = [f"has lost {_listed(lost.marks)}"] if lost.marks else []
+    has += [f"has {_listed(lost.letters)}"] if lost.letters else []
     if slip == "scan":
-        return "a slip of the scan" + (f", which {' and '.join(said)}" if said else "")
-    return f"a slip of the scan, which {' and '.join(said) or 'has lost a mark'}, and a misprint"
-
-
-def _in_latex(statement: Statement, form: str) -> str:
-    left, right = statement.form(form)
-    return f"{latex(left)} {statement.sign} {latex(right)}"
+        return "Probably a slip of the scan" + (f", which {' and '.join(has)}." if has else ".")
+    return f"Probably a slip of the scan, which {' and '.join(has) or 'has lost a mark'}, and a misprint."
 
 
 def _listed(words: Sequence[str]) -> str:

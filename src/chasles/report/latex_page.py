@@ -10,7 +10,7 @@ from jinja2 import Environment
 
 from chasles.decisions.session import Decision
 from chasles.report.details import number_in_words, objections_to_print
-from chasles.report.equations import hypotheses_in_latex, in_latex
+from chasles.report.equations import hypotheses_in_latex, in_both, in_latex
 from chasles.report.findings import (
     DecisionsByName,
     Pairs,
@@ -24,7 +24,6 @@ from chasles.report.html.exercises import WorkedView
 from chasles.report.html.filling import environment
 from chasles.report.words import VERDICTS, counted
 from chasles.statements import Chapter, Entry
-from chasles.vocabulary import latex
 
 _SPECIAL = str.maketrans(
     {
@@ -117,19 +116,16 @@ def item_of(entry: Entry, decision: Decision, before: str, hypotheses: Mapping[s
         formulas=in_latex(entry.statement),
         why=tuple(escaped(f"{label}: {text}") for label, text in objections_to_print(decision)),
         instead=tuple(_instead(replacement, hypotheses, first=replacement is found[0]) for replacement in found),
-        slip=(escaped(f"Probably {likely_slip(entry, decision)}."),) if wrong else (),
+        slip=(escaped(likely_slip(entry, decision)),) if wrong else (),
     )
 
 
 def _instead(replacement: Replacement, hypotheses: Mapping[str, str], *, first: bool) -> Instead:
-    numbers: Sequence[str] = tuple(map(number_in_words, replacement.by))
     verdict = f"{VERDICTS[replacement.verdict.name][2]} {listed(replacement.verdict.needs, hypotheses)}".rstrip()
-    if numbers:
-        verdict = escaped(f"is the definition with which {', '.join(numbers)} hold")
     return Instead(
         "Right is" if first else "or",
-        f"{latex(replacement.left)} {replacement.sign} {latex(replacement.right)}",
-        verdict,
+        in_both((replacement.left, replacement.right), replacement.sign)[1],
+        escaped(replacement.in_words) if replacement.by else verdict,
         tuple(map(escaped, replacement.changes)),
     )
 

@@ -9,7 +9,7 @@ from typing import Any
 
 from chasles.coq.recorded import checked_by_coq
 from chasles.decisions.session import Decision
-from chasles.report.equations import in_latex, in_words, signature_in_words, standing_in
+from chasles.report.equations import in_both, in_latex, in_words, signature_in_words
 from chasles.statements import Entry, Statement
 from chasles.statements.elsewhere import chapter_of, other_chapter
 from chasles.verdict import Counterexample
@@ -98,7 +98,7 @@ def _counterexample(found: Counterexample | None) -> dict[str, Any] | None:
 def _corrected(decision: Decision) -> dict[str, Any] | None:
     if decision.correction is None or not isinstance(decision.statement, Statement):
         return None
-    text, latex = standing_in(decision.statement, decision.correction.sides)
+    text, latex = in_both(decision.correction.sides, decision.statement.sign)
     return {
         "latex": latex,
         "text": text,

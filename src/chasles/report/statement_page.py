@@ -22,7 +22,7 @@ from chasles.report.details import (
     rests_on,
 )
 from chasles.report.emission_records import recorded
-from chasles.report.equations import standing_in
+from chasles.report.equations import in_both
 from chasles.report.screen import Screen
 from chasles.report.words import labelled, said
 from chasles.statements import Entry, Statement
@@ -76,7 +76,7 @@ def _repairs(decision: Decision) -> tuple[Repair, ...]:
 
 def _repaired(entry: Entry, repair: Repair, latex: bool) -> Lines:
     assert isinstance(entry.statement, Statement)
-    text, formula = standing_in(entry.statement, (repair.left, repair.right))
+    text, formula = in_both((repair.left, repair.right), entry.statement.sign)
     yield "repair", text
     if latex:
         yield "LaTeX", formula
@@ -91,7 +91,7 @@ def _repaired(entry: Entry, repair: Repair, latex: bool) -> Lines:
 
 def _record(entry: Entry, repair: Repair) -> dict[str, Any]:
     assert isinstance(entry.statement, Statement)
-    text, formula = standing_in(entry.statement, (repair.left, repair.right))
+    text, formula = in_both((repair.left, repair.right), entry.statement.sign)
     return {
         "text": text,
         "latex": formula,

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from chasles.decisions.session import Decision, Session
 from chasles.report.details import number_in_words
+from chasles.report.equations import in_both
 from chasles.report.errata_page import errata_page
 from chasles.report.findings import (
     DecisionsByName,
@@ -21,7 +22,6 @@ from chasles.report.markdown import escaped, table
 from chasles.report.waiting import progress
 from chasles.report.words import VERDICTS, counted, number_of
 from chasles.statements import Chapter, Entry, Section
-from chasles.vocabulary import plain
 
 WORST_FIRST = (
     "undecided",
@@ -115,5 +115,5 @@ def _instead(found: tuple[Replacement, ...]) -> str:
     needs = ", ".join(first.verdict.needs)
     how = "found by repair" if first.found == "repair" else "declared: a gap of the search"
     others = f", with {len(found) - 1} more" if len(found) > 1 else ""
-    says = f"{plain(first.left)} = {plain(first.right)}"
+    says, _ = in_both((first.left, first.right), first.sign)
     return f"{escaped(says)} ({how}{others}{escaped(f'; under {needs}' if needs else '')})"

@@ -48,7 +48,7 @@ def part_of(book: Book, entry: Entry, decision: Decision, kernels: Sequence[Kern
         needs=tuple(map(book.condition, decision.needs)),
         why=tuple(_why(entry, decision)),
         instead=tuple(_repaired(book, entry, replacement) for replacement in found),
-        slip=(f"Probably {likely_slip(entry, decision)}.",) if wrong else (),
+        slip=(likely_slip(entry, decision),) if wrong else (),
         related=tuple(each for each in _related(book, entry, kernels) if each.links),
         facts=tuple(_facts(book, entry, decision)),
     )
@@ -143,12 +143,9 @@ def _repaired(book: Book, entry: Entry, replacement: Replacement) -> Repaired:
     after = equation_tree(replacement.left, replacement.right, replacement.sign)
     mark_differences(before, after)
     words = f"{plain(replacement.left)} = {plain(replacement.right)}"
-    found = escape(
-        "The search for a repair found it." if replacement.found == "repair" else "It was declared, not found."
-    )
     sides = (*entry.statement.printed, *_read(entry.statement), replacement.left, replacement.right)
     changes = tuple(with_formulas(change, sides) for change in replacement.changes)
-    return Repaired(Equation(markup(after), words), _stands(book, replacement), found, changes)
+    return Repaired(Equation(markup(after), words), _stands(book, replacement), replacement.who_found, changes)
 
 
 def _read(statement: Statement) -> Sides | tuple[()]:
