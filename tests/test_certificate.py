@@ -427,8 +427,10 @@ def test_contradictory_conditions_prove_nothing() -> None:
 def test_a_quotient_of_what_is_not_zero_can_be_divided_by() -> None:
     turned = claim("0.0", 1 / paren(m / x), x / m, positive(m), nonzero(x))
     check(turned, "printed", bare_certificate(m="3", x="1"))
-    with pytest.raises(Rejected, match="which nothing declares nonzero"):
-        check(claim("0.0", 1 / paren(m / x), x / m, nonzero(x)), "printed", bare_certificate(m="3", x="1"))
+    needs_what_it_divides_by = claim("0.0", 1 / paren(m / x), x / m, nonzero(x))
+    check(needs_what_it_divides_by, "printed", bare_certificate(m="3", x="1"))
+    with pytest.raises(Rejected, match=r"does not satisfy 2\.m!=0"):
+        check(needs_what_it_divides_by, "printed", bare_certificate(m="0", x="1"))
 
 
 def test_a_hypothesis_nobody_cites_is_satisfied_too() -> None:
@@ -443,7 +445,6 @@ def test_a_hypothesis_nobody_cites_is_satisfied_too() -> None:
     [
         ("3.13", claim("3.13", A.T @ A, normal_matrix + e @ e.T, unit(e), given=(rows, turn)), "does not follow"),
         ("3.13", claim("3.13", A.T @ A, normal_matrix, given=(rows,)), "which the statement does not assume"),
-        ("3.16", claim("3.16", inverse(A.T @ A), normal_inverse, unit(e), given=(rows, turn)), "divides by"),
         ("3.76b", claim("3.76b", rate(Q), CPM(omega) @ Q.T, unit(e), given=(turn_back, spin)), "does not follow"),
         (
             "3.18",
@@ -457,7 +458,6 @@ def test_a_hypothesis_nobody_cites_is_satisfied_too() -> None:
             "which the statement does not assume",
         ),
         ("rotation", claim("", R @ CPM(a) @ R.T, CPM(R @ a), symmetric(R)), "which the statement does not assume"),
-        ("3.57", claim("3.57", BY_NAME["3.57"].left, BY_NAME["3.57"].right), "which nothing declares nonzero"),
         ("norms", claim("norms", norm(a - b) + norm(b + a), 2 * norm(b - a)), "does not follow"),
         ("arguments", claim("", a, a), "no value is given for a_1, a_2, a_3"),
         ("free vectors", Definition("", d_A, a), "nothing to prove"),

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from chasles.statements.evident import factors_of
 from chasles.statements.statement import bare
-from chasles.vocabulary import Group, Negative, Node, Number, Power, Quotient, Scale, Symbol, children
+from chasles.vocabulary import Node, Quotient, Symbol, children
 from chasles.vocabulary.shorthand import opened
 
 
@@ -24,17 +25,4 @@ def divisors_of(node: Node, rules: Mapping[Node, Node], seen: dict[Node, None] |
         for part in children(node):
             yield from divisors_of(part, rules, seen)
     if isinstance(node, Quotient):
-        yield from _factors(node.denominator)
-
-
-def _factors(divisor: Node) -> Iterator[Node]:
-    match divisor:
-        case Number():
-            return
-        case Group(inner) | Negative(inner) | Power(inner, _):
-            yield from _factors(inner)
-        case Scale(factor, term):
-            yield from _factors(factor)
-            yield from _factors(term)
-        case _:
-            yield divisor
+        yield from factors_of(node.denominator)

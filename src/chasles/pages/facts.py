@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 
 from chasles.statements import Hypothesis, definite, nonzero, positive, rotation, symmetric, unit
-from chasles.vocabulary import Dot, Group, Misfit, Negative, Node, Norm, Number, Power, Quotient, Scale, Symbol, walk
+from chasles.statements.evident import factors_of
+from chasles.statements.varied import opened_parts
+from chasles.vocabulary import Misfit, Node, Quotient, Symbol
 
 HYPOTHESES: dict[str, Callable[[Node], Hypothesis]] = {
     "unit quaternion": unit,
@@ -40,35 +42,8 @@ def divisors(sides: Iterable[Node]) -> tuple[Hypothesis, ...]:
     found = dict.fromkeys(
         factor
         for side in sides
-        for part in _opened(side)
+        for part in opened_parts(side)
         if isinstance(part, Quotient)
-        for factor in _factors(part.denominator)
+        for factor in factors_of(part.denominator)
     )
     return tuple(map(nonzero, found))
-
-
-def _opened(node: Node) -> Iterator[Node]:
-    for part in walk(node):
-        yield part
-        if isinstance(part, Symbol) and part.stands_for is not None:
-            yield from _opened(part.stands_for)
-
-
-def _factors(node: Node) -> Iterator[Node]:
-    """The factors on whose vanishing it depends whether the divisor vanishes; a constant is none."""
-    match node:
-        case Group(of):
-            yield from _factors(of)
-        case Negative(of):
-            yield from _factors(of)
-        case Power(base, _) if base.is_scalar:
-            yield from _factors(base)
-        case Scale(factor, term) | Dot(factor, term) if factor.is_scalar and term.is_scalar:
-            yield from _factors(factor)
-            yield from _factors(term)
-        case Quotient(numerator, _):
-            yield from _factors(numerator)
-        case Number():
-            return
-        case Norm() | Node():
-            yield node

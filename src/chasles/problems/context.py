@@ -157,6 +157,8 @@ def _declare_nonzero(
             except UndeclaredDivisor:
                 postponed.append((hypothesis, node))
                 continue
+            if hypothesis.free and unfold.divisors.admit(node):
+                continue
             if numerator == 0:
                 raise Vanishing(hypothesis)
             unfold.field.nonzero.append(numerator)

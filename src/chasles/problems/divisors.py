@@ -47,7 +47,7 @@ class Divisors:
             case Quotient(above, below):
                 (a, one), (b, other) = self(above), self(below)
                 return a / b, joined(one, tuple(-power for power in other))
-            case Power(Norm(of), exponent) if exponent % 2 == 0 and not self._is_atom(Norm(of)):
+            case Power(Norm(of), exponent) if exponent % 2 == 0 and not self.admit(Norm(of)):
                 constant, exponents = self._atom(Power(Norm(of), 2))
                 return constant ** (exponent // 2), tuple(e * (exponent // 2) for e in exponents)
             case Power(base, exponent):
@@ -77,9 +77,10 @@ class Divisors:
             return terms[0][1], below
         raise UndeclaredDivisor(node)
 
-    def _is_atom(self, node: Node) -> bool:
+    def admit(self, node: Node) -> bool:
+        """Whether it may be divided by."""
         try:
-            self._atom(node)
+            self(node)
         except UndeclaredDivisor:
             return False
         return True

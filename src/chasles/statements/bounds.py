@@ -1,16 +1,18 @@
-"""Between which numbers scalars lie, by what inequalities assume of symbols: intervals with rational ends."""
+"""Between which numbers scalars lie, whatever symbols stand for: intervals with rational ends."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from dataclasses import replace as with_fields
 from fractions import Fraction
 from functools import reduce
 from operator import add, mul
 
 from chasles import vocabulary as w
-from chasles.statements.hypotheses import Hypothesis
+from chasles.statements.hypotheses import Hypothesis, nonzero
 from chasles.vocabulary import Node
+from chasles.vocabulary.parts import with_entries
 
 ZERO = Fraction(0)
 
@@ -88,67 +90,47 @@ class RealInterval:
 POSITIVE, NOT_NEGATIVE = RealInterval(ZERO, None, True), RealInterval(ZERO)
 
 
-class AssumedBounds:
-    """Between which numbers scalars lie, by what is assumed of symbols."""
+def seen_not_to_vanish(divisor: Node, rules: Mapping[Node, Node]) -> Hypothesis:
+    """That a scalar is not zero: "evident" where it is positive or negative whatever symbols stand for, else a need."""
+    interval, said = bounds_of(divisor, rules), nonzero(with_entries(divisor))
+    evident = interval.is_positive or (-interval).is_positive
+    return with_fields(said, kind="evident") if evident else with_fields(said, free=True)
 
-    def __init__(self, hypotheses: Iterable[Hypothesis], rules: Mapping[Node, Node]) -> None:
-        self.rules = rules
-        self.assumed: dict[Node, RealInterval] = {}
-        for hypothesis in hypotheses:
-            match hypothesis.kind, hypothesis.subjects:
-                case "positive", (symbol,):
-                    self._assume(symbol, POSITIVE)
-                case "inequality", (difference, _):
-                    self._assume(difference, POSITIVE if hypothesis.nonvanishing else NOT_NEGATIVE)
 
-    def _assume(self, difference: Node, interval: RealInterval) -> None:
-        """What a bound of a symbol, or of a symbol and a number, says of the symbol."""
-        match difference:
-            case w.Group(of):
-                self._assume(of, interval)
-            case w.Negative(of):
-                self._assume(of, -interval)
-            case w.Sum((one, other)) if not w.symbols_of(one) or not w.symbols_of(other):
-                symbol, number = (other, one) if w.symbols_of(other) else (one, other)
-                self._assume(symbol, interval + -self(number))
-            case _:
-                self.assumed[difference] = interval.within(self.assumed.get(difference, RealInterval()))
+def bounds_of(node: Node, rules: Mapping[Node, Node]) -> RealInterval:
+    """Between which numbers a scalar lies, whatever symbols stand for."""
 
-    def exclude_zero(self, node: Node) -> bool:
-        """Whether a scalar is seen to be positive, or negative."""
-        interval = self(node)
-        return interval.is_positive or (-interval).is_positive
+    def inside(part: Node) -> RealInterval:
+        return bounds_of(part, rules)
 
-    def __call__(self, node: Node) -> RealInterval:
-        return self._of(node).within(self.assumed.get(node, RealInterval()))
-
-    def _of(self, node: Node) -> RealInterval:
-        match node:
-            case w.Symbol() if node in self.rules:
-                return self(self.rules[node])
-            case w.Symbol(stands_for=w.Node() as of) | w.Group(of):
-                return self(of)
-            case w.Number(value):
-                return RealInterval(value, value)
-            case w.Negative(of):
-                return -self(of)
-            case w.Sum(terms):
-                return reduce(add, map(self, terms))
-            case w.Scale(one, other) if one == other and one.is_scalar:
-                return self(one).power(2)
-            case w.Scale(one, other) if other.is_scalar:
-                return self(one) * self(other)
-            case w.Quotient(above, below) if above.is_scalar and self(below).is_positive:
-                return self(above) * POSITIVE
-            case w.Power(base, int(exponent)) if base.is_scalar:
-                return self(base).power(exponent)
-            case w.Dot(one, other) | w.Contract((w.Transpose(one), other)) if one == other and one.shape[1] == 1:
-                return NOT_NEGATIVE
-            case w.Norm():
-                return NOT_NEGATIVE
-            case w.Integral(w.Number(value)) if value > 0:
-                return POSITIVE
-            case w.Call():
-                return RealInterval(Fraction(-1), Fraction(1))
-            case _:
-                return RealInterval()
+    match node:
+        case w.PI:
+            return POSITIVE
+        case w.Symbol() if node in rules:
+            return inside(rules[node])
+        case w.Symbol(stands_for=w.Node() as of) | w.Group(of):
+            return inside(of)
+        case w.Number(value):
+            return RealInterval(value, value)
+        case w.Negative(of):
+            return -inside(of)
+        case w.Sum(terms):
+            return reduce(add, map(inside, terms))
+        case w.Scale(one, other) if one == other and one.is_scalar:
+            return inside(one).power(2)
+        case w.Scale(one, other) if other.is_scalar:
+            return inside(one) * inside(other)
+        case w.Quotient(above, below) if above.is_scalar and inside(below).is_positive:
+            return inside(above) * POSITIVE
+        case w.Power(base, int(exponent)) if base.is_scalar:
+            return inside(base).power(exponent)
+        case w.Dot(one, other) | w.Contract((w.Transpose(one), other)) if one == other and one.shape[1] == 1:
+            return NOT_NEGATIVE
+        case w.Norm():
+            return NOT_NEGATIVE
+        case w.Integral(w.Number(value)) if value > 0:
+            return POSITIVE
+        case w.Call():
+            return RealInterval(Fraction(-1), Fraction(1))
+        case _:
+            return RealInterval()

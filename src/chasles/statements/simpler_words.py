@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace as with_fields
 
 from chasles.statements.conditions import ASSUMED, as_rules
-from chasles.statements.evident import evident_divisors
+from chasles.statements.evident import needed_of_divisors
 from chasles.statements.hypotheses import Hypothesis
 from chasles.statements.inverses import Inverses, reached
 from chasles.statements.lengths import Lengths
@@ -34,7 +34,7 @@ def with_what_is_seen(problem: Problem) -> Problem:
         return problem
     told = (side for h in problem.hypotheses if h.kind in ASSUMED for side in h.sides)
     sides = (*problem.sides, *(side for _, side in problem.rules), *told)
-    found = (*evident_divisors(sides, problem.hypotheses, dict(problem.rules)), *_summed(sides, problem.hypotheses))
+    found = (*needed_of_divisors(sides, problem.hypotheses, dict(problem.rules)), *_summed(sides, problem.hypotheses))
     return with_fields(problem, hypotheses=(*problem.hypotheses, *found)) if found else problem
 
 
