@@ -8,10 +8,26 @@ from typing import Any
 import pytest
 
 from chasles.decisions.session import Session
-from chasles.statements import Claim, Definition, problem_of, symmetric
+from chasles.statements import Claim, Condition, Definition, problem_of, symmetric
 from chasles.statements.matrices import invertible
 from chasles.verdict import Holds
-from chasles.vocabulary import Identity, cross, det, inverse, number, rate, scalar, square, tr, vector
+from chasles.vocabulary import (
+    CPM,
+    Identity,
+    column,
+    cos,
+    cross,
+    det,
+    inverse,
+    matrix,
+    number,
+    rate,
+    scalar,
+    sin,
+    square,
+    tr,
+    vector,
+)
 
 from .decided import proved, refuted
 
@@ -35,7 +51,13 @@ def claim(sides: tuple[Any, Any], *assuming: Any, given: tuple[Any, ...]) -> Cla
     return Claim("10", *sides, assuming=assuming, given=given)
 
 
+Q, phi, omega = square("Q", "Q", ""), scalar("phi", "phi", ""), vector("omega", r"\omega", "")
+turn = Definition("11", Q, matrix((cos(phi), -sin(phi), 0), (sin(phi), cos(phi), 0), (0, 0, 1)))
+as_claimed = Claim("12", Q, matrix((cos(phi), -sin(phi), 0), (sin(phi), cos(phi), 0), (0, 0, 1)), given=(turn,))
+spin, spin_as_claimed = (Condition("13", rate(Q), CPM(omega) @ Q, on=(omega,), given=(g,)) for g in (turn, as_claimed))
 TRUE = [
+    claim((omega, column(0, 0, rate(phi))), given=(spin,)),
+    claim((omega, column(0, 0, rate(phi))), given=(spin_as_claimed,)),
     claim((e, inverse(F).T @ E @ inverse(F)), invertible(F), given=(green, almansi)),
     claim((E, F.T @ e @ F), invertible(F), given=(green, almansi)),
     claim((rate(E), F.T @ D @ F), given=(green, stretching)),
@@ -44,6 +66,7 @@ TRUE = [
     claim((J_2, half * tr(S @ S) - Fraction(1, 6) * tr(S) ** 2), symmetric(S), given=(second,)),
 ]
 FALSE = [
+    claim((omega, column(0, 0, -rate(phi))), given=(spin_as_claimed,)),
     claim((e, inverse(F) @ E @ inverse(F).T), invertible(F), given=(green, almansi)),
     claim((rate(E), F @ D @ F.T), given=(green, stretching)),
     claim((J_2, half * tr(S @ S)), symmetric(S), given=(second,)),

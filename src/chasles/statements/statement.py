@@ -191,23 +191,22 @@ def bare(node: Node) -> Node:
 def is_rule(statement: Statement) -> bool:
     """Whether the left side is a symbol, or the rate of one, that the right side can stand for."""
     left = bare(statement.left)
-    if isinstance(left, Symbol) and left.stands_for is not None:
-        return False
-    return isinstance(undotted(left)[0], Symbol)
+    return isinstance(undotted(left)[0], Symbol) and not (isinstance(left, Symbol) and left.stands_for)
 
 
 def with_their_definitions(given: Iterable[Statement]) -> tuple[Statement, ...]:
-    """What is given, and the definitions by which definitions and conditions among it say what their letters are.
+    """What is given, and that by which definitions and conditions among it, given it themselves, say what letters are.
 
-    What is given itself comes first: of a letter of which it says something, no other definition is added.
+    What is given itself comes first: of a letter that it says what it is, or is posed on, nothing else is added.
     """
     found = dict.fromkeys(given)
-    known = {undotted(bare(each.left))[0] for each in found}
-    waiting = [each for each in found if isinstance(each, Definition | Condition)]
+    known = {s for each in found for s in (each.on if isinstance(each, Condition) else undotted(bare(each.left))[:1])}
+    waiting: list[Statement] = [each for each in found if isinstance(each, Definition | Condition)]
     while waiting:
         for each in waiting.pop(0).given:
             letter = undotted(bare(each.left))[0]
-            if isinstance(each, Definition) and is_rule(each) and letter not in known:
+            says = isinstance(each, Definition | Claim) and is_rule(each) and not each.right.expands
+            if says and letter not in known:
                 known.add(letter)
                 found[each] = None
                 waiting.append(each)
