@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -198,6 +199,24 @@ def test_under_inequalities_the_sides_are_those_of_the_question(question: tuple[
     verdict = prove(*question)
     _, claimed, _ = equations_of(as_theorem(verdict, *verdict.asked).said)
     assert [tuple(map(read_back, sides[1:])) for sides in claimed] == [question[:2]]
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ([u < 1], ["u < 1"]),
+        ([u > -1, u < 1], ["- 1 < u", "u < 1"]),
+        ([Abs(u) < 1], ["Rabs u < 1"]),
+        ([u <= -1], ["u <= - 1"]),
+        ([u < v, v < 2], ["u < v", "v < 2"]),
+    ],
+    ids=str,
+)
+def test_inequalities_are_assumed_as_they_were_asked(given: list[Any], said: list[str]) -> None:
+    verdict = prove(Abs(u - 2), 2 - u, given)
+    text = as_theorem(verdict, *verdict.asked).said
+    assert re.findall(r"^  (.*) ->$", text, re.MULTILINE) == said
+    assert "d_1" not in text
 
 
 def test_functions_of_time_are_functions() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass, field
 from typing import Any
 
 import sympy
@@ -18,21 +19,33 @@ Values = dict[Any, Any]
 """What atoms of a question are said by."""
 
 
-def as_asked(said: Said) -> tuple[Asked, Values, set[str]]:
-    """The question with its own sides and equations, beside the equations that stand for its inequalities.
+@dataclass(frozen=True, slots=True)
+class OwnQuestion:
+    """A question with its own sides and equations, beside those that `stand` for its inequalities `compared`.
 
-    These are first, as `prove` has them. With it go what its symbols and functions are said by, and the equations as
-    the verdict spells them.
+    The former are first, as `prove` has them. By `values` its symbols and functions are said; `spelled` are the
+    equations as the verdict spells them.
     """
+
+    asked: Asked
+    values: Values = field(default_factory=dict)
+    spelled: frozenset[str] = frozenset()
+    compared: tuple[Any, ...] = ()
+    stand: tuple[Any, ...] = ()
+
+
+def as_asked(said: Said) -> OwnQuestion:
+    """The question as it was asked."""
     told = without_inequalities(said)
     if told is said:
-        return in_parts(Asked(*map(in_entries, said))), {}, set()
+        return OwnQuestion(in_parts(Asked(*map(in_entries, said))))
     items = [item for _, item in listed(said[2], "given")]
     stated = [item for item in items if not isinstance(item, (*COMPARED, sympy.Ne)) and item is not sympy.true]
     new = told[2][: max(0, len(told[2]) - len(stated))]
     asked = Asked(*map(in_entries, (*said[:2], [*new, *stated], told[3])))
-    spelled = {item.text for item in Asked(*map(in_entries, told)).given}
-    return in_parts(asked), _values(said, told, new), spelled
+    spelled = frozenset(item.text for item in Asked(*map(in_entries, told)).given)
+    compared = tuple(item for item in items if isinstance(item, COMPARED))
+    return OwnQuestion(in_parts(asked), _values(said, told, new), spelled, compared, tuple(new))
 
 
 def _values(said: Said, told: Said, new: list[Any]) -> Values:

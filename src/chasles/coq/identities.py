@@ -23,6 +23,7 @@ from chasles.coq.exponentials import exponential, logarithm
 from chasles.coq.expressions import Unsaid
 from chasles.coq.inverses import inverse
 from chasles.coq.of_sympy import ScalarStatement
+from chasles.coq.own_inequalities import OwnInequalities
 from chasles.coq.plain import PlainExpressions
 from chasles.coq.proof import theorem
 from chasles.coq.rational import text_of
@@ -64,15 +65,20 @@ def as_theorem(
     try:
         if "induction" in verdict.certificate:
             raise Unsaid("no proof is written of what is shown by induction")
-        asked, values, spelled = as_asked((lhs, rhs, given, nonzero))
-        statement = ScalarStatement(asked, tuple(need for need in verdict.needs if need not in spelled), values)
-        said = holding(name, statement)
+        question = as_asked((lhs, rhs, given, nonzero))
+        needs = tuple(need for need in verdict.needs if need not in question.spelled)
+        statement = ScalarStatement(question.asked, needs, question.values)
+        own = None
+        if question.stand:
+            with suppress(ValueError):  # then it is said by what stands for the inequalities
+                own = OwnInequalities(statement, question.compared, question.stand)
+        said = holding(name, own.said if own else statement)
         if all(left == right for left, right in statement.goals) and not statement.timed:
             steps: Iterable[str] = AS_SPELLED
         else:
             by_cases = statement.is_of_cases(verdict.certificate)
             steps = BY_CASES if by_cases else _ScalarProof(statement, verdict.certificate).steps()
-        proof = theorem(name, steps)
+        proof = theorem(name, own.steps(steps) if own else steps)
     except (Rejected, Unsaid) as reason:
         return replace(claim, said=said, why_not=str(reason))
     except (ArithmeticError, LookupError, ValueError, sympy.PolynomialError):

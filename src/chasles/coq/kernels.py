@@ -1,45 +1,35 @@
 """Kernels as theorems: the results of a program are what the statement says, over the real numbers.
 
-Every step is a number that is said by earlier ones, a definition like any other: the polynomials of the problem see
-through all of them, and the proof is that of a statement. Where a program divides by zero it gives no number, so that
-what it divides by is assumed not to vanish; a scale, on which no result depends, may be any positive number.
+The proof is that of a statement about the lengths and angles of the request; that the roots, cosines and sines of the
+program are of these is shown first.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
+from typing import Any
 
-from chasles import vocabulary as w
 from chasles.coq.claims import Claimed
-from chasles.coq.expressions import EntryOf, Unsaid
-from chasles.coq.proof import proof_of
-from chasles.coq.sentences import holding
-from chasles.coq.statement import CoqStatement
+from chasles.coq.expressions import ATOM, EntryOf, Unsaid
+from chasles.coq.program_steps import FunctionStep, ProgramSteps
+from chasles.coq.proof import proof_of, steps_of, theorem
+from chasles.coq.sentences import NOW, assumed, equations, for_all, holding
+from chasles.coq.statement import CoqStatement, Premise
 from chasles.coq.theorems import named
 from chasles.deciding import decided
 from chasles.decisions.decision import key_of
 from chasles.lowering.declaration import Decide, requested
 from chasles.lowering.lower import program_of
-from chasles.lowering.program import Op, Program, Step
+from chasles.lowering.program import Program
 from chasles.lowering.refusal import LoweringError
 from chasles.lowering.request import Request
-from chasles.lowering.scales import is_scale
-from chasles.statements import Entry, Goal, Hypothesis, Problem, nonzero, positive
-from chasles.statements.simpler_words import in_simpler_words
+from chasles.statements import Entry, Problem
 from chasles.verdict import Holds, HoldsUnder
-from chasles.vocabulary.fitting import measured
-from chasles.vocabulary.parts import Submatrix
+from chasles.vocabulary import Node
 
-SPELLED: dict[Op, Callable[..., w.Node]] = {
-    Op.ADD: lambda a, b: w.Sum((a, b)),
-    Op.SUBTRACT: lambda a, b: w.Sum((a, w.Negative(b))),
-    Op.MULTIPLY: w.Scale,
-    Op.DIVIDE: w.Quotient,
-    Op.NEGATE: w.Negative,
-    Op.SINE: lambda angle: w.Call("sin", angle),
-    Op.COSINE: lambda angle: w.Call("cos", angle),
-}
+LONG = "first [nonnegative | apply norm_not_negative | apply Rle_mult_inv_pos; [apply norm_not_negative | above]]"
+"""The step by which a length, over a scale or not, is not negative."""
 
 
 def kernels_of(entries: Iterable[Entry], decide: Decide) -> Iterator[tuple[Claimed, Problem | None]]:
@@ -61,102 +51,66 @@ def claim_of_kernel(key: str, request: Request, program: Program) -> tuple[Claim
     claim = Claimed(key, f"kernel {request.name}", name, said, kernel=request.name)
     problem = None
     try:
-        steps = _Steps(request, program)
+        steps = ProgramSteps(request, program)
         problem = steps.problem
-        statement = CoqStatement(problem, entries=steps.entries)
+        statement = ProgramStatement(problem, steps.entries, steps.functions)
         claim = replace(claim, said=holding(name, statement))
         verdict = decided(problem)
         if not isinstance(verdict, Holds | HoldsUnder):
             raise Unsaid("the program is not seen to compute what the statement says")
+        if steps.functions:
+            return replace(claim, proof=theorem(name, _with_functions(statement, verdict.certificate))), problem
         return replace(claim, proof=proof_of(name, statement, verdict.certificate)), problem
     except Unsaid as reason:
         return replace(claim, why_not=str(reason)), problem
 
 
-class _Steps:
-    """The steps of a program as numbers, in the words of its request; raises `Unsaid` for what has none."""
+class ProgramStatement(CoqStatement):
+    """The statement of a program, which says of each of these steps that it is a function of a number."""
 
-    def __init__(self, request: Request, program: Program) -> None:
-        self.request, self.program = request, program
-        self.rules: list[tuple[w.Node, w.Node]] = []
-        self.assumed: list[Hypothesis] = []
-        self.entries: dict[w.Node, EntryOf] = {}
-        self._values: list[w.Node | None] = []
-        for step in program.steps:
-            self._values.append(self._value(step))
+    def __init__(
+        self, problem: Problem, entries: Mapping[Node, EntryOf], functions: Mapping[Node, FunctionStep]
+    ) -> None:
+        self.functions = functions
+        super().__init__(problem, entries=entries)
 
-    @property
-    def problem(self) -> Problem:
-        """That all results are what is requested."""
-        request = self.request
-        rules, assumed = (*request.rules, *self.rules), (*request.hypotheses, *self.assumed)
-        problem = Problem(tuple(self._goals()), rules, hypotheses=tuple(dict.fromkeys(assumed)))
-        return in_simpler_words(problem)
+    def _definitions(self) -> Iterator[Premise]:
+        for premise in super()._definitions():
+            step = self.functions.get(premise.about)  # type: ignore[call-overload]
+            number = self.spelling.number
+            says = step and f"{number(step.symbol)} = {step.function} {number(step.of, ATOM)}"
+            yield replace(premise, says=says or premise.says)
 
-    def _goals(self) -> Iterator[Goal]:
-        for output, result in zip(self.request.outputs, self.program.results, strict=True):
-            made = {(i, j): self._read(k) for (_, i, j), k in zip(output.places, result.entries, strict=True)}
-            rows, columns = output.value.shape
-            # Of what is packed one half is given.
-            lines = (tuple(made[(i, j) if (i, j) in made else (j, i)] for j in range(columns)) for i in range(rows))
-            yield Goal(result.name, made[0, 0] if (rows, columns) == (1, 1) else w.Block(tuple(lines)), output.value)
 
-    def _value(self, step: Step) -> w.Node | None:
-        """A step as an expression: a symbol that is said by a rule, or what needs none; None for a choice."""
-        match step.op:
-            case Op.INPUT:
-                return self._input(*self.request.place(step.argument, step.entry))
-            case Op.CONSTANT:
-                return w.Number(step.value)
-            case Op.SELECT if is_scale(self.program.steps, len(self._values)):
-                scale = self._symbol(self._read(self._of_scale(step)))
-                self.assumed.append(positive(scale))
-                return scale
-            case Op.SELECT | Op.LESS | Op.EQUAL | Op.NOT_A_NUMBER:
-                return None
-        if step.op not in SPELLED:
-            raise Unsaid(f"no proof is written of a program with a step {step.op.value.replace('_', ' ')}")
-        operands = self._unguarded(step) if step.op is Op.DIVIDE else step.operands
-        value = SPELLED[step.op](*map(self._read, operands))
-        if step.op is Op.NEGATE:
-            return value
-        if isinstance(value, w.Quotient) and not isinstance(value.denominator, w.Number):
-            self.assumed.append(nonzero(value.denominator))
-        symbol = self._symbol(value)
-        self.rules.append((symbol, value))
-        return symbol
+def _with_functions(said: ProgramStatement, certificate: Mapping[str, Any]) -> Iterator[str]:
+    """The steps by which roots, cosines and sines are of lengths and angles, and then the results what is requested."""
+    plain = CoqStatement(said.problem, said.names, said.spelling.entries)
+    yield from _asserted("plain'", plain, certificate)
+    premises = {each.about: each for each in plain.premises if each.about in said.functions}
+    values = [CoqStatement(step.problem, said.names, said.spelling.entries) for step in said.functions.values()]
+    for count, (step, value) in enumerate(zip(said.functions.values(), values, strict=True)):
+        yield from _asserted(f"value'{count}", value, step.certificate)
+    bound = [name for name, _ in said.binders]
+    yield f"intros {' '.join((*bound, *(premise.name for premise in said.premises)))}."
+    for count, (step, value) in enumerate(zip(said.functions.values(), values, strict=True)):
+        if value.timed:
+            raise Unsaid("no proof is written of a root, cosine or sine of what is made of rates")
+        premise = premises[step.symbol]
+        at_once = [f"specialize ({each.name}{NOW}); cbv beta in {each.name}" for each in said.premises if each.moves]
+        given = " ".join(f"({name} t)" if said.moves(node) else name for node, name in value.names.symbols.items())
+        equal = f"apply (value'{count} {given}); assumption"
+        shown = f"rewrite {premise.name}; f_equal; {equal}"
+        if step.function == "sqrt":
+            shown = f"apply (root_value _ _ _ {premise.name}); [{LONG} | {equal}]"
+        there = "; ".join((*[f"intros{NOW}"] * said.timed, *at_once, shown))
+        yield f"assert (said'{count} : {assumed(premise)}) by ({there})."
+        yield f"clear {premise.name}. rename said'{count} into {premise.name}."
+    yield f"apply (plain' {' '.join(bound)}); assumption."
 
-    def _input(self, node: w.Node, i: int, j: int) -> w.Node:
-        if node.is_scalar:
-            return node
-        entry = Submatrix(node, (i + 1, i + 1), (j + 1, j + 1), "").definition
-        self.entries[entry] = (node, i, j)
-        return entry
 
-    def _symbol(self, like: w.Node) -> w.Symbol:
-        """A number of the dimension of an expression."""
-        name = f"s_{len(self._values)}"
-        return w.Symbol(name, name, measured(like))
-
-    def _read(self, number: int) -> w.Node:
-        value = self._values[number]
-        if value is None:
-            raise Unsaid("no proof is written of a program that chooses between cases")
-        return value
-
-    def _of_scale(self, step: Step) -> int:
-        """One of the numbers of which a step is the scale."""
-        number = step.operands[-1]
-        while self._values[number] is None:
-            number = self.program.steps[number].operands[-1]
-        return number
-
-    def _unguarded(self, step: Step) -> tuple[int, ...]:
-        """The operands of a quotient, without the zero that the numerator is where the divisor is zero."""
-        steps, (above, below) = self.program.steps, step.operands
-        if steps[above].op is Op.SELECT:
-            test, _, otherwise = steps[above].operands
-            others = [steps[k] for k in steps[test].operands if k != below]
-            if steps[test].op is Op.EQUAL and others == [Step(Op.CONSTANT)]:
-                return otherwise, below
-        return step.operands
+def _asserted(name: str, said: CoqStatement, certificate: Mapping[str, Any]) -> Iterator[str]:
+    """The steps by which it is known, under a name, what a statement says."""
+    yield f"assert ({name} :\n{for_all(said, equations(said))})."
+    yield "{"
+    yield from steps_of(said, certificate)
+    yield "}"

@@ -40,7 +40,9 @@ def _taken() -> frozenset[str]:
 
 def identifier(name: str) -> str:
     """A name that Coq accepts and that nothing else has."""
-    plain = re.sub(r"\W", "_", name.replace("~", "_tilde").replace("'", "_prime"), flags=re.ASCII)
+    plain = re.sub(r"(\w+)/\|\1\|", r"direction_of_\1", name.replace("~", "_tilde").replace("'", "_prime"))
+    plain = re.sub(r"\|(\w+)\|", r"length_of_\1", plain)
+    plain = re.sub(r"\W", "_", plain, flags=re.ASCII)
     return f"{plain}_" if plain in _taken() or not plain[0].isalpha() else plain
 
 

@@ -33,6 +33,8 @@ SIGNS = {
     "nonnegative": "0 <= {}",
     "nonpositive": "{} <= 0",
     "nonzero": "{} <> 0",
+    "less": "{} < {}",
+    "at most": "{} <= {}",
 }
 RELATIONS = {" != 0": "nonzero", " >= 0": "nonnegative", " > 0": "positive"}
 
@@ -95,6 +97,7 @@ class ScalarStatement(CoqStatement):
         self.given = [
             ((count, *place), pair) for count, item in enumerate(asked.given) for place, pair in item.pairs.items()
         ]
+        self.assumed: dict[Hypothesis, Any] = {}
         self.needed: list[Any] = []
         self.positive: list[Any] = []
         goals, conditions = (
@@ -120,7 +123,7 @@ class ScalarStatement(CoqStatement):
 
     def _signs(self) -> Iterator[Hypothesis]:
         for atom, node in self.words.atoms.items():
-            kind = next((kind for kind in SIGNS if getattr(atom, f"is_{kind}")), None)
+            kind = next((kind for kind in SIGNS if getattr(atom, f"is_{kind}", False)), None)
             if kind and atom != self.words.time:
                 yield Hypothesis(kind, (node,))
 
@@ -129,7 +132,7 @@ class ScalarStatement(CoqStatement):
         sides = sympy.Tuple(*(side for _, pair in self.given for side in pair))
         divisors = {power.base for power in sides.atoms(sympy.Pow) if power.exp.is_negative}
         for divisor in sorted(divisors, key=str):
-            yield Hypothesis("nonzero", (self.words(divisor),))
+            yield self._said("nonzero", divisor)
 
     def _needs(self, needs: tuple[str, ...]) -> Iterator[Hypothesis]:
         atoms = self.words.atoms
@@ -144,10 +147,15 @@ class ScalarStatement(CoqStatement):
                 raise Unsaid(f"the need {text}")
             self.needed.append(value)
             self.positive += [value] * (ending == " > 0")
-            yield Hypothesis(RELATIONS[ending], (self.words(value),))
+            yield self._said(RELATIONS[ending], value)
+
+    def _said(self, kind: str, value: Any) -> Hypothesis:
+        hypothesis = Hypothesis(kind, (self.words(value),))
+        self.assumed[hypothesis] = value
+        return hypothesis
 
     def _hypothesis(self, hypothesis: Hypothesis) -> str:
-        return SIGNS[hypothesis.kind].format(self.spelling.number(hypothesis.subjects[0], PLUS))
+        return SIGNS[hypothesis.kind].format(*(self.spelling.number(each, PLUS) for each in hypothesis.subjects))
 
     def moves(self, node: w.Node) -> bool:
         """Whether a symbol is a function of time, or time itself."""

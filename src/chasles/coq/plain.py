@@ -82,7 +82,7 @@ class PlainExpressions:
         if e.func in IN_OTHER_WORDS:
             return self(e.rewrite(IN_OTHER_WORDS[e.func]))
         if e in self.statement.words.atoms or e is sympy.pi:
-            sign = next((kind for kind in SIGNS if getattr(e, f"is_{kind}")), "real")
+            sign = next((kind for kind in SIGNS if getattr(e, f"is_{kind}", False)), "real")
             return self.symbol(self.statement.side(e, ATOM), sign)
         if e.is_Rational:
             return e

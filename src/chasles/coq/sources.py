@@ -96,19 +96,27 @@ class ProofReading(PolynomialProblem):
 
     def squares(self, polynomial: Polynomial) -> dict[str, Polynomial]:
         """By what squares of norms, less what they are, are multiplied in a polynomial that is made of them."""
+        found, rest = self._squares(polynomial)
+        if rest:
+            numerator, powers = cleared(polynomial, self.nonzero)
+            found, rest = self._squares(numerator, powers)
+        if rest:
+            raise Unsaid("norms whose squares are not told apart")
+        return found
+
+    def _squares(self, rest: Polynomial, powers: int = 0) -> tuple[dict[str, Polynomial], Polynomial]:
+        """The same of a numerator over a product of nonzero factors, and what of it is left."""
         found: dict[str, Polynomial] = {}
         for place, what in enumerate(self.variables):
             label = f"norm |{what[1]}|" if what[0] == "norm" else ""
-            if not label or not polynomial:
+            if not label or not rest:
                 continue
             equal = self(w.Dot(what[1], what[1]))[0][0]
-            below = Polynomial({cleared(equal, self.nonzero)[1]: 1})
-            while quotient := multiples(polynomial, packed(place, 2)):
-                polynomial = replaced(polynomial, packed(place, 2), quotient, equal)
+            below = Polynomial({cleared(equal, self.nonzero)[1] + powers: 1})
+            while quotient := multiples(rest, packed(place, 2)):
+                rest = replaced(rest, packed(place, 2), quotient, equal)
                 found[label] = found.get(label, ZERO) + quotient * below
-        if polynomial:
-            raise Unsaid("norms whose squares are not told apart")
-        return found
+        return found, rest
 
     def sources(self, labels: Iterable[str]) -> dict[str, StatedEntry]:
         """From where these are known that are equations; to be asked before anything is settled."""

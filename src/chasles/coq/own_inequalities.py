@@ -1,0 +1,97 @@
+"""Theorems that say inequalities as they were asked: what stands for them has values, which a proof puts in."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from copy import copy
+from dataclasses import replace
+from typing import Any
+
+import sympy
+
+from chasles.coq.names import CoqNames
+from chasles.coq.of_sympy import ScalarStatement
+from chasles.coq.sentences import equations, for_all
+from chasles.from_sympy.inequalities import STRICT
+from chasles.statements import Hypothesis
+
+SETTLED = (
+    "first [assumption | lra | repeat match goal with H : context [Rabs ?x] |- _ => revert H; unfold Rabs; "
+    "destruct (Rcase_abs x); intros end; "
+    "first [lra | above | nonnegative | not_zero_known | field; repeat split; intro; lra]]"
+)
+"""The step by which what is put in is what is assumed of it."""
+
+
+class OwnInequalities:
+    """A statement with the inequalities of the question, in place of the symbols and equations that stand for them.
+
+    Raises ValueError where the symbols are not seen to be said by the question's, and for what moves.
+    """
+
+    def __init__(self, plain: ScalarStatement, compared: Iterable[Any], stand: Sequence[Any]) -> None:
+        if plain.timed or any(atom.is_integer for item in compared for atom in item.free_symbols):
+            raise ValueError("what is compared moves, or is a whole number")
+        self._plain = plain
+        spoken = {str(s) for item in compared for s in item.free_symbols}
+        self._values = _solved(stand, {s for e in stand for s in e.free_symbols if str(s) not in spoken})
+        words = plain.words
+        new = {words.atoms[symbol] for symbol in self._values}
+        of_given = zip(plain.given, plain.problem.conditions, strict=True)
+        hypotheses = [*(Hypothesis(_kind(each), (words(each.lts), words(each.gts))) for each in compared)]
+        hypotheses += [each for each in plain.problem.hypotheses if each.subjects[0] not in new and self._stays(each)]
+        self.said = copy(plain)
+        vars(self.said).pop("premises", None)
+        self.said.problem = replace(
+            plain.problem,
+            conditions=tuple(goal for ((count, *_), _), goal in of_given if count >= len(stand)),
+            hypotheses=tuple(dict.fromkeys(hypotheses)),
+        )
+        self.said.names = CoqNames(plain.names)
+        self.said.names.symbols = {node: name for node, name in plain.names.symbols.items() if node not in new}
+        vars(self.said)["premises"] = [*{each.says: each for each in self.said.premises}.values()]
+
+    def _stays(self, assumed: Hypothesis) -> bool:
+        """Whether something is still assumed: what is seen of the signs of new symbols is not."""
+        value = self._plain.assumed.get(assumed, sympy.S.One)
+        if not value.free_symbols & self._values.keys():
+            return True
+        if not value.is_nonzero:
+            raise ValueError(f"{value} is not seen to be other than zero")
+        return False
+
+    def steps(self, plain: Iterable[str]) -> Iterator[str]:
+        """The steps, with those that show it of what stands for the inequalities."""
+        yield f"assert (plain' :\n{for_all(self._plain, equations(self._plain))})."
+        yield from ("{", *plain, "}")
+        names = [name for name, _ in self.said.binders]
+        yield f"intros {' '.join((*names, *(each.name for each in self.said.premises)))}."
+        values = {self._plain.names.symbols[self._plain.words.atoms[d]]: v for d, v in self._values.items()}  # type: ignore[index]
+        given = (f"({self._plain.side(values[name])})" if name in values else name for name, _ in self._plain.binders)
+        yield f"repeat apply conj; apply (plain' {' '.join(given)}); {SETTLED}."
+
+
+def _kind(item: Any) -> str:
+    return "less" if isinstance(item, STRICT) else "at most"
+
+
+def _solved(stand: Sequence[Any], new: set[Any]) -> dict[Any, Any]:
+    """The new symbols, each said by what is not new, one equation after the other: by one that is of degree 1."""
+    values: dict[Any, Any] = {}
+    waiting = list(stand)
+    while waiting:
+        for equation in waiting:
+            above = sympy.fraction(sympy.together((equation.lhs - equation.rhs).subs(values)))[0]
+            unknown = above.free_symbols & new
+            if len(unknown) == 1 and above.is_polynomial(*unknown) and sympy.degree(above, *unknown) == 1:
+                break
+        else:
+            raise ValueError("a symbol stands for an inequality by an equation of a higher degree")
+        (symbol,) = unknown
+        slope, rest = sympy.Poly(above, symbol).all_coeffs()
+        below = sympy.factor(sympy.together(slope.subs(equation.lhs, equation.rhs)))
+        values[symbol] = -rest / slope if below.is_positive else sympy.expand(rest) / sympy.expand(-slope)
+        waiting.remove(equation)
+    if missing := new - values.keys():
+        raise ValueError(f"nothing says {missing.pop()}")
+    return values
