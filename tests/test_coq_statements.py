@@ -409,7 +409,7 @@ SUM, DIFFERENCE = Condition("1", x + y, a, on=(x, y)), Condition("2", x - y, w.n
     [
         (Claim("3", x, u, sic=True), ""),
         (Claim("4", x, mass, sic=True), "its sizes fit together"),
-        (Claim("5", w.norm(u) ** 2 / w.norm(u), w.norm(u)), "its sizes fit together"),
+        (Claim("5", w.norm(u) ** 2 / w.norm(u), w.norm(u)), ""),
         (Claim("6", w.rate(x), w.rate(a) / 2, given=(SUM, DIFFERENCE)), "the rate of x, which conditions determine"),
         (Claim("7", w.rate(w.det(w.CPM(u) @ w.CPM(u))), w.number(0)), "the rate of a determinant"),
         (Claim("8", *says_that(w.dot(u, u) >= 0)), ""),

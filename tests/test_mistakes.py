@@ -153,7 +153,7 @@ EXAMPLES: dict[Any, Any] = {
     "Section": ("1", "Title"), "ForAllK": (s, s, s, s, (), ()),
     "Take": (defined,), "Consider": (s,), "Substitute": (defined,), "Expand": (), "Factor": (s,), "FactorOut": (s,),
     "Ansatz": (v, w), "Solve": (s,), "Differentiate": (), "Multiply": (s,), "TakeVector": (), "Compare": (defined,),
-    "Derivation": ("1", None, "", (Take(defined),)), "Step": (),
+    "Derivation": ("1", None, "", (Take(defined),)), "DerivationStep": (),
     "unit": (v,), "unit_column": (s, v), "nonzero": (s,), "positive": (s,), "symmetric": (M,), "definite": (M,),
     "rotation": (M,), "half_turn": (M,), "orthonormal": (v, w, e), "perpendicular": (v, w),
     "scalar": ("x", "x", ""), "vector": ("x", "x", ""), "square": ("x", "x", ""), "array": ("x", "x", "", v),

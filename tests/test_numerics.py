@@ -526,12 +526,12 @@ def test_infinities_and_nan_are_never_right() -> None:
         assert found.error == np.inf
 
 
-def test_what_has_no_reference_or_no_float_is_skipped() -> None:
+def test_what_has_no_value_is_not_drawn_and_what_has_no_float_is_skipped() -> None:
     quotient = 1 / phi
     asked = specification_of("q", Claim("1", quotient, quotient, kernel=Kernel(of=(phi,))))
     evidence = verify(asked, lambda x: 1 / x, samples=40, strategies=("simple",))
     assert evidence.passed
-    assert 0 < evidence.skipped < 40
+    assert evidence.skipped == 0
     large = specification_of("q", Claim("1", 10**320 * quotient, 10**320 * quotient, kernel=Kernel(of=(phi,))))
     assert verify(large, lambda x: np.float64(np.inf), samples=10).skipped == 30
 
