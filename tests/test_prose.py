@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from chasles.decisions.session import Session
 from chasles.pages.findings_told import line_of
 from chasles.pages.page import read_page
 from chasles.reading.glyphs import letter_in
@@ -125,6 +126,13 @@ def test_what_follows_from_a_law_of_the_page_may_need_that_letters_are_constant(
     assert law == "(1) assumed"
     assert energy.startswith("(2) defines E")
     assert rate == "(3) holds under (1), ell is constant, g is constant, m is constant"
+
+
+def test_a_chapter_of_the_page_has_the_same_verdicts() -> None:
+    printed = printed_page(PENDULUM, "tex")
+    page = read_page(printed.equations, load_notation(proposed(*printed)))
+    verdicts = [Session().decide(entry.statement).verdict.name for entry in page.chapter.entries]
+    assert verdicts == ["assumed", "defined", "holds-under"]
 
 
 def test_a_letter_with_a_rate_on_the_page_is_not_taken_for_constant() -> None:

@@ -9,6 +9,7 @@ from chasles.pages.notes import EQUAL
 from chasles.pages.package import free_name, identifier
 from chasles.pages.page_equation import PageEquation
 from chasles.statements import Chapter, Entry, Postulate, Section, Statement
+from chasles.verdict import Assumed
 
 Key = tuple[str, int]
 
@@ -16,7 +17,7 @@ Key = tuple[str, int]
 def chapter_of(title: str, equations: Iterable[PageEquation]) -> tuple[Chapter, dict[str, PageEquation]]:
     """The chapter of all equations that are read, and from what on the page each entry, by its name, was made.
 
-    What is open on the page is a postulate there: as a claim it would be called wrong where it may be a condition.
+    What is open or a law on the page is a postulate there: as a claim it would be called wrong.
     """
     made = _Declarations(equations)
     for key, (each, _) in made.equations.items():
@@ -45,7 +46,7 @@ class _Declarations:
         each, statement = self.equations[key]
         given = tuple(self._cited(other, section) for other in statement.given)
         said = with_fields(statement, given=given, sic=statement.fault is not None)
-        if each.finding and each.finding.open:
+        if each.finding and (each.finding.open or isinstance(each.finding.verdict, Assumed)):
             said = Postulate(key[0], *statement.printed, part=key[1], sign=statement.sign, sic=said.sic)
         stem = identifier(key[0])
         stem = stem if stem.isidentifier() else f"equation_{stem}".rstrip("_")

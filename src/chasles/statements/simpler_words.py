@@ -32,7 +32,7 @@ def with_what_is_seen(problem: Problem) -> Problem:
     """The same problem, with what is seen about divisors, and about all that sums are taken over."""
     if problem.has_functions:
         return problem
-    told = (side for h in problem.hypotheses if h.kind in ASSUMED for side in h.sides)
+    told = (side for h in problem.hypotheses if h.kind in (*ASSUMED, "posed") for side in h.sides)
     sides = (*problem.sides, *(side for _, side in problem.rules), *told)
     found = (*needed_of_divisors(sides, problem.hypotheses, dict(problem.rules)), *_summed(sides, problem.hypotheses))
     return with_fields(problem, hypotheses=(*problem.hypotheses, *found)) if found else problem
