@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from time import process_time
+
 import pytest
 
 from chasles.decisions.session import Session
@@ -150,3 +152,19 @@ def test_what_is_led_to_as_a_law_is_decided_where_it_can_be() -> None:
     )
     assert right.endswith("holds under |e| = 1")
     assert "fails" in wrong or "slip" in wrong
+
+
+@pytest.mark.parametrize(
+    "page",
+    [
+        r"\newcommand{\a}{" + "x+" * 7000 + "}\n" + r"the mass $\a$ is " * 20_000,
+        "x" + " " * 239 + "$$ a = b $$" + ("x" + " " * 239 + "$$ c = d $$") * 200,
+        ("x" + "\n \t" * 80 + "$$ a = b $$") * 200,
+    ],
+)
+def test_hostile_prose_takes_no_more_work_than_its_length(page: str) -> None:
+    before = process_time()
+    found = printed_page(page, "tex")
+    assert not any(poses(each.before) for each in found.equations)
+    assert not found.remarks
+    assert process_time() - before < 10

@@ -10,10 +10,10 @@ from typing import Any, Literal
 
 from chasles.reading.hypertext import of_html, of_notebook
 from chasles.reading.lexemes import BadPage, Token, spelled
-from chasles.reading.macros import MacroTable, Source
+from chasles.reading.macros import MOST_WASTED, MacroTable, Source
 from chasles.reading.markup import PageBlock, fenced, indented
 from chasles.reading.printed import PrintedEquation, PrintedPage, Remark
-from chasles.reading.tex_page import MOST_CHARACTERS, Included, TexPage
+from chasles.reading.tex_page import LONGEST_REMARK, MOST_CHARACTERS, Included, TexPage
 
 Kind = Literal["tex", "md", "rst", "html", "ipynb", "equation"]
 
@@ -69,9 +69,12 @@ def printed_page(
 
 
 def _expanded(remarks: Iterable[Remark], macros: MacroTable) -> Iterator[Remark]:
-    """The remarks with macros expanded, but for those in which they do not end."""
+    """The remarks with macros expanded, but for those that are long then; none where much was expanded in vain."""
     for remark in remarks:
+        if macros.wasted >= MOST_WASTED:
+            return
         source = Source(remark.latex, macros)
+        source.left = LONGEST_REMARK
         with suppress(BadPage):
             yield remark._replace(latex=spelled([*iter(source.next, None)]))
 
@@ -142,5 +145,5 @@ class _StructuredPage(_MarkdownPage):
             self.numbering.begin_heading(text.partition("\n")[0])
         elif text.strip() == "::" or text.lstrip().startswith(".. "):
             self.take_block(indented(source.text, source.at - len(text), source.at), source)
-        elif text == ROLE and (end := source.text.find("`", source.at)) > 0:
+        elif text == ROLE and (end := source.text.find("`", source.at, source.at + LONGEST_REMARK)) > 0:
             self.remark(source, len(ROLE), end + 1)

@@ -54,7 +54,8 @@ FACE = re.compile(r"\\(?:math(?:bb|cal|rm|sf|bf|frak)|operatorname|text|boldsymb
 _BAR = r"(?:\\(?:left|right))?(?:\\[lr]?Vert|\\[lr]vert|\\\||\|)"
 UNIT = re.compile(rf"^{_BAR}(.+?){_BAR}=1$")
 
-OPENING = re.compile(r"\s*(?:`{3,}|~{3,}|:{3,})?\s*(?:\{?math\}?|\.\. math::)?\s*$")
+OPENING = re.compile(r"(?:(?:`{3,}|~{3,}|:{3,})[ \t]*)?(?:\{?math\}?|\.\. math::)$|(?:`{3,}|~{3,}|:{3,})$")
+"""What opens a display in Markdown and in reStructuredText."""
 SENTENCE = re.compile(r"[.!?]\s|\n\s*\n|\$\$|\\\]|\\end\{[^}]*\}|```|\\item\b|\}\s*\n")
 """What ends before the sentence that leads to a display."""
 POSING = re.compile(
@@ -75,7 +76,7 @@ DERIVING = re.compile(
 
 def poses(before: str) -> bool:
     """Whether the sentence that leads to a display says that it is a law or a condition, and not that it follows."""
-    sentence = re.sub(r"\([^()]*\) ?", "", _plain(SENTENCE.split(OPENING.sub("", before))[-1]))
+    sentence = re.sub(r"\([^()]*\) ?", "", _plain(SENTENCE.split(OPENING.sub("", before.rstrip()).rstrip())[-1]))
     found = POSING.search(sentence)
     return found is not None and not DERIVING.search(sentence[: found.start()])
 
