@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from typing import Any
 
 from chasles import vocabulary as w
@@ -15,6 +14,7 @@ from chasles.coq.statement import CoqStatement
 from chasles.statements import Problem, Theorem
 from chasles.statements.forms import Always, Exists, Form, Iff, Minimum
 from chasles.statements.varied import demands, varied_symbol, visible
+from chasles.vocabulary.letters import zero_of
 
 
 def theorem_and_proof(
@@ -156,7 +156,7 @@ def _without(problem: Problem, varied: w.Symbol | None) -> tuple[tuple[w.Node, w
 
 
 def _vanishing(spelling: Spelling, node: w.Node) -> str:
-    return spelling.equation(node, w.Number(Fraction(0)) if node.is_scalar else w.Zero(*node.shape))
+    return spelling.equation(node, zero_of(node.shape))
 
 
 def _side(spelling: Spelling, node: w.Node) -> str:

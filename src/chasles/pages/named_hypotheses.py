@@ -10,6 +10,7 @@ from itertools import permutations
 from chasles.decisions.session import Session
 from chasles.pages.bounded_proofs import proof_of
 from chasles.pages.consequences import Consequences
+from chasles.pages.premises import posed
 from chasles.statements import Claim, Hypothesis, perpendicular, symmetric, unit, unit_column
 from chasles.statements.matrices import commuting, idempotent, orthogonal, skew_symmetric
 from chasles.vocabulary import Dot, Misfit, Negative, Node, Norm, Number, Sum, Symbol, symbols_of
@@ -29,7 +30,7 @@ def as_hypothesis(said: str, left: Node, right: Node, session: Session, conseque
     for named in _candidates(symbols):
         if any(_is_same((left, right), equation, session, consequences) for equation in named.equations):
             return with_fields(named, latex=said, text=said)
-    return Hypothesis("posed", (Sum((left, Negative(right))),), ((left, right),), (), said, said, free=True)
+    return posed(said, left, right)
 
 
 def _candidates(symbols: Sequence[Symbol]) -> Iterator[Hypothesis]:

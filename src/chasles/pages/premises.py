@@ -6,12 +6,12 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from dataclasses import replace as with_fields
-from fractions import Fraction
 
 from chasles.pages.quantities import Quantity, quantities
 from chasles.problems.scanning import differs
 from chasles.statements import Hypothesis, Statement
-from chasles.vocabulary import Integral, Negative, Node, Number, Rate, Sum, Symbol, Zero, plain, walk
+from chasles.vocabulary import Integral, Negative, Node, Rate, Sum, Symbol, plain, walk
+from chasles.vocabulary.letters import zero_of
 
 Rules = Mapping[Quantity, Statement]
 
@@ -125,10 +125,8 @@ class Premises:
         found = sorted((each for side in sides for each in _remaining(side, rules)), key=str)
         still = dict.fromkeys(symbol for symbol, order in found if order and symbol not in self.moving)
         for symbol in still.keys() - self.resting.keys():
-            zero = Number(Fraction(0)) if symbol.is_scalar else Zero(*symbol.shape)
-            sides, said = (Rate(symbol), zero), f"{plain(symbol)} is constant"
-            hypothesis = Hypothesis("posed", (sides[0],), (sides,), (), said, said, free=True)
-            self.resting[symbol] = PosedEquation(hypothesis, *sides, open=False)
+            sides = Rate(symbol), zero_of(symbol.shape)
+            self.resting[symbol] = PosedEquation(posed(f"{plain(symbol)} is constant", *sides), *sides, open=False)
         return tuple(map(self.resting.__getitem__, still))
 
     def relevant_to(self, found: Iterable[Quantity]) -> tuple[PosedEquation, ...]:
@@ -142,6 +140,11 @@ class Premises:
                 return tuple(each for each in self.posed if each in chosen)
             chosen += more
             reached |= {symbol for each in more for symbol in _free(each, rules)}
+
+
+def posed(said: str, left: Node, right: Node) -> Hypothesis:
+    """An equation as a free hypothesis, which is told as `said`."""
+    return Hypothesis("posed", (Sum((left, Negative(right))),), ((left, right),), (), said, said, free=True)
 
 
 def _restated(fact: Hypothesis) -> Hypothesis:

@@ -8,7 +8,8 @@ from dataclasses import replace as with_fields
 from fractions import Fraction
 
 from chasles.rewriting.coefficients import ONE
-from chasles.vocabulary import Contract, Group, Identity, Negative, Node, Number, Quotient, Scale, Sum, Zero
+from chasles.vocabulary import Contract, Group, Identity, Negative, Node, Number, Quotient, Scale, Sum
+from chasles.vocabulary.letters import zero_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +83,7 @@ def collected(found_terms: Iterable[Product]) -> list[Product]:
 def spelled_out(parts: list[Product], shape: tuple[int, int]) -> Node:
     """The sum of the products, written out; zero if there are none."""
     if not parts:
-        return Number(Fraction(0)) if shape == (1, 1) else Zero(*shape)
+        return zero_of(shape)
     terms = [_term(p) for p in parts]
     return terms[0] if len(terms) == 1 else Sum(tuple(terms))
 

@@ -6,6 +6,7 @@ from fractions import Fraction
 
 from chasles.rewriting.coefficients import added, negated
 from chasles.vocabulary import Contract, Negative, Node, Number, Quotient, Scale, Sum, Zero, rebuilt
+from chasles.vocabulary.letters import zero_of
 
 
 def tidied(node: Node) -> Node:
@@ -15,26 +16,26 @@ def tidied(node: Node) -> Node:
     node = node if changed == parts else rebuilt(node, changed)
     match node:
         case Scale(factor, term) if _zero(factor) or _zero(term):
-            return _nothing(node)
+            return zero_of(node.shape)
         case Scale(Number(value), term) if value == 1:
             return term
         case Scale(Negative(factor), term):
             return tidied(Negative(tidied(Scale(factor, term))))
         case Contract(factors) if any(map(_zero, factors)):
-            return _nothing(node)
+            return zero_of(node.shape)
         case Contract((Scale(factor, term), *others)):
             return Scale(factor, Contract((term, *others)))
         case Quotient(above, _) if _zero(above):
-            return _nothing(node)
+            return zero_of(node.shape)
         case Negative(Negative(term)):
             return term
         case Negative(Sum(terms)):
             return Sum(tuple(tidied(Negative(term)) for term in terms))
         case Negative(term) if _zero(term):
-            return _nothing(node)
+            return zero_of(node.shape)
         case Sum(terms):
             kept = _without_opposites([term for term in terms if not _zero(term)])
-            return added(kept) if kept else _nothing(node)
+            return added(kept) if kept else zero_of(node.shape)
     return node
 
 
@@ -50,7 +51,3 @@ def _without_opposites(terms: list[Node]) -> list[Node]:
 
 def _zero(node: Node) -> bool:
     return isinstance(node, Zero) or node == Number(Fraction(0))
-
-
-def _nothing(like: Node) -> Node:
-    return Number(Fraction(0)) if like.is_scalar else Zero(*like.shape)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import field
+from fractions import Fraction
 
 from chasles.vocabulary.dimension import NO_DIMENSION
 from chasles.vocabulary.fitting import word
 from chasles.vocabulary.measure import Extent, Measure, uniform
-from chasles.vocabulary.nodes import Node
+from chasles.vocabulary.nodes import Node, Number
 
 
 @word
@@ -67,6 +68,11 @@ class Zero(Node):
 
     def _measured(self) -> Measure:
         return uniform((self.rows, self.columns), None)
+
+
+def zero_of(shape: tuple[Extent, Extent]) -> Node:
+    """The zero of a shape: a number, or a matrix."""
+    return Number(Fraction(0)) if shape == (1, 1) else Zero(*shape)
 
 
 def is_measured(node: Node) -> bool:
