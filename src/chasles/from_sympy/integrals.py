@@ -10,8 +10,7 @@ from typing import Any
 
 import sympy
 
-from chasles.checker.expressions.assumptions import SIGNS
-from chasles.checker.expressions.visible import signs_of
+from chasles.checker.expressions.visible import kinds_of, signs_of
 from chasles.from_sympy.complex_symbols import expressions_in
 from chasles.from_sympy.decimals import with_values
 from chasles.from_sympy.opening import excerpt
@@ -51,9 +50,7 @@ def _value(integral: Any) -> Any:
     for index, *ends in integral.limits:
         if len(ends) < 2:
             raise Untreatable(f"{excerpt(integral)} is not treated: without limits it is known up to a constant only")
-        found = signs_of(ends[0]) | signs_of(ends[1])
-        signs = {kind: True for kind in ("positive", "nonnegative") if found <= {*SIGNS[kind]}}
-        x = sympy.Dummy(str(index), real=True, **signs)
+        x = sympy.Dummy(str(index), real=True, **kinds_of(signs_of(ends[0]) | signs_of(ends[1])))
         term = term.xreplace({index: x})
         parts = sympy.Add.make_args(_in_exponentials(term, x))
         before = sympy.expand(sympy.Add(*(_antiderivative(part, x, integral) for part in parts)))

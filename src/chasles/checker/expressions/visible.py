@@ -6,7 +6,7 @@ Of SymPy's assumptions those on symbols are believed, and none that it makes of 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cache, lru_cache
 from typing import Any
 
@@ -58,12 +58,17 @@ def _signs(reading: SignedReading, e: Any) -> Iterator[int]:
         yield 0
 
 
+def kinds_of(signs: frozenset[int], kinds: Iterable[str] = ("positive", "nonnegative")) -> dict[str, bool]:
+    """Those of the kinds that say no more of a number than that it has one of the signs."""
+    return {kind: True for kind in kinds if signs <= {*SIGNS[kind]}}
+
+
 def assumed_of(e: Any) -> dict[str, bool]:
     """What is known of the value of a function at real arguments, or of one over it."""
     call = 1 / e if e.is_Pow else e
     signs = signs_of(call.args[0] - int(isinstance(call, sympy.log)))
-    kinds = (kind for kind in INHERITED.get(call.func, ()) if signs <= {*SIGNS[kind]})
-    return dict.fromkeys((*kinds, *filter(None, [ALWAYS.get(call.func)])), True)
+    known = kinds_of(signs, INHERITED.get(call.func, ()))
+    return known | {ALWAYS[call.func]: True} if call.func in ALWAYS else known
 
 
 def _without_calls(e: Any) -> Any:
@@ -73,8 +78,7 @@ def _without_calls(e: Any) -> Any:
     if isinstance(e, sympy.Add | sympy.Mul) or (e.is_Pow and e.exp.is_Rational and not e.exp.q & (e.exp.q - 1)):
         return e.func(*map(_without_calls, e.args))
     if e.is_Pow:
-        signs = signs_of(e.base)
-        return sympy.Dummy(**{kind: True for kind in ("positive", "nonnegative") if signs <= {*SIGNS[kind]}})
+        return sympy.Dummy(**kinds_of(signs_of(e.base)))
     if e.func not in ALWAYS | INHERITED or (isinstance(e, sympy.log | sympy.gamma) and signs_of(e.args[0]) != {1}):
         return sympy.Dummy()
     return sympy.Dummy(**{**assumed_of(e), "real": True})
