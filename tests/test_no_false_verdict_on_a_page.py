@@ -359,6 +359,14 @@ def test_what_one_section_says_another_may_say_otherwise() -> None:
     assert not any(each.verdict == "fails" for each in other.equations)
 
 
+def test_blocks_of_a_matrix_that_another_section_wrote_out_are_no_slip() -> None:
+    blocks = r"\begin{bmatrix} M_{11} & M_{12} \\ M_{21} & M_{22} \end{bmatrix}"
+    said = r"$$M(q) = \begin{bmatrix} a + b & b \\ b & b \end{bmatrix}$$"
+    page = f"{said}\n\n# Other\n$$M(q) = {blocks}$$"
+    letters = {"M": {"is": "matrix", "size": 2}, "M(q)": {"is": "matrix", "size": 2}, "a": "scalar", "b": "scalar"}
+    assert [each.verdict for each in chasles.read(page, {"symbols": letters}).equations] == ["defined", "defined"]
+
+
 @pytest.mark.parametrize(
     ("claims", "expected"),
     [

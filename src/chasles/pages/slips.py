@@ -69,7 +69,8 @@ def _is_slip(claim: Claim, sides: tuple[w.Node, w.Node], premises: Premises) -> 
     """Whether what is changed is a mark; or one letter, in what is said of a quantity that is known.
 
     Another letter, or another term, may make any condition true; of a side that is one product of two letters it leaves
-    too little to say that this was meant. A new letter was not meant for one that differs from it by its marks alone.
+    too little to say that this was meant. A new letter was not meant for one that differs from it by its marks alone,
+    nor a function for its values.
     """
     before, after = _symbols(claim.printed), _symbols(sides)
     if before == after:
@@ -81,7 +82,8 @@ def _is_slip(claim: Claim, sides: tuple[w.Node, w.Node], premises: Premises) -> 
     spoken, said = ({symbol for symbol, _ in each} for each in (premises.spoken, known))
     if is_one_letter:
         (new,), (old,) = before - after, after - before
-        if new not in spoken and MARKS.split(w.plain(new))[0] == MARKS.split(w.plain(old))[0]:
+        is_bare = old.letter.startswith(f"{new.letter}(") or new.letter.startswith(f"{old.letter}(")
+        if is_bare or (new not in spoken and MARKS.split(w.plain(new))[0] == MARKS.split(w.plain(old))[0]):
             return False
     is_about_known = any(quantity(side) in known for side in claim.printed) or all(
         symbol in said or premises.facts(symbol) for side in claim.printed for symbol, _ in quantities(side)
@@ -132,7 +134,7 @@ def _unsigned(term: w.Node) -> tuple[bool, w.Node]:
     return is_negative, term
 
 
-def _symbols(sides: Iterable[w.Node]) -> Counter[w.Node]:
+def _symbols(sides: Iterable[w.Node]) -> Counter[w.Symbol]:
     return Counter(part for side in sides for part in w.walk(side) if isinstance(part, w.Symbol))
 
 
