@@ -124,9 +124,8 @@ exercise = Exercise(
             ListOf(Tuple((("from", Word(NAMES)), ("to", Word(NAMES)), ("magnitude", Scalar())))),
             [["P2", "P3", 1], ["P4", "P1", 1]],
             "the forces: from a point, towards a point, magnitude",
-            from_book=True,
         ),
-        Datum("closest_to", Word(NAMES), "P4", "the point to which P is to be nearest", from_book=True),
+        Datum("closest_to", Word(NAMES), "P4", "the point to which P is to be nearest"),
     ),
     statuses=("ok", "pure-couple"),
     stand_ins={

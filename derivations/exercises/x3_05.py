@@ -105,7 +105,6 @@ exercise = Exercise(
             vector_shape(6),
             ["-sqrt(2)/2", 0, "sqrt(2)/2", 0, "-sqrt(2)", 0],
             "Plücker coordinates of the axis: direction, moment about the origin",
-            from_book=True,
         ),
     ),
     statuses=("line", "not-a-line", "not-normalised"),

@@ -63,7 +63,7 @@ exercise = Exercise(
         Datum("i", vector_shape(), ["1/sqrt(3)", "1/sqrt(3)", "1/sqrt(3)"], "axis X'' in F"),
         Datum("j", vector_shape(), ["-1/sqrt(2)", 0, "1/sqrt(2)"], "axis Y'' in F"),
         Datum("k", vector_shape(), ["1/sqrt(6)", "-2/sqrt(6)", "1/sqrt(6)"], "axis Z'' in F"),
-        Datum("p", vector_shape(), [2, -1, "1/4"], "reference position of P", from_book=True),
+        Datum("p", vector_shape(), [2, -1, "1/4"], "reference position of P"),
         Datum("c", vector_shape(), [0, 1, 0], "position of C'"),
     ),
     statuses=("screw", "pure-translation", "not-a-rotation"),

@@ -115,14 +115,8 @@ exercise = Exercise(
         "Find its centroidal principal moments and axes of inertia.",
     ),
     data=(
-        Datum(
-            "side",
-            Scalar(positive=True),
-            25,
-            "side of the hexagon, in any unit of length (the book: mm)",
-            from_book=True,
-        ),
-        Datum("height", Scalar(positive=True), 150, "height of the prism, in the same unit", from_book=True),
+        Datum("side", Scalar(positive=True), 25, "side of the hexagon, in any unit of length (the book: mm)"),
+        Datum("height", Scalar(positive=True), 150, "height of the prism, in the same unit"),
     ),
     assumptions=(
         UNIT_DENSITY,

@@ -128,15 +128,9 @@ exercise = Exercise(
         "Find the centroidal principal moments and axes of inertia of each part.",
     ),
     data=(
-        Datum(
-            "side",
-            Scalar(positive=True),
-            25,
-            "side of the hexagon, in any unit of length (the book: mm)",
-            from_book=True,
-        ),
-        Datum("height", Scalar(positive=True), 150, "height of the prism, in the same unit", from_book=True),
-        Datum("angle_deg", Scalar(), 45, "angle between the plane and the axis, in degrees", from_book=True),
+        Datum("side", Scalar(positive=True), 25, "side of the hexagon, in any unit of length (the book: mm)"),
+        Datum("height", Scalar(positive=True), 150, "height of the prism, in the same unit"),
+        Datum("angle_deg", Scalar(), 45, "angle between the plane and the axis, in degrees"),
     ),
     assumptions=(
         UNIT_DENSITY,

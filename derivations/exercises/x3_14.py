@@ -134,13 +134,9 @@ exercise = Exercise(
         "Show, by invariants, that the two agree.",
     ),
     data=(
-        Datum("A", matrix_shape(), [[1, 0, 0], [0, 2, 0], [0, 0, 3]], "the matrix of observer A", from_book=True),
+        Datum("A", matrix_shape(), [[1, 0, 0], [0, 2, 0], [0, 0, 3]], "the matrix of observer A"),
         Datum(
-            "B",
-            matrix_shape(),
-            [[2, "2/3", "2/3"], ["2/3", "5/3", 0], ["2/3", 0, "7/3"]],
-            "the matrix of observer B",
-            from_book=True,
+            "B", matrix_shape(), [[2, "2/3", "2/3"], ["2/3", "5/3", 0], ["2/3", 0, "7/3"]], "the matrix of observer B"
         ),
     ),
     assumptions=(

@@ -56,8 +56,8 @@ exercise = Exercise(
     "A wrench from a force sensor",
     asked=("Find the wrench at P in the frame F_2 from what the sensor at S reads.",),
     data=(
-        Datum("n", vector_shape(), [1, 0, 1], "moment about S read by the sensor, N m", from_book=True),
-        Datum("f", vector_shape(), [0, 1, 0], "force read by the sensor, N", from_book=True),
+        Datum("n", vector_shape(), [1, 0, 1], "moment about S read by the sensor, N m"),
+        Datum("f", vector_shape(), [0, 1, 0], "force read by the sensor, N"),
         Datum("r", vector_shape(), [0, 0, "1/10"], "position of P from S in F_S, m"),
         Datum("R", matrix_shape(), [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "takes coordinates in F_S to those in F_2"),
     ),

@@ -124,7 +124,7 @@ class Decisions(Several[Decision]):
     @property
     def verdict(self) -> Verdict:
         """The verdict on the part that is least certain: one that is wrong as printed, else one with needs."""
-        return min((each.verdict for each in self), key=lambda said: _LEAST_CERTAIN_FIRST.index(said.name))
+        return min((each.verdict for each in self), key=lambda said: WORST_FIRST.index(said.name))
 
     @property
     def needs(self) -> tuple[str, ...]:
@@ -137,10 +137,11 @@ class Decisions(Several[Decision]):
         return all(decision.stands for decision in self)
 
 
-_LEAST_CERTAIN_FIRST = (
+WORST_FIRST = (
     *("ill-formed", "fails", "contradictory", "undecided"),
     *("holds-under", "holds", "posed", "assumed", "defined"),
 )
+"""The names of verdicts: what is wrong as printed, what is not known, what needs something, what is right."""
 
 
 def key_of(statement: Sentence, citing: Sentence | None = None) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from chasles.decisions.decision import WORST_FIRST
 from chasles.decisions.session import Decision, Session
 from chasles.report.details import number_in_words
 from chasles.report.equations import in_both
@@ -23,17 +24,6 @@ from chasles.report.waiting import progress
 from chasles.report.words import VERDICTS, counted, number_of
 from chasles.statements import Chapter, Entry, Section
 
-WORST_FIRST = (
-    "undecided",
-    "fails",
-    "contradictory",
-    "ill-formed",
-    "holds-under",
-    "holds",
-    "posed",
-    "assumed",
-    "defined",
-)
 HEAD = ("number", "role", "verdict", "needs", "right instead")
 ABOUT = """\
 # Verdicts

@@ -89,14 +89,13 @@ def matrix_shape(rows: int = 3, columns: int = 3) -> Array:
 class Datum(Declared):
     """One key of the data: its shape, its default as a user would write it, what it is.
 
-    `from_book` says that the default is the book's. A datum without a default may be left out, and is None then.
+    A datum without a default may be left out, and is None then.
     """
 
     key: str
     shape: Shape
     default: Any
     says: str
-    from_book: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,6 +8,7 @@ from itertools import groupby
 from typing import Any
 
 from chasles import __version__
+from chasles.decisions.decision import WORST_FIRST
 from chasles.decisions.session import Decision
 from chasles.report.details import number_in_words
 from chasles.report.findings import SLIPS, DecisionsByName, Pairs, ordered, slips
@@ -23,7 +24,6 @@ from chasles.report.html.overview import Trusted, overview
 from chasles.report.html.palette import DARK, LIGHT
 from chasles.report.html.shown import DerivationView, KernelRow, NumberShown, StatementShown, badge_of
 from chasles.report.html.statements import part_of, place_of_part
-from chasles.report.verdict_page import WORST_FIRST
 from chasles.report.words import VERDICTS
 from chasles.statements import Chapter, Entry, Section
 

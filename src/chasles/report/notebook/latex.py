@@ -11,14 +11,13 @@ from chasles.exact.spelling import latex_of, plain_in_latex, words_in_latex
 from chasles.exercises.solution import Solution, SolutionStep, cited
 from chasles.repairs.repair import Repair
 from chasles.report.derivation_page import equations_of
-from chasles.report.details import number_in_words, refuted
+from chasles.report.details import number_in_words
 from chasles.report.equations import in_latex
 from chasles.report.latex_page import escaped, item_of, listed
 from chasles.report.notebook.alone import Alone, as_displayed, entry_of
 from chasles.report.notebook.text import text
 from chasles.report.words import VERDICTS
 from chasles.statements import Entry
-from chasles.verdict import Counterexample, Verdict
 from chasles.vocabulary import Node
 from chasles.vocabulary import latex as spelled
 
@@ -69,19 +68,6 @@ def _(value: Decision) -> Iterator[str]:
         yield f"which {instead.verdict}."
         yield from instead.changes
     yield from item.slip
-
-
-@_parts.register
-def _(value: Verdict) -> Iterator[str]:
-    yield _headed(VERDICTS[value.name][2], "", escaped(", ".join(value.needs)))
-    yield escaped(value.reason)
-    if found := getattr(value, "counterexample", None):
-        yield from _parts(found)
-
-
-@_parts.register
-def _(value: Counterexample) -> Iterator[str]:
-    yield from (escaped(f"{label}: {words}") for label, words in refuted(value))
 
 
 @_parts.register

@@ -2,34 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from functools import singledispatch
 from io import StringIO
 from itertools import chain
-from typing import Any
 
+from markupsafe import escape
 from rich.console import RenderableType
 from rich.text import Text
 
 from chasles.compiling.kernel import CompiledKernel
-from chasles.decisions.decision import Certificate, Decision
+from chasles.decisions.decision import Decision
 from chasles.deriving import CheckedDerivation
-from chasles.emitted import EmittedKernel
 from chasles.exercises.solution import Solution
 from chasles.pages.findings_told import line_of
 from chasles.pages.page import ReadPage
 from chasles.pages.page_equation import PageEquation
 from chasles.repairs.repair import Repair
 from chasles.report.derivation_page import derivation_page
-from chasles.report.details import Lines, evidence, indented, number_in_words, objections, printed, refuted
-from chasles.report.notebook.alone import as_displayed, cited, entry_of, sections_of
-from chasles.report.records import certificate_hash
+from chasles.report.details import evidence, indented, number_in_words, objections, printed
+from chasles.report.notebook.alone import as_displayed, entry_of
+from chasles.report.notebook.cards import card_of
 from chasles.report.screen import Screen
-from chasles.report.words import labelled, number_of, point_in_words
+from chasles.report.words import VERDICTS, labelled
 from chasles.report.worked_page import worked_page
-from chasles.statements import Chapter, Entry
-from chasles.statements.derivation import Derivation
-from chasles.verdict import Counterexample, Verdict
+from chasles.statements import Entry
 from chasles.vocabulary import Node, plain
 
 
@@ -43,7 +40,14 @@ def text(value: object) -> str:
 
 @singledispatch
 def _pages(value: object, screen: Screen) -> Iterator[RenderableType]:
-    raise TypeError(f"nothing is known of how to display {type(value).__name__}")
+    """The words of its card, one fact a line."""
+    card = card_of(value)
+    badges = (f"{badge.sign if screen.signs else VERDICTS[badge.name][1]} {badge.word}" for badge in card.badges)
+    needs = ", ".join(need.striptags() for need in card.needs)
+    yield Text("  ".join(filter(None, (card.title, *badges, needs, card.says, card.quiet))))
+    facts = ((fact.term, fact.text.striptags()) for fact in card.facts)
+    rows = ([escape(cell).striptags() for cell in row] for row in card.rows)
+    yield indented(chain(facts, ((first, ", ".join(others)) for first, *others in rows)))
 
 
 @_pages.register
@@ -68,27 +72,9 @@ def _(value: Entry, screen: Screen) -> Iterator[RenderableType]:
 def _(value: Decision, screen: Screen) -> Iterator[RenderableType]:
     entry = entry_of(value.statement)
     number = number_in_words(entry.number, entry.statement.part)
-    yield _judged(number, value.verdict, screen)
+    words = (number, labelled(value.verdict, screen.signs).plain, ", ".join(value.verdict.needs))
+    yield Text("  ".join(filter(None, words)))
     yield indented(chain(printed(entry), objections(entry, value), evidence(value)))
-
-
-@_pages.register
-def _(value: Verdict, screen: Screen) -> Iterator[RenderableType]:
-    found, certificate = getattr(value, "counterexample", None), getattr(value, "certificate", None)
-    yield _judged("", value, screen)
-    lines = [("because", value.reason)] if value.reason else []
-    lines += [("certificate", str(certificate_hash(certificate)))] if certificate is not None else []
-    yield indented(chain(lines, refuted(found) if found is not None else ()))
-
-
-@_pages.register
-def _(value: Counterexample, screen: Screen) -> Iterator[RenderableType]:
-    yield indented(refuted(value))
-
-
-@_pages.register
-def _(value: Certificate, screen: Screen) -> Iterator[RenderableType]:
-    yield indented(_certified(value))
 
 
 @_pages.register
@@ -103,19 +89,6 @@ def _(value: CheckedDerivation, screen: Screen) -> Iterator[RenderableType]:
 
 
 @_pages.register
-def _(value: Derivation, screen: Screen) -> Iterator[RenderableType]:
-    yield Text(f"{number_in_words(value.number)}  {value.says}")
-    yield indented((f"{place} {step.kind}", cited(step.cited)) for place, step in enumerate(value.steps, start=1))
-
-
-@_pages.register
-def _(value: Chapter, screen: Screen) -> Iterator[RenderableType]:
-    yield Text(value.title)
-    for number, title, numbers, statements in sections_of(value):
-        yield Text(f"  {number:8}{title}: {numbers}, {number_of(int(statements), 'statement')}")
-
-
-@_pages.register
 def _(value: ReadPage, screen: Screen) -> Iterator[RenderableType]:
     yield from (Text(line_of(each, value.file or "page")) for each in value.equations)
     yield Text(value.summary)
@@ -127,25 +100,5 @@ def _(value: PageEquation, screen: Screen) -> Iterator[RenderableType]:
 
 
 @_pages.register
-def _(value: EmittedKernel, screen: Screen) -> Iterator[RenderableType]:
-    yield Text(f"{value.name}{value.signature}  {number_in_words(value.number)} {value.says}")
-    bound = (("error bound", clause) for clause in value.bound)
-    yield indented(chain([("assumes", ", ".join(value.hypotheses) or "nothing")], bound))
-
-
-@_pages.register
 def _(value: CompiledKernel, screen: Screen) -> Iterator[RenderableType]:
     yield Text(repr(value))
-
-
-def _judged(before: str, verdict: Verdict, screen: Screen) -> Text:
-    words = (before, labelled(verdict, screen.signs).plain, ", ".join(verdict.needs))
-    return Text("  ".join(filter(None, words)))
-
-
-def _certified(certificate: Mapping[str, Any]) -> Lines:
-    yield "certificate", str(certificate_hash(certificate))
-    for name, replaced, *_ in certificate.get("division", ()):
-        yield "divided by", f"{name}, which replaces {replaced}"
-    if witness := point_in_words(certificate.get("witness", {})):
-        yield "example", witness
