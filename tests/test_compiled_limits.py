@@ -62,11 +62,12 @@ def kernel():
     return chasles.compile(sp.Matrix(LIMITS), [x, y, z], jacobian=True)
 
 
-def exact(expression, point):
-    """The value and its derivatives to 200 digits."""
+def exact(expression, point, apart=0):
+    """The value and its derivatives to 200 digits, a little apart from the point."""
     rows = [expression, *(sp.diff(expression, by) for by in (x, y, z))]
     with mpmath.workdps(200):
-        return [float(value) for value in sp.lambdify([x, y, z], rows, "mpmath")(*map(mpmath.mpf, point))]
+        first, *others = map(mpmath.mpf, point)
+        return [float(value) for value in sp.lambdify([x, y, z], rows, "mpmath")(first + apart, *others)]
 
 
 @pytest.mark.sampled(4)
@@ -78,6 +79,56 @@ def test_values_and_derivatives_near_a_limit(kernel, number):
         got, wanted = [values[number], *slopes[number]], exact(expression, point)
         largest = max(map(abs, wanted))
         assert max(abs(a - b) for a, b in zip(got, wanted, strict=True)) <= UNITS * 2.0**-53 * largest
+
+
+R = sp.Rational
+AWAY = [
+    *(
+        (sp.sin(x) - sp.sin(y)) / (x - y),
+        (x * sp.exp(-y * z) - y * sp.exp(-x * z)) / (x - y),
+        (x**4 - y**4) / (x**2 - y**2),
+    ),
+    *((sp.log(x) - sp.log(y)) / (sp.sqrt(x) - sp.sqrt(y)), (x * sp.log(x) - y * sp.log(y)) / (x - y)),
+    *(sp.log(x) / (x**2 - 1), (x**2 - 1) / sp.sin(sp.pi * x), 1 / sp.log(x) - 1 / (x - 1), (1 - x**z) / (1 - x)),
+    *(
+        (sp.cos(x) - sp.cos(y)) / (x**2 - y**2),
+        (sp.tanh(x) - sp.tanh(y)) / (x - y),
+        (sp.acos(x / 2) - R(1, 3) * sp.pi) / (x - 1),
+    ),
+    *(sp.erf(x) / (x - y) + sp.erf(y) / (y - x), (sp.sin(sp.atan(x)) - sp.sin(sp.atan(y))) / (sp.cosh(x) - sp.cosh(y))),
+    *((sp.exp(x) - sp.exp(y) - (x - y) * sp.exp(y)) / (x - y) ** 2, (x * sp.log(x) - x + 1) / (x - 1) ** 2),
+    *(
+        sp.acos((x + 1 - y) / 2) / sp.sqrt(1 - ((x + 1 - y) / 2) ** 2),
+        (sp.asinh(x) - sp.asinh(y)) / (x ** R(1, 3) - y ** R(1, 3)),
+    ),
+]
+PLACES = [(at + by, at, 0.3) for by in (0.0, 1e-10, -1e-5, 1e-3, 0.1, 0.4, -0.6) for at in (1.0, 0.7)]
+
+
+@pytest.fixture(scope="module")
+def away():
+    return chasles.compile(sp.Matrix(AWAY), [x, y, z], jacobian=True)
+
+
+@pytest.mark.sampled(4)
+@pytest.mark.parametrize("number", range(len(AWAY)), ids=lambda number: str(AWAY[number]))
+def test_values_and_derivatives_near_a_limit_away_from_zero(away, number):
+    for at in PLACES:
+        values, slopes = away(*at)
+        got, wanted = [values[number], *slopes[number]], exact(AWAY[number], at, apart=mpmath.mpf("1e-40"))
+        largest = max(map(abs, wanted))
+        assert max(abs(a - b) for a, b in zip(got, wanted, strict=True)) <= UNITS * 2.0**-53 * largest
+
+
+def test_a_branch_is_no_limit():
+    expressions = [
+        (sp.log(x) - sp.log(y)) / (x - y),
+        (x ** R(1, 3) - y ** R(1, 3)) / (x - y),
+        sp.acos(x) / sp.sqrt(1 - x**2),
+    ]
+    kernel = chasles.compile([*expressions, sp.asinh(sp.sqrt(x)) / sp.sqrt(x)], [x, y])
+    with np.errstate(invalid="ignore"):
+        assert all(map(math.isnan, [*kernel(-1.0, -1.0)[:2], *kernel(1.3, 1.0)[2:3], kernel(-1.0, 0.0)[3]]))
 
 
 def test_at_the_limit_itself_all_have_values(kernel):

@@ -38,7 +38,8 @@ def near_zero(found: Any, stated: sympy.Expr, angle: sympy.Expr) -> Any:
                 first, times = ANALYTIC[type(f)].first, f.args[0].as_coeff_Mul()[0]
                 table[f] = angle**first * left_of(type(f), first, times, angle, square_of(angle))
         found = Substitution(table).of(found)
-    near = sympy.And(*(sympy.Abs(part.args[0]) < part.args[1] for part in _polynomials(found)))
+    # The square that is put in for that of an angle may be negative.
+    near = sympy.And(*(sympy.Abs(part.args[0], evaluate=False) < part.args[1] for part in _polynomials(found)))
     return NearZero((found, near), (stated, True), evaluate=False)
 
 

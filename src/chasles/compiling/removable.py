@@ -11,13 +11,13 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
 from functools import lru_cache
-from math import factorial
 from typing import Any
 
 import sympy
 from sympy.concrete.expr_with_limits import ExprWithLimits
 
 from chasles.compiling.near_zero import near_zero, without_cancellation
+from chasles.compiling.singular_points import without_singular_points
 from chasles.compiling.sums_of_angles import (
     KEPT,
     KNOWN,
@@ -51,26 +51,20 @@ def without_removable(expression: sympy.Basic) -> sympy.Basic:
         return expression
     divided, found = divisors(parts), expression
     if divided or any(isinstance(part, tuple(QUOTIENTS)) for part in parts):
-        table = dict(_by_addition_theorem(parts, divided))
-        apart = _with_limits(Substitution(table).of(expression)) if table else expression
-        found = apart if parts_of_kinds(apart, LEFT) else _with_limits(expression)
-    return without_cancellation(found)
+        table = dict(_by_roots(parts, divided))
+        found = _with_limits(Substitution(table).of(expression) if table else expression)
+    return without_cancellation(without_singular_points(found))
 
 
-def _by_addition_theorem(
-    parts: Collection[sympy.Basic], divided: Collection[sympy.Expr]
-) -> Iterator[tuple[sympy.Expr, sympy.Expr]]:
-    """Sines and cosines of a sum that occur for a part of it too, the rest of which vanishes with a divisor."""
+def _by_roots(parts: Collection[sympy.Basic], divided: Collection[sympy.Expr]) -> Iterator[tuple[Any, Any]]:
+    """Inverse cosines by the root that vanishes with them, where it is divided by: arccos(a) with 1 - a^2."""
     for part in parts:
-        if isinstance(part, sympy.sin | sympy.cos) and part.args[0].is_Add:
-            factors = {term: sympy.Mul.make_args(term) for term in part.args[0].args}
-            for divisor in divided:
-                rest = [term for term in factors if divisor in factors[term]]
-                of = sympy.Add(*(term for term in factors if term not in rest)) if rest else part.args[0]
-                if rest and type(part)(of) in parts:
-                    turned = sympy.cos(of) if isinstance(part, sympy.sin) else -sympy.sin(of)
-                    by = sympy.Add(*rest)
-                    yield part, type(part)(of) * sympy.cos(by) + turned * sympy.sin(by)
+        if isinstance(part, sympy.acos | sympy.acosh):
+            [of] = part.args
+            square = 1 - of**2 if isinstance(part, sympy.acos) else of**2 - 1
+            root = next((sympy.sqrt(d) for d in divided if d == square or (d - square).expand() == 0), None)
+            if root is not None:
+                yield part, sympy.atan2(root, of) if isinstance(part, sympy.acos) else sympy.asinh(root)
 
 
 def _with_limits(expression: sympy.Basic) -> sympy.Basic:
@@ -168,11 +162,9 @@ def _pieces(expression: sympy.Piecewise, angle: sympy.Expr) -> Any:
         (first, where), (second, _) = parts
         general, value = (first, second) if isinstance(where, sympy.Ne) else (second, first)
         zeros = dict.fromkeys(angle.free_symbols, 0)
-        if isinstance(where, sympy.Ne | sympy.Eq) and _says_zero(where, angle) and parts_of_kinds(general, LEFT):
-            at_zero = general.replace(Stumpff, lambda k, a: sympy.Rational(1, factorial(int(k))))
-            at_zero = at_zero.replace(TaylorPolynomial, lambda *of: of[2])
-            if (at_zero.subs(zeros) - sympy.sympify(value).subs(zeros)).equals(0):
-                return general
+        says = isinstance(where, sympy.Ne | sympy.Eq) and _says_zero(where, angle) and parts_of_kinds(general, LEFT)
+        if says and (general.subs(zeros) - sympy.sympify(value).subs(zeros)).equals(0):
+            return general
     return expression.func(*parts, evaluate=False)
 
 

@@ -46,11 +46,21 @@ class Stumpff(sympy.Function):  # type: ignore[misc]
     nargs = (2,)
     is_real = True
 
+    @classmethod
+    def eval(cls, order: Any, a: Any) -> Any:
+        """At zero the first coefficient."""
+        return 1 / sympy.factorial(order) if a.is_zero else None
+
 
 class TaylorPolynomial(sympy.Function):  # type: ignore[misc]
     """The polynomial of a with the coefficients that come after the limit up to which the size of a may go."""
 
     is_real = True
+
+    @classmethod
+    def eval(cls, a: Any, limit: Any, first: Any, *others: Any) -> Any:
+        """At zero the first of them."""
+        return first if a.is_zero else None
 
 
 class NearZero(sympy.Piecewise):  # type: ignore[misc]

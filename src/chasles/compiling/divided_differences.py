@@ -1,0 +1,186 @@
+"""What is left of an expression once it is divided by how far a symbol is from a point: (f(x) - f(p))/(x - p).
+
+By the chain rule, and of each function by its addition theorem, so that nothing cancels and nothing is divided that
+vanishes (Reps and Rall, Computational divided differencing and divided-difference arithmetics, 2003).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import partial
+from typing import Any
+
+import sympy
+from sympy.codegen.cfunctions import expm1, log1p
+from sympy.integrals.quadrature import gauss_legendre
+
+from chasles.compiling.sums_of_angles import QUOTIENTS, parts_of_kinds, square_of, vanishes
+from chasles.compiling.taylor import Stumpff, TaylorPolynomial, left_of
+from chasles.lowering.refusal import LoweringError
+
+NO_VALUES = (sympy.nan, sympy.zoo, sympy.oo, -sympy.oo)
+_WRITTEN_OUT = 8
+"""So many factors has a whole power of which the terms are written one by one."""
+
+
+class DividedDifferences:
+    """Those by a symbol and a point, and where they are as good as what is stated."""
+
+    def __init__(self, symbol: sympy.Symbol, point: sympy.Expr) -> None:
+        self.apart = symbol - point
+        self.conditions: dict[Any, None] = {}
+        self._close: dict[Any, None] = {}
+        self._symbol, self._at = symbol, {symbol: point}
+        self._done: dict[Any, Any] = {symbol: sympy.S.One}
+
+    def at_point(self, expression: Any) -> Any:
+        """The expression with the point for the symbol."""
+        return expression.xreplace(self._at)
+
+    def vanish(self, expression: Any) -> bool:
+        """Whether the expression has the symbol and is zero at the point, as is seen of polynomials."""
+        if self._symbol not in expression.free_symbols:
+            return False
+        value = self.at_point(expression)
+        return not value.has(*NO_VALUES) and vanishes(value)
+
+    def conditions_of(self, found: sympy.Expr) -> list[Any]:
+        """Where what was found with them is as good as what is stated."""
+        polynomials = sorted(parts_of_kinds(found, (TaylorPolynomial,)), key=sympy.default_sort_key)
+        return [*self.conditions, *(sympy.Abs(part.args[0]) < part.args[1] for part in polynomials)]
+
+    def of(self, expression: Any) -> Any:
+        """The divided difference. Raises `LoweringError` for a function of which none is known."""
+        if self._symbol not in expression.free_symbols:
+            return sympy.S.Zero
+        if expression not in self._done:
+            self._done[expression] = self._made(expression)
+        return self._done[expression]
+
+    def _made(self, expression: Any) -> Any:
+        args = expression.args
+        if isinstance(expression, sympy.Add):
+            return sympy.Add(*map(self.of, args))
+        if isinstance(expression, sympy.Mul):
+            return self._product(args)
+        stated = _in_others(expression)
+        if stated is not None:
+            return self.of(stated)
+        if isinstance(expression, sympy.Pow):
+            if self._symbol in args[1].free_symbols:
+                return self.of(sympy.exp(args[1] * sympy.log(args[0])))
+            return self.of(args[0]) * self._power(*self._sides(args[0]), args[1])
+        if isinstance(expression, Stumpff | TaylorPolynomial):
+            return self._at_zero(expression)
+        rule = _RULES.get(type(expression))
+        if rule is None:
+            raise LoweringError(f"no divided difference of {type(expression).__name__} is known")
+        u, v, d = self._sides(args[0])
+        if isinstance(expression, sympy.log):
+            self.conditions[u + v > 0] = None
+        if isinstance(expression, sympy.atan):
+            self.conditions[1 + u * v > 0] = None
+        if type(expression) in _ENTIRE:
+            self._close[sympy.Abs(d) < 1] = None
+        if type(expression) in _BY_QUADRATURE:
+            self.conditions[sympy.Abs(d) * (1 + sympy.Abs(u + v)) < 1] = None
+        return self.of(args[0]) * rule(u, v, d)
+
+    def _sides(self, of: Any) -> tuple[Any, Any, Any]:
+        """What it is, what it is at the point, and how far these are apart."""
+        return of, self.at_point(of), self.apart * self.of(of)
+
+    def _product(self, factors: tuple[Any, ...]) -> Any:
+        """One factor after the other is taken to the point; far from it the terms may cancel."""
+        if sum(self._symbol in factor.free_symbols for factor in factors) > 1:
+            self.conditions |= self._close
+            self._close = self.conditions
+        split = [(factors[:k], factor, factors[k + 1 :]) for k, factor in enumerate(factors)]
+        return sympy.Add(*(self.at_point(sympy.Mul(*a)) * self.of(factor) * sympy.Mul(*b) for a, factor, b in split))
+
+    def _power(self, u: Any, v: Any, d: Any, exponent: Any) -> Any:
+        if exponent.is_Integer and 0 < exponent <= _WRITTEN_OUT:
+            return sympy.Add(*(u**k * v ** (exponent - 1 - k) for k in range(exponent)))
+        self._close[2 * sympy.Abs(d) < sympy.Abs(v)] = None
+        if exponent.is_number and exponent < 0:
+            return -self._power(u, v, d, -exponent) / (u**-exponent * v**-exponent)
+        if exponent.is_Rational and exponent.q == 2:
+            a, b = sympy.sqrt(u), sympy.sqrt(v)
+            return self._power(a, b, d / (a + b), sympy.Integer(exponent.p)) / (a + b)
+        self.conditions[u + v > 0] = None
+        slope = exponent * _RULES[sympy.log](u, v, d)
+        return u ** (exponent / 2) * v ** (exponent / 2) * slope * _left(sympy.sinh, d * slope / 2)
+
+    def _at_zero(self, expression: Any) -> Any:
+        """Of what is left of a function at zero what is left follows in its series."""
+        first, *others = expression.args
+        of = others[0] if isinstance(expression, Stumpff) else first
+        if self.at_point(of) != 0:
+            raise LoweringError("no divided difference of the rest of a series is known away from zero")
+        if isinstance(expression, Stumpff):
+            return -self.of(of) * of * Stumpff(first + 2, of)
+        return self.of(of) * TaylorPolynomial(of, others[0], *others[2:])
+
+
+def _in_others(function: Any) -> Any:
+    """What it is in functions of which divided differences are known."""
+    of = function.args[0]
+    if type(function) in QUOTIENTS and not isinstance(function, sympy.tan):
+        return QUOTIENTS[type(function)](of)
+    written: Mapping[Any, Callable[[], Any]] = {
+        expm1: lambda: sympy.exp(of) - 1,
+        log1p: lambda: sympy.log(1 + of),
+        sympy.sinc: lambda: sympy.sin(of) / of,
+        sympy.acos: lambda: sympy.pi / 2 - sympy.asin(of),
+    }
+    return written[type(function)]() if type(function) in written else None
+
+
+def _left(function: Any, a: Any) -> Any:
+    return left_of(function, 1, sympy.S.One, a, square_of(a))
+
+
+def _of_arcsine(u: Any, v: Any, d: Any) -> Any:
+    above, below = sympy.sqrt(1 - u**2), sympy.sqrt(1 - v**2)
+    slope = below + v * (u + v) / (above + below)
+    return slope * _left(sympy.asin, d * slope)
+
+
+def _of_area_sine(u: Any, v: Any, d: Any) -> Any:
+    above, below = sympy.sqrt(1 + u**2), sympy.sqrt(1 + v**2)
+    slope = (1 + (1 + u**2 + v**2) / (above * below + u * v)) / (above + below)
+    return slope * _left(sympy.asinh, d * slope)
+
+
+def _of_area_cosine(u: Any, v: Any, d: Any) -> Any:
+    slope = (u + v) / (v * sympy.sqrt(u**2 - 1) + u * sympy.sqrt(v**2 - 1))
+    return slope * _left(sympy.asinh, d * slope)
+
+
+def _mean_slope(function: Any, u: Any, v: Any, d: Any) -> Any:
+    """The mean of the rate between both, by the rule of Gauss and Legendre."""
+    places, weights = gauss_legendre(8, 40)
+    place = sympy.Dummy()
+    rates = (function(place).fdiff().xreplace({place: (u + v) / 2 + sympy.Rational(at) * d / 2}) for at in places)
+    return sympy.Add(*(sympy.Rational(weight) / 2 * rate for weight, rate in zip(weights, rates, strict=True)))
+
+
+_ENTIRE = (sympy.sin, sympy.cos, sympy.tan, sympy.exp)
+_BY_QUADRATURE = (sympy.erf, sympy.erfc, sympy.fresnels, sympy.fresnelc)
+_RULES: Mapping[Any, Callable[[Any, Any, Any], Any]] = {
+    sympy.exp: lambda u, v, d: sympy.exp((u + v) / 2) * _left(sympy.sinh, d / 2),
+    sympy.log: lambda u, v, d: 2 * _left(sympy.atanh, d / (u + v)) / (u + v),
+    sympy.sin: lambda u, v, d: sympy.cos((u + v) / 2) * _left(sympy.sin, d / 2),
+    sympy.cos: lambda u, v, d: -sympy.sin((u + v) / 2) * _left(sympy.sin, d / 2),
+    sympy.tan: lambda u, v, d: _left(sympy.sin, d) / (sympy.cos(u) * sympy.cos(v)),
+    sympy.sinh: lambda u, v, d: sympy.cosh((u + v) / 2) * _left(sympy.sinh, d / 2),
+    sympy.cosh: lambda u, v, d: sympy.sinh((u + v) / 2) * _left(sympy.sinh, d / 2),
+    sympy.tanh: lambda u, v, d: _left(sympy.sinh, d) / (sympy.cosh(u) * sympy.cosh(v)),
+    sympy.atan: lambda u, v, d: _left(sympy.atan, d / (1 + u * v)) / (1 + u * v),
+    sympy.atanh: lambda u, v, d: _left(sympy.atanh, d / (1 - u * v)) / (1 - u * v),
+    sympy.asin: _of_arcsine,
+    sympy.asinh: _of_area_sine,
+    sympy.acosh: _of_area_cosine,
+    sympy.Abs: lambda u, v, d: (u + v) / (sympy.Abs(u) + sympy.Abs(v)),
+} | {function: partial(_mean_slope, function) for function in _BY_QUADRATURE}
+"""(f(u) - f(v))/d with u - v = d."""
