@@ -54,9 +54,9 @@ from sympy import (
 
 from chasles import prove
 from chasles.coq.checking import MISSING, coq_version, verdicts_of_coq
-from chasles.coq.claims import Claimed
 from chasles.coq.folder import chunks
 from chasles.coq.identities import as_theorem
+from chasles.coq.sentences import Claimed
 
 from .sampling import WHOLE
 from .test_coq_statements import Tree, equations_of

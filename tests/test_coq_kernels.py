@@ -14,11 +14,11 @@ from typing import Any
 import pytest
 
 from chasles.coq.checking import MISSING, coq_version, verdicts_of_coq
-from chasles.coq.claims import Claimed
 from chasles.coq.folder import chunks
 from chasles.coq.kernels import claim_of_kernel, kernels_of
 from chasles.coq.names import identifier
 from chasles.coq.recorded import RECORD
+from chasles.coq.sentences import Claimed
 from chasles.decisions.decision import key_of
 from chasles.decisions.session import Session
 from chasles.lowering.arithmetic import evaluated

@@ -13,13 +13,12 @@ from pathlib import Path
 import pytest
 
 from chasles.coq.checking import FORBIDDEN, MISSING, CoqVerdict, coq_version, verdicts_of_coq
-from chasles.coq.claims import Claimed
 from chasles.coq.expressions import Unsaid
 from chasles.coq.folder import chunks, files_of
 from chasles.coq.names import THEORIES, identifier, theory
 from chasles.coq.points import refutation
 from chasles.coq.proof import proof_of
-from chasles.coq.sentences import failing
+from chasles.coq.sentences import Claimed, failing
 from chasles.coq.statement import CoqStatement
 from chasles.coq.theorems import claims_of
 from chasles.decisions.session import Session

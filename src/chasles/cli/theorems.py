@@ -10,12 +10,11 @@ from typing import Any
 
 from chasles.cli.failures import FAILED, Failure
 from chasles.cli.files import write_files
-from chasles.coq.accepted import accepted_before, keep_accepted
-from chasles.coq.checking import MISSING, CoqVerdict, coq_version, verdicts_of_coq
-from chasles.coq.claims import Claimed
+from chasles.coq.checking import MISSING, CoqVerdict, accepted_before, coq_version, keep_accepted, verdicts_of_coq
 from chasles.coq.folder import Chunk, chunks, files_of
 from chasles.coq.kernels import kernels_of
 from chasles.coq.recorded import RECORD, text_of
+from chasles.coq.sentences import Claimed
 from chasles.coq.theorems import claims_of
 from chasles.decisions.decision import Decision, key_of
 from chasles.lowering.declaration import Decide

@@ -1,4 +1,7 @@
-"""Does Coq accept it? Files are compiled two at a time, in a folder of their own, with bounded memory."""
+"""Does Coq accept it? Files are compiled two at a time, in a folder of their own, with bounded memory.
+
+What it has accepted is kept: a theorem is checked again if its statement, its proof, a theory or Coq has changed.
+"""
 
 from __future__ import annotations
 
@@ -6,17 +9,19 @@ import os
 import re
 import shutil
 import subprocess
-from collections.abc import Container, Iterator, Sequence
+from collections.abc import Container, Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from hashlib import sha256
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from chasles import cache
-from chasles.coq.claims import Claimed
+from chasles.cache import folder, keep
 from chasles.coq.folder import Chunk
 from chasles.coq.names import THEORIES, hash_of_theories, theory
+from chasles.coq.sentences import Claimed
 from chasles.decisions.processes import processors
 
 MISSING = "coqc was not found: install the Debian package coq, and Coq checks what is written"
@@ -171,3 +176,35 @@ def _reason(done: subprocess.CompletedProcess[str], what: str = "proof") -> str:
         return "it takes more time or memory than one file may"
     said = re.sub(r"\s+", " ", done.stderr.partition("Error:")[2]).strip()
     return f"Coq refuses the {what}: {said[-200:] or done.stderr.strip()[-200:]}"
+
+
+KEPT = "coq.txt"
+MOST = 10**5
+"""So many theorems are remembered, 7 MB."""
+
+
+def accepted_before(claims: Iterable[Claimed], version: str) -> set[str]:
+    """The names of those that this version of Coq has accepted as they are."""
+    known = set(_kept())
+    return {claim.name for claim in claims if _digest(claim, version) in known}
+
+
+def keep_accepted(verdicts: Iterable[CoqVerdict], version: str) -> None:
+    """Remember what was accepted, where there is a cache that can be written."""
+    place, before = folder(), _kept()
+    found = [_digest(each.claim, version) for each in verdicts if each.accepted]
+    if place is not None and not set(before).issuperset(found):
+        with suppress(OSError):
+            place.mkdir(parents=True, exist_ok=True)
+            keep(place / KEPT, "\n".join(list(dict.fromkeys((*before, *found)))[-MOST:]).encode())
+
+
+def _kept() -> list[str]:
+    place = folder()
+    with suppress(OSError, UnicodeDecodeError):
+        return (place / KEPT).read_text("ascii").split() if place is not None else []
+    return []
+
+
+def _digest(claim: Claimed, version: str) -> str:
+    return sha256("\0".join((hash_of_theories(version), claim.said, claim.proof)).encode()).hexdigest()

@@ -10,8 +10,7 @@ from typing import Any
 import sympy
 
 from chasles.coq.expressions import Unsaid
-from chasles.coq.plain import PlainExpressions
-from chasles.coq.rational import polynomial, text_of
+from chasles.coq.plain import PlainExpressions, polynomial, text_of
 from chasles.coq.sympy_words import is_exponential
 
 EXPONENTIAL = {sympy.exp: "exp", sympy.sinh: "sinh", sympy.cosh: "cosh", sympy.tanh: "tanh"}

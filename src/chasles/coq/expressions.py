@@ -78,10 +78,6 @@ class Spelling:
                 return f"{function} {self.number(argument, ATOM)}", APPLIED
             case w.Scale(factor, term):
                 return f"{self.number(factor, TIMES)} * {self.number(term, TIMES - 1)}", TIMES
-            case w.Quotient(numerator, denominator):
-                return f"{self.number(numerator, TIMES)} / {self.number(denominator, TIMES - 1)}", TIMES
-            case w.Power(base, exponent):
-                return f"{self.number(base, POWER - 1)} ^ {exponent}", POWER
             case w.Transpose(of):
                 return self._number(of)
             case w.Contract() | w.Block():
@@ -101,10 +97,6 @@ class Spelling:
                 return f"one {size}", APPLIED
             case w.Scale(factor, term):
                 return f"{self.number(factor, TIMES - 1)} *: {self.matrix(term, TIMES - 1)}", TIMES
-            case w.Quotient(numerator, denominator):
-                return f"{self.matrix(numerator, TIMES)} / {self.number(denominator, TIMES - 1)}", TIMES
-            case w.Power(base, exponent):
-                return f"{self.matrix(base, POWER - 1)} ^ {exponent}", POWER
             case w.Transpose(of):
                 return f"{self.matrix(of, ATOM)}^T", ATOM + 1
             case w.Contract((first, *others)):
@@ -128,6 +120,10 @@ class Spelling:
                 return _application(self._applied(node, self.names.rate(node)))
             case w.Negative(term):
                 return f"- {part(term, MINUS)}", MINUS
+            case w.Quotient(numerator, denominator):
+                return f"{part(numerator, TIMES)} / {self.number(denominator, TIMES - 1)}", TIMES
+            case w.Power(base, exponent):
+                return f"{part(base, POWER - 1)} ^ {exponent}", POWER
             case w.Sum((first, *others)):
                 text = part(first, PLUS)
                 for term in others:

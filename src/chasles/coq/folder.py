@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Container, Sequence
 from dataclasses import dataclass
 
-from chasles.coq.claims import Claimed
 from chasles.coq.names import THEORIES, theory
+from chasles.coq.sentences import Claimed
 
 IN_ONE_FILE, TEXT_IN_ONE_FILE = 20, 200_000
 """So many statements, and characters of proofs, are in one file: more would save time, and take more memory."""

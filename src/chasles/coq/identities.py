@@ -17,19 +17,15 @@ from typing import Any
 import sympy
 
 from chasles.checker.sparse import Rejected
-from chasles.coq.as_asked import as_asked
-from chasles.coq.claims import Claimed
 from chasles.coq.exponentials import exponential, logarithm
 from chasles.coq.expressions import Unsaid
-from chasles.coq.inverses import inverse
 from chasles.coq.of_sympy import ScalarStatement
-from chasles.coq.own_inequalities import OwnInequalities
-from chasles.coq.plain import PlainExpressions
+from chasles.coq.own_inequalities import OwnInequalities, as_asked
+from chasles.coq.plain import PlainExpressions, text_of
 from chasles.coq.proof import theorem
-from chasles.coq.rational import text_of
 from chasles.coq.roots import root, words_named
-from chasles.coq.sentences import NOW, equal_rates, holding
-from chasles.coq.turns import turned
+from chasles.coq.sentences import NOW, Claimed, equal_rates, holding, introduced
+from chasles.coq.turns import inverse, turned
 from chasles.verdict import Holds, HoldsUnder, Verdict
 
 GIVEN = re.compile(r"given (\d+) (\d+),(\d+)(?: d(\d+))?")
@@ -99,7 +95,7 @@ class _ScalarProof:
     def steps(self) -> Iterator[str]:
         """All steps."""
         said, plain = self.statement, self.plain
-        bound = [*(name for name, _ in said.binders), *(premise.name for premise in said.premises)]
+        bound = introduced(said)
         moving = [premise.name for premise in said.premises if premise.moves]
         combined = [self._combined(count, *pair) for count, pair in enumerate(said.goals)]
         for value in said.needed:
@@ -107,7 +103,7 @@ class _ScalarProof:
                 plain(value)
         if said.timed:
             yield "unfold during."
-        yield f"intros {' '.join(bound)}{NOW * said.timed}." if bound else "intros."
+        yield f"intros {bound}{NOW * said.timed}." if bound else "intros."
         yield from self._rates
         rates = [line.split()[1][1:] for line in self._rates]
         for name in (*moving, *rates):

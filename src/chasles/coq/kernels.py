@@ -10,11 +10,10 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
-from chasles.coq.claims import Claimed
 from chasles.coq.expressions import ATOM, EntryOf, Unsaid
 from chasles.coq.program_steps import FunctionStep, ProgramSteps
 from chasles.coq.proof import proof_of, steps_of, theorem
-from chasles.coq.sentences import NOW, assumed, equations, for_all, holding
+from chasles.coq.sentences import NOW, Claimed, asserted, assumed, holding, introduced
 from chasles.coq.statement import CoqStatement, Premise
 from chasles.coq.theorems import named
 from chasles.deciding import decided
@@ -85,13 +84,12 @@ class ProgramStatement(CoqStatement):
 def _with_functions(said: ProgramStatement, certificate: Mapping[str, Any]) -> Iterator[str]:
     """The steps by which roots, cosines and sines are of lengths and angles, and then the results what is requested."""
     plain = CoqStatement(said.problem, said.names, said.spelling.entries)
-    yield from _asserted("plain'", plain, certificate)
+    yield from asserted("plain'", plain, steps_of(plain, certificate))
     premises = {each.about: each for each in plain.premises if each.about in said.functions}
     values = [CoqStatement(step.problem, said.names, said.spelling.entries) for step in said.functions.values()]
     for count, (step, value) in enumerate(zip(said.functions.values(), values, strict=True)):
-        yield from _asserted(f"value'{count}", value, step.certificate)
-    bound = [name for name, _ in said.binders]
-    yield f"intros {' '.join((*bound, *(premise.name for premise in said.premises)))}."
+        yield from asserted(f"value'{count}", value, steps_of(value, step.certificate))
+    yield f"intros {introduced(said)}."
     for count, (step, value) in enumerate(zip(said.functions.values(), values, strict=True)):
         if value.timed:
             raise Unsaid("no proof is written of a root, cosine or sine of what is made of rates")
@@ -105,12 +103,4 @@ def _with_functions(said: ProgramStatement, certificate: Mapping[str, Any]) -> I
         there = "; ".join((*[f"intros{NOW}"] * said.timed, *at_once, shown))
         yield f"assert (said'{count} : {assumed(premise)}) by ({there})."
         yield f"clear {premise.name}. rename said'{count} into {premise.name}."
-    yield f"apply (plain' {' '.join(bound)}); assumption."
-
-
-def _asserted(name: str, said: CoqStatement, certificate: Mapping[str, Any]) -> Iterator[str]:
-    """The steps by which it is known, under a name, what a statement says."""
-    yield f"assert ({name} :\n{for_all(said, equations(said))})."
-    yield "{"
-    yield from steps_of(said, certificate)
-    yield "}"
+    yield f"apply (plain' {' '.join(name for name, _ in said.binders)}); assumption."

@@ -9,7 +9,7 @@ from typing import Any
 from chasles import vocabulary as w
 from chasles.coq.expressions import ATOM, Spelling, Unsaid
 from chasles.coq.proof import steps_of, theorem
-from chasles.coq.sentences import NOW, equations, for_all
+from chasles.coq.sentences import NOW, asserted, for_all, introduced
 from chasles.coq.statement import CoqStatement
 from chasles.statements import Problem, Theorem
 from chasles.statements.forms import Always, Exists, Form, Iff, Minimum
@@ -24,11 +24,9 @@ def theorem_and_proof(
     parts = list(_parts(sentence, said, certificate))
     lemmas, steps = [], []
     for count, part in enumerate(parts):
-        lemmas += [f"assert (equations'{count} : {for_all(part.said, equations(part.said))})."]
-        lemmas += ["{", *(f"  {step}" for step in steps_of(part.said, part.certificate)), "}"]
+        lemmas += asserted(f"equations'{count}", part.said, steps_of(part.said, part.certificate))
         steps += [f"assert (form'{count} : {part.claim}).", "{", *(f"  {step}" for step in part.steps(count)), "}"]
-    bound = " ".join([*(name for name, _ in said.binders), *(each.name for each in said.premises)])
-    intro = f"intros {bound}{NOW * said.timed}."
+    intro = f"intros {introduced(said)}{NOW * said.timed}."
     proof = "".join(f"conj form'{count} (" for count in range(len(parts) - 1))
     closed = f"exact ({proof}form'{len(parts) - 1}{')' * (len(parts) - 1)})."
     text = f"Definition {name} : Prop :=\n{for_all(said, [part.claim for part in parts])}.\n"
@@ -42,9 +40,11 @@ def cover_and_proof(name: str, said: CoqStatement, certificate: Mapping[str, Any
     cases = [said.spelling.number(term.term) for term in terms if isinstance(term, w.Scale)]
     some = " \\/ ".join(f"{case} <> 0" for case in cases)
     text = f"Definition {name} : Prop :=\n{for_all(said, [some])}.\n"
-    bound = " ".join([*(name for name, _ in said.binders), *(each.name for each in said.premises)])
-    steps = [f"assert (equation' : {for_all(said, equations(said))}).", "{", *steps_of(said, certificate), "}"]
-    steps += [f"intros {bound}. specialize (equation' {bound})."]
+    bound = introduced(said)
+    steps = [
+        *asserted("equation'", said, steps_of(said, certificate)),
+        f"intros {bound}. specialize (equation' {bound}).",
+    ]
     for count, case in enumerate(cases):
         left = "left; " * (count < len(cases) - 1)
         steps.append(f"destruct (Req_dec ({case}) 0) as [zero'{count}|taken']; [|{left}exact taken'].")

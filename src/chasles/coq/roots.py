@@ -14,8 +14,7 @@ import sympy
 
 from chasles.algebra.squares import sum_of_squares
 from chasles.coq.expressions import Unsaid
-from chasles.coq.plain import PlainExpressions
-from chasles.coq.rational import divisors_of, text_of
+from chasles.coq.plain import PlainExpressions, divisors_of, text_of
 
 MOST_KNOWN = 5
 """A root is looked for among the products and quotients of so many that are known."""

@@ -1,11 +1,43 @@
-"""What is said of a problem: that it holds, that it fails, or that something satisfies all that it assumes."""
+"""What is claimed in Coq: statements with proofs.
+
+Of a problem, that it holds, that it fails, or that something satisfies all that it assumes.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
 from itertools import groupby
 
 from chasles.coq.statement import CoqStatement, Premise
+
+
+@dataclass(frozen=True, slots=True)
+class Claimed:
+    """One statement in Coq and its proof: `said` is empty where it cannot be said, `proof` where there is none yet.
+
+    `number` and `form` tell what it is of, `kernel` of which kernel, if of one; `whole` says whether the statement is
+    all that the verdict claims. Of a misfit the proof is a command that succeeds because Coq refuses the equation; a
+    witness says that there is what satisfies the premises of another statement.
+    """
+
+    number: str
+    form: str
+    name: str
+    says: str
+    said: str = ""
+    proof: str = ""
+    why_not: str = ""
+    whole: bool = True
+    is_misfit: bool = False
+    is_witness: bool = False
+    kernel: str = ""
+
+    @property
+    def theorem(self) -> str:
+        """The name of the theorem."""
+        return f"{self.name}_holds"
+
 
 NOW = " t now'"
 """An instant, and that it is among those of which something is said."""
@@ -32,6 +64,16 @@ def satisfiable(name: str, said: CoqStatement) -> str:
     """The definition of the statement that there is what satisfies its premises."""
     bound = f"  exists {_bound(said)},\n" if said.binders else ""
     return f"Definition {name} : Prop :=\n{bound}  " + " /\\\n  ".join(map(assumed, said.premises)) + ".\n"
+
+
+def asserted(name: str, said: CoqStatement, steps: Iterable[str]) -> Iterator[str]:
+    """The steps by which it is known, under a name, what a statement says."""
+    yield from (f"assert ({name} :\n{for_all(said, equations(said))}).", "{", *steps, "}")
+
+
+def introduced(said: CoqStatement) -> str:
+    """The names of all that a statement is about and of all that it assumes."""
+    return " ".join([*(name for name, _ in said.binders), *(each.name for each in said.premises)])
 
 
 def equations(said: CoqStatement) -> list[str]:

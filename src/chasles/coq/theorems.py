@@ -8,18 +8,20 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
-from chasles.coq.claims import Claimed
-from chasles.coq.expressions import Unsaid
-from chasles.coq.misfits import misfit
+from chasles import vocabulary as w
+from chasles.coq.expressions import Spelling, Unsaid
+from chasles.coq.names import CoqNames
 from chasles.coq.points import existence, refutation
 from chasles.coq.proof import proof_of
 from chasles.coq.quantifiers import cover_and_proof, theorem_and_proof
-from chasles.coq.sentences import failing, holding, satisfiable
-from chasles.coq.statement import CoqStatement
+from chasles.coq.sentences import Claimed, failing, holding, satisfiable
+from chasles.coq.statement import CoqStatement, opened
 from chasles.decisions.decision import HOW, Decision, Sentence, key_of
 from chasles.statements import Inverse, Problem, Statement, Theorem, problem_of
 from chasles.statements.inversion import COVER, problems_of_inverse
 from chasles.verdict import Contradictory, Fails, HoldsUnder, IllFormed, Verdict
+from chasles.vocabulary.dimension import NO_DIMENSION
+from chasles.vocabulary.measure import Misfit, uniform
 
 ENDINGS = {"printed": "", "reading": "_as_read", "repair": "_repaired", "corrected": "_corrected"}
 
@@ -154,3 +156,37 @@ def _fresh(name: str, taken: set[str]) -> str:
         name += "_"
     taken.add(name)
     return name
+
+
+def misfit(name: str, statement: Statement) -> str:
+    """A command that succeeds if the equation, at one instant, is no statement. Raises `Unsaid` if its sizes fit."""
+    left, right = statement.printed
+    if _sizes_fit(statement):
+        raise Unsaid("its sizes fit together, and Coq is told neither of dimensions nor of divisors")
+    names = CoqNames()
+    sizes: dict[str, str] = {}
+
+    def applied(node: w.Node, name: str) -> str:
+        sizes[name] = "R" if node.is_scalar else f"M {node.shape[0]} {node.shape[1]}"
+        return name
+
+    for node in (part for side in (left, right) for part in opened(side)):
+        if isinstance(node, w.Symbol):
+            names.symbol(node)
+    equation = Spelling(names, applied).equation(left, right)
+    bound = " ".join(f"({each} : {size})" for each, size in sizes.items())
+    return f"Fail Definition {name} : Prop :=\n  forall {bound},\n  {equation}.\n"
+
+
+def _sizes_fit(statement: Statement) -> bool:
+    """Whether the statement is a good one if nothing has a dimension."""
+    symbols = {part for side in statement.printed for part in opened(side) if isinstance(part, w.Symbol)}
+    bare: dict[w.Node, w.Node] = {
+        each: w.Symbol(each.name, each.name, uniform(each.shape, NO_DIMENSION), home=__name__, has_units=False)
+        for each in symbols
+    }
+    try:
+        left, right = (w.replace(side, bare) for side in statement.printed)
+        return not replace(statement, left=left, right=right, kernel=None, reading=None, corrected=None, sic=True).fault
+    except Misfit:
+        return False
