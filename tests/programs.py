@@ -8,7 +8,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from chasles.lowering import evaluate
+from chasles.lowering import arithmetic as programs_on_numbers
 from chasles.lowering.arithmetic import Operators, evaluated
 from chasles.lowering.builder import Builder
 from chasles.lowering.program import Program
@@ -86,7 +86,7 @@ def fractions(circle: Callable[[Fraction], tuple[Fraction, Fraction]] | None = N
 
 
 def run(program: Program, inputs: Sequence[Any], arithmetic: Any = FLOATS) -> tuple[tuple[Any, ...], ...]:
-    return evaluate.run(program, inputs, arithmetic)
+    return programs_on_numbers.run(program, inputs, arithmetic)
 
 
 def shared(program: Program) -> Program:

@@ -27,10 +27,10 @@ from chasles.bounds.cover import covered
 from chasles.bounds.covering import largest
 from chasles.bounds.intervals import Interval
 from chasles.bounds.model import DOUBLE, SINGLE, Model
-from chasles.bounds.norms import against_largest
 from chasles.bounds.outline import NoBound, Outline, outlined
 from chasles.bounds.pieces import NEAR, face_values
 from chasles.bounds.proving import bound_of, key_of, remembered
+from chasles.bounds.sensitivity import against_largest
 from chasles.bounds.termwise import termwise_errors
 from chasles.cli import emission
 from chasles.cli.failures import Failure

@@ -17,8 +17,8 @@ from chasles.compiling import derivatives as module
 from chasles.compiling.derived import derived_from
 from chasles.compiling.operands import inputs_of, outputs_of
 from chasles.compiling.program_of import program_of
+from chasles.lowering.arithmetic import decimals, run
 from chasles.lowering.builder import Builder
-from chasles.lowering.evaluate import decimals, run
 from chasles.lowering.program import Op
 
 x, y, z = sp.symbols("x y z")

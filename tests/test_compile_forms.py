@@ -21,10 +21,10 @@ from chasles.compiling.operands import inputs_of, outputs_of
 from chasles.compiling.program_of import program_of
 from chasles.compiling.removable import without_removable
 from chasles.compiling.sources import sources_of
+from chasles.lowering.arithmetic import decimals, run
 from chasles.lowering.builder import Builder
 from chasles.lowering.cost import cost, latency, price
 from chasles.lowering.equivalence.programs import equivalent
-from chasles.lowering.evaluate import decimals, run
 from chasles.lowering.passes.angles import respelled
 from chasles.lowering.passes.guard import guarded
 from chasles.lowering.passes.scale import all_scaled

@@ -30,9 +30,8 @@ from sympy.physics.mechanics.models import multi_mass_spring_damper, n_link_pend
 import chasles
 from chasles.compiling import LoweringError
 from chasles.compiling.elimination import solved, solved_definite
-from chasles.lowering.arithmetic import Operators
+from chasles.lowering.arithmetic import Operators, decimals, run
 from chasles.lowering.builder import Builder
-from chasles.lowering.evaluate import decimals, run
 from chasles.lowering.passes.prune import pruned
 from chasles.lowering.program import Argument, Op, Program, Result
 

@@ -16,7 +16,7 @@ from chasles.bounds.model import precision
 from chasles.compiling.derived import derived_from
 from chasles.compiling.operands import inputs_of, outputs_of
 from chasles.compiling.program_of import program_of
-from chasles.lowering.evaluate import decimals, run
+from chasles.lowering.arithmetic import decimals, run
 from chasles.lowering.program import Op
 
 x, y = sp.symbols("x y", real=True)

@@ -21,9 +21,8 @@ from chasles.coq.recorded import RECORD
 from chasles.coq.sentences import Claimed
 from chasles.decisions.decision import key_of
 from chasles.decisions.session import Session
-from chasles.lowering.arithmetic import evaluated
+from chasles.lowering.arithmetic import decimals, evaluated
 from chasles.lowering.declaration import requested
-from chasles.lowering.evaluate import decimals
 from chasles.lowering.lower import program_of
 from chasles.lowering.program import Op, Program, Step
 from chasles.lowering.request import Request

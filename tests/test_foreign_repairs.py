@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from chasles.repairs.idle import idle_parts
+from chasles.repairs.ranking import idle_parts
 from chasles.repairs.repair import repair
 from chasles.statements import Claim, Definition, nonzero, rotation, unit_column
 from chasles.vocabulary import (

@@ -9,10 +9,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from chasles.lowering.arithmetic import Arithmetic
+from chasles.lowering.arithmetic import Arithmetic, decimals
 from chasles.lowering.builder import Builder
 from chasles.lowering.cost import WEIGHTS, cost
-from chasles.lowering.evaluate import decimals
 from chasles.lowering.passes.guard import guarded
 from chasles.lowering.passes.prune import pruned
 from chasles.lowering.program import ARITY, FREE_OF_CHARGE, Argument, Op, Program, Result, Step

@@ -9,9 +9,9 @@ from fractions import Fraction
 import pytest
 
 import chasles.lowering.equivalence.sums as module
+from chasles.lowering.arithmetic import decimals, run
 from chasles.lowering.builder import Builder
 from chasles.lowering.equivalence.sums import same_but_for_order
-from chasles.lowering.evaluate import decimals, run
 from chasles.lowering.program import Argument, Op, Program, Result
 
 INPUTS = 4

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from chasles.decisions.session import Session
+from chasles.lowering.arithmetic import decimals, run
 from chasles.lowering.declaration import requested
 from chasles.lowering.equivalence.requests import differences
-from chasles.lowering.evaluate import decimals, run
 from chasles.lowering.lower import program_of
 from chasles.lowering.program import Op, Program
 from chasles.lowering.request import Request

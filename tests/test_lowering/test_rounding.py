@@ -8,11 +8,10 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from chasles.lowering.evaluate import decimals
-from chasles.lowering.lower import expanded, program_of
+from chasles.lowering.arithmetic import decimals
+from chasles.lowering.lower import expanded, program_of, stable
 from chasles.lowering.request import Output, composed
 from chasles.lowering.rounding import losses
-from chasles.lowering.stability import stable
 from chasles.vocabulary import cos, dot, norm, scalar, sin, vector
 
 from ..programs import run

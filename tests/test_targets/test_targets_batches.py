@@ -12,7 +12,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from chasles.lowering.evaluate import decimals, run
+from chasles.lowering.arithmetic import decimals, run
 from chasles.lowering.program import Op
 
 from ..sampling import WHOLE

@@ -16,8 +16,8 @@ import numpy as np
 from chasles.bounds.intervals import SAFE, Array, Interval, below
 from chasles.bounds.model import Model, precision
 from chasles.bounds.outline import NoBound, Outline, with_cases
+from chasles.bounds.places import Scaled
 from chasles.bounds.running import Running, no_angles
-from chasles.bounds.scaled import Scaled
 from chasles.bounds.sensitivity import entry_error
 from chasles.lowering.passes.series import expanded_in_series
 from chasles.lowering.program import Op, Program

@@ -17,9 +17,8 @@ from chasles.bounds.intervals import Array, Interval
 from chasles.bounds.model import Model
 from chasles.bounds.outline import Outline
 from chasles.bounds.pieces import AnglePiece, FacePiece, face_values
-from chasles.bounds.places import Places
+from chasles.bounds.places import Places, Scaled
 from chasles.bounds.running import Running
-from chasles.bounds.scaled import Scaled
 
 Measure = Callable[[Running, float], Array]
 """In each box a bound on the error; what is small enough need not be the smallest that can be proved."""

@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 from chasles.bounds.intervals import SAFE, Array, Interval, below
 from chasles.bounds.model import Model
 from chasles.bounds.outline import NoBound, Outline, is_sign, outlined
+from chasles.bounds.places import Scaled
 from chasles.bounds.rotations import enclosed_forms, forms
 from chasles.bounds.running import Running, no_angles
-from chasles.bounds.scaled import Scaled
 from chasles.bounds.sensitivity import entry_error
 from chasles.bounds.termwise import TermwiseError, termwise_errors
 from chasles.lowering.program import Op, Program

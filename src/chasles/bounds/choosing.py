@@ -11,9 +11,8 @@ from numpy.typing import NDArray
 from chasles.bounds.intervals import SAFE, Array, Interval
 from chasles.bounds.model import Model
 from chasles.bounds.outline import Outline
-from chasles.bounds.places import Places
+from chasles.bounds.places import Places, Scaled
 from chasles.bounds.rounded_operations import RoundedOperations
-from chasles.bounds.scaled import Scaled
 from chasles.lowering.program import Op
 
 

@@ -1,16 +1,34 @@
 """By how much is a number rounded? Half the distance of the numbers of the precision where it lies.
 
 That is the roundoff times the largest power of two that is not above the number's size. Powers of two are numbers of
-the precision: what is hardly above one is hardly rounded, and rounding never passes one.
+the precision: what is hardly above one is hardly rounded, and rounding never passes one. Near a singular angle, at the
+distance s 2^-j, every value is some power of 2^-j times something that stays away from zero; so one evaluation holds
+for all distances, down to the smallest: rounding takes no notice of powers of two.
 """
 
 from __future__ import annotations
+
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from chasles.bounds.intervals import SAFE, Array, Interval
 from chasles.lowering.program import Op
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Scaled:
+    """2^(-j power) times a value in the interval `value`, with an error of at most 2^(-j power) times `error`."""
+
+    power: int
+    value: Interval
+    error: Array
+
+    def part(self, rows: NDArray[np.intp]) -> Scaled:
+        """The value in these boxes alone."""
+        return Scaled(self.power, self.value.part(rows), self.error[rows])
+
 
 Places = tuple[NDArray[np.int64], NDArray[np.int64]]
 """The smallest and the largest exponent of two that a step's result may have before it is rounded."""

@@ -14,9 +14,9 @@ from chasles.bounds.cover import covered
 from chasles.bounds.covering import largest
 from chasles.bounds.intervals import Array
 from chasles.bounds.model import SINGLE, Model
-from chasles.bounds.norms import Group, against_largest
 from chasles.bounds.outline import NoBound, Outline, outlined
 from chasles.bounds.running import Running
+from chasles.bounds.sensitivity import Group, against_largest
 from chasles.bounds.termwise import TermwiseError, termwise_errors
 from chasles.lowering.program import Program
 from chasles.lowering.request import Request

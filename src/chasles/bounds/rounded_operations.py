@@ -11,8 +11,7 @@ from chasles.bounds.functions import slope
 from chasles.bounds.intervals import SAFE, Array, Interval, function_of
 from chasles.bounds.model import Model
 from chasles.bounds.outline import NoBound, Outline
-from chasles.bounds.places import Places, excess, half_unit, restricted, rounded
-from chasles.bounds.scaled import Scaled
+from chasles.bounds.places import Places, Scaled, excess, half_unit, restricted, rounded
 from chasles.lowering.program import Op, is_power_of_two
 
 FUNCTIONS = (Op.SINE, Op.COSINE, Op.ARCTANGENT2, Op.FUNCTION)

@@ -18,8 +18,7 @@ from chasles.bounds.functions import ENCLOSED
 from chasles.bounds.intervals import Array, Interval, exactly
 from chasles.bounds.model import Model
 from chasles.bounds.outline import NoBound, Outline
-from chasles.bounds.places import Places
-from chasles.bounds.scaled import Scaled
+from chasles.bounds.places import Places, Scaled
 from chasles.lowering.program import Op, Step
 
 Angles = Callable[[int, int, Fraction], tuple[Scaled, Scaled]]

@@ -23,8 +23,8 @@ from chasles.compiling.operands import inputs_of, outputs_of
 from chasles.compiling.program_of import program_of
 from chasles.compiling.recall import key_of
 from chasles.compiling.variables import Substitution, variables_of
+from chasles.lowering.arithmetic import decimals, run
 from chasles.lowering.builder import Builder
-from chasles.lowering.evaluate import decimals, run
 from chasles.lowering.passes.prune import pruned
 from chasles.lowering.program import Program, Result
 from chasles.lowering.refusal import LoweringError

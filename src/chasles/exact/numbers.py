@@ -17,10 +17,9 @@ from typing import Any
 import sympy as sp
 from mpmath.libmp import finf, fninf, to_rational
 
-from chasles.exact.circular import by_sine_and_cosine, coefficients, without_squares
 from chasles.exact.enclosures import NoEnclosure, enclosed, sign_by_enclosure
 from chasles.exact.grounds import NotDecided, RationalFunctions
-from chasles.exact.independent import vanishes
+from chasles.exact.independent import by_sine_and_cosine, coefficients, vanishes, without_squares
 from chasles.exact.separation import NotAlgebraic, is_algebraic_zero
 from chasles.exact.square_roots import NotInTower, has_roots_of_atoms, in_tower, independent_atoms, is_surd, spelled
 from chasles.exact.tower import NegativeRadicand, QuadraticTower

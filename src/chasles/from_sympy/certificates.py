@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from chasles.algebra.polynomial_text import written as text_of
+from chasles.algebra.rings import written as text_of
 from chasles.checker.expressions.algebra import primitive
 from chasles.checker.expressions.asked import Asked
 from chasles.checker.expressions.complexes import differences

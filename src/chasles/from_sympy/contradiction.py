@@ -14,8 +14,7 @@ from fractions import Fraction
 import sympy
 
 from chasles.algebra.groebner import Basis, Combination, completed
-from chasles.algebra.polynomial_text import written
-from chasles.algebra.rings import Polynomial
+from chasles.algebra.rings import Polynomial, written
 from chasles.algebra.work_limit import OutOfTime, remaining, within
 from chasles.checker.expressions.quantities import is_atom
 from chasles.from_sympy.atoms import assumed_of

@@ -17,8 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from chasles.lowering.arithmetic import Operators, evaluated
-from chasles.lowering.evaluate import decimals
+from chasles.lowering.arithmetic import Operators, decimals, evaluated
 from chasles.lowering.functions import FUNCTIONS
 from chasles.lowering.program import Op, Program, is_power_of_two
 

@@ -8,8 +8,7 @@ from typing import Any
 
 from chasles.algebra.groebner import Combination, stated
 from chasles.algebra.localization import Ratio
-from chasles.algebra.polynomial_text import factors_text, written
-from chasles.algebra.rings import Polynomial
+from chasles.algebra.rings import Polynomial, factors_text, written
 from chasles.points.evaluation import measured
 from chasles.problems.context import Context
 from chasles.problems.generators import Generator

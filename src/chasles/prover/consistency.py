@@ -15,8 +15,7 @@ from itertools import chain, islice
 from typing import Any, TypeVar
 
 from chasles.algebra.groebner import Basis, Combination, completed
-from chasles.algebra.polynomial_text import written
-from chasles.algebra.rings import Polynomial
+from chasles.algebra.rings import Polynomial, written
 from chasles.algebra.work_limit import OutOfTime, remaining, within
 from chasles.points import sampling as points
 from chasles.points.evaluation import Point

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace as with_fields
 from fractions import Fraction
 
-from chasles.algebra.polynomial_text import written
+from chasles.algebra.rings import written
 from chasles.algebra.squares import Square, sum_of_squares
 from chasles.checker.certificate import check
 from chasles.checker.sparse import Rejected

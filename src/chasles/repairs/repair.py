@@ -16,9 +16,8 @@ from chasles.deciding import decided
 from chasles.display import Displayed
 from chasles.repairs.any_size import nearest_at_numbers
 from chasles.repairs.candidates import Nearest, given_sides
-from chasles.repairs.idle import ORTHOGONAL
 from chasles.repairs.one_term import Change
-from chasles.repairs.ranking import Ranking
+from chasles.repairs.ranking import ORTHOGONAL, Ranking
 from chasles.repairs.well_formed import WellFormedRepair, fitting
 from chasles.repairs.without_form import edits_of
 from chasles.rewriting.term_basis import fit, term_basis

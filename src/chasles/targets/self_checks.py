@@ -11,7 +11,7 @@ from itertools import chain, cycle, islice
 from math import prod
 from typing import Any
 
-from chasles.lowering.evaluate import decimals, run
+from chasles.lowering.arithmetic import decimals, run
 from chasles.lowering.program import Argument, Program
 from chasles.lowering.request import Request
 from chasles.statements import Packed, Stack
