@@ -22,7 +22,7 @@ def theorem_and_proof(
 ) -> tuple[str, str]:
     """The definition of what a theorem says, and the theorem that it is so. Raises `Unsaid` for some forms."""
     parts = list(_parts(sentence, said, certificate))
-    lemmas, steps = [], []
+    lemmas, steps = list[str](), list[str]()
     for count, part in enumerate(parts):
         lemmas += asserted(f"equations'{count}", part.said, steps_of(part.said, part.certificate))
         steps += [f"assert (form'{count} : {part.claim}).", "{", *(f"  {step}" for step in part.steps(count)), "}"]
