@@ -61,6 +61,14 @@ TRUE = [
     (claim(x / x, 1, I(x > 0)), ("x > 0",)),
     (claim(x * y, y * x, I(x >= 1)), ()),
     (claim(sqrt((1 - cos(t)) / 2), sin(t / 2), I(sin(t / 2) >= 0)), ("sin(t / 2) >= 0",)),
+    (claim(cos(t / 2), sqrt((1 + cos(t)) / 2), I(t >= 0), I(t <= PI)), ("t >= 0", "t <= pi")),
+    (
+        claim(sin(t / 2), sin(t) / sqrt(2 * (1 + cos(t))), I(t > -PI), I(t < PI)),
+        ("t > -pi", "t < pi", "2 cos(t) + 2 != 0"),
+    ),
+    (claim(abs(sin(t)), -sin(t), I(t >= PI), I(t <= 2 * PI)), ("t >= pi", "t <= 2 pi")),
+    (claim(sqrt(x**2) * cos(t), abs(x) * cos(t), I(t >= PI / 3), I(t <= PI)), ()),
+    (claim(sin(t / 2), sin(t) / sqrt(2 * (1 + cos(t))), I(cos(t / 2) > 0)), ("cos(t / 2) > 0", "2 cos(t) + 2 != 0")),
     (claim(arccos(cos(t)), t, I(t >= 0), I(t <= PI)), ("t >= 0", "t <= pi")),
     (claim(arccos(cos(t)), -t, I(t <= 0), I(t >= -PI)), ("t <= 0", "t >= -pi")),
     (claim(arccos(cos(2 * t)), 2 * t, I(t >= 0), I(2 * t <= PI)), ("t >= 0", "2 t <= pi")),
@@ -101,6 +109,7 @@ TRUE = [
 ]
 FALSE = [
     claim(abs(x), x, I(x <= 1)),
+    claim(sqrt((1 + cos(t)) / 2), cos(t / 2), I(t >= 0), I(t <= 2 * PI)),
     claim(x * y, y, I(x >= 1)),
     claim(abs(x), x, I(x < 0)),
     claim(*says_that(x**2 >= x)),

@@ -78,9 +78,9 @@ def _proved(
     return HoldsUnder(needs, certificate, verdict.witness, unused)
 
 
-def _said(texts: tuple[str, ...], sources: Mapping[str, str]) -> tuple[str, ...]:
+def _said(texts: tuple[str, ...], sources: Mapping[str, tuple[str, ...]]) -> tuple[str, ...]:
     """Which hypothesis says what SymPy spells; what none says is spelled as in the chapter, conditions are given."""
     from chasles.checker.expressions.scalars import spelled
 
-    said = (sources.get(text, spelled(text)) for text in texts)
+    said = (part for text in texts for part in sources.get(text, (spelled(text),)))
     return tuple(filter(None, said))

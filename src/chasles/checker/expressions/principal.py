@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from math import inf
 from typing import Any
 
 import sympy as sp
@@ -16,36 +17,27 @@ import sympy as sp
 HALF = Fraction(1, 2)
 
 
-@dataclass(frozen=True, slots=True)
-class _Ends:
-    """Between which multiples of pi an angle lies, and whether it is neither; `texts` say so."""
-
-    low: Fraction
-    high: Fraction
-    strictly_above: bool
-    strictly_below: bool
-    texts: tuple[str, ...]
-
-    def within(self, low: Fraction, high: Fraction) -> bool:
-        """Whether it lies between two others, and is neither."""
-        above = self.low > low or (self.low == low and self.strictly_above)
-        return above and (self.high < high or (self.high == high and self.strictly_below))
-
-
 @dataclass(slots=True)
 class Bounds:
     """What is assumed of an angle, in multiples of pi: it is between `low` and `high`, neither if strict."""
 
-    low: Fraction | None = None
-    high: Fraction | None = None
+    low: Fraction | float = -inf
+    high: Fraction | float = inf
     strictly_above: bool = False
     strictly_below: bool = False
     texts: tuple[str, ...] = ()
 
     @property
-    def leave_room(self) -> bool:
-        """Whether there is more than one angle between them."""
-        return self.low is None or self.high is None or self.low < self.high
+    def sign_of_cosine(self) -> int:
+        """1 or -1 where the cosine of every angle between both is not negative or not positive, else 0."""
+        turns = round((self.low + self.high) / 2)
+        return (-1) ** (turns % 2) if turns - HALF <= self.low and self.high <= turns + HALF else 0
+
+    @property
+    def reach_zeros(self) -> bool:
+        """Whether the cosine vanishes at one of them."""
+        ends = (self.low, self.strictly_above), (self.high, self.strictly_below)
+        return any(end % 1 == HALF and not strict for end, strict in ends)
 
     def narrow(self, difference: Any, angle: Any, strict: bool, text: str) -> None:
         """Take into account that a multiple of the angle and a multiple of pi add up to nothing negative."""
@@ -54,9 +46,9 @@ class Bounds:
             return
         slope, at_zero = multiples
         end = -at_zero / slope
-        if slope > 0 and (self.low is None or end > self.low or (end == self.low and strict)):
+        if slope > 0 and (end > self.low or (end == self.low and strict)):
             self.low, self.strictly_above = end, strict
-        if slope < 0 and (self.high is None or end < self.high or (end == self.high and strict)):
+        if slope < 0 and (end < self.high or (end == self.high and strict)):
             self.high, self.strictly_below = end, strict
         self.texts = (*self.texts, text)
 
@@ -81,6 +73,7 @@ class PrincipalValues:
         self.bounds = bounds
         self.positive = positive
         self.used: dict[str, None] = {}
+        self.told: dict[Any, tuple[str, ...]] = {}
 
     def __call__(self, e: Any) -> Any:
         """The expression, said by angles."""
@@ -106,41 +99,52 @@ class PrincipalValues:
             return None
         return self._by(ends, cosine.args[0] if ends.high > 0 else -cosine.args[0])
 
-    def _by(self, ends: _Ends, angle: Any) -> Any:
+    def _by(self, ends: Bounds, angle: Any) -> Any:
         self.used |= dict.fromkeys(ends.texts)
         return angle
 
-    def _ends(self, angle: Any) -> _Ends | None:
+    def _ends(self, angle: Any) -> Bounds | None:
         """Between which multiples of pi an angle lies."""
         (symbol, *others) = angle.free_symbols or {None}
         known = self.bounds.get(symbol)
-        if others or known is None or known.low is None or known.high is None:
-            return None
-        multiples = _multiples(angle, symbol)
-        if multiples is None:
+        multiples = None if others or known is None else _multiples(angle, symbol)
+        if known is None or multiples is None or inf in (-known.low, known.high):
             return None
         slope, rest = multiples
         low, high = (slope * end + rest for end in (known.low, known.high))
         above, below = known.strictly_above, known.strictly_below
-        return _Ends(low, high, above, below, known.texts) if slope > 0 else _Ends(high, low, below, above, known.texts)
+        ends = (low, high, above, below) if slope > 0 else (high, low, below, above)
+        return Bounds(*ends, known.texts)
+
+    def signs_of_turns(self, sides: Any) -> dict[Any, tuple[str, ...]]:
+        """What bounds say of the signs of cosines and sines of the angles in the sides, and the texts of the bounds."""
+        angles = sorted({e.args[0] for e in sides.atoms(sp.cos, sp.sin)}, key=str)
+        for turn in (kind(angle) for angle in angles for kind in (sp.cos, sp.sin)):
+            if (ends := self._ends_of_turn(turn)) and ends.sign_of_cosine:
+                size = sp.Eq(sp.Abs(turn), ends.sign_of_cosine * turn, evaluate=False)
+                self.told[size] = ends.texts
+        return self.told
+
+    def _ends_of_turn(self, turn: Any) -> Bounds | None:
+        """Between what the angle lies of which it is the cosine, or the sine said as a cosine."""
+        shift = sp.pi / 2 if isinstance(turn, sp.sin) else 0
+        return self._ends(turn.args[0] - shift) if isinstance(turn, sp.sin | sp.cos) else None
 
     def _is_positive(self, e: Any) -> bool:
         """Whether each factor is positive, by what is assumed."""
-        used = dict(self.used)
-        for power in sp.Mul.make_args(e):
-            factor = power.base if power.is_Pow and power.exp.is_Integer else power
-            if factor.is_positive:
-                continue
-            if factor in self.positive:
-                self.used[self.positive[factor]] = None
-                continue
-            shift = sp.pi / 2 if isinstance(factor, sp.sin) else 0
-            ends = self._ends(factor.args[0] - shift) if isinstance(factor, sp.sin | sp.cos) else None
-            if ends is None or not ends.within(-HALF, HALF):
-                self.used = used
-                return False
-            self.used |= dict.fromkeys(ends.texts)
+        factors = [power.base if power.is_Pow and power.exp.is_Integer else power for power in sp.Mul.make_args(e)]
+        texts = [self._why_positive(factor) for factor in factors]
+        if None in texts:
+            return False
+        self.used |= dict.fromkeys(text for each in filter(None, texts) for text in each)
         return True
+
+    def _why_positive(self, factor: Any) -> tuple[str, ...] | None:
+        """The texts of the hypotheses by which a factor is positive; None if it is not seen to be."""
+        if factor.is_positive or factor in self.positive:
+            return () if factor.is_positive else (self.positive[factor],)
+        ends = self._ends_of_turn(factor)
+        return ends.texts if ends and ends.sign_of_cosine > 0 and not ends.reach_zeros else None
 
     def _of_both(self, above: Any, below: Any) -> Any:
         """The angle of which the two are a sine and a cosine, times one positive factor; None if they are not."""

@@ -41,7 +41,7 @@ class ScalarQuestion:
     given: tuple[Any, ...]
     nonzero: tuple[Any, ...]
     places: tuple[tuple[str, tuple[int, int]], ...]
-    sources: Mapping[str, str]
+    sources: Mapping[str, tuple[str, ...]]
     used: tuple[str, ...]
     partial: bool
 
@@ -62,10 +62,13 @@ def scalar_question(problem: Problem, proving: bool = True) -> ScalarQuestion:
     entries = EntriesOfWords(problem)
     sides = [[entries(side) for side in goal.sides] for goal in problem.goals]
     left, right = (sp.Matrix([entry for pair in sides for entry in pair[k]]) for k in (0, 1))
+    given: dict[Any, tuple[str, ...]] = {}
+    both = sp.Tuple(*left, *right)
+    if both.has(sp.Abs) or any(power.exp.is_Rational and power.exp.q == 2 for power in both.atoms(sp.Pow)):
+        given |= entries.principal.signs_of_turns(both)
     settled = entries.by_sign | (entries.settled if proving else frozenset())
-    given: dict[Any, str] = {}
     nonzero: list[Any] = []
-    sources: dict[str, str] = {}
+    sources: dict[str, tuple[str, ...]] = {}
     stated = [("", goal.left, goal.right) for goal in problem.conditions]
     assumed = [hypothesis for hypothesis in problem.hypotheses if hypothesis.text not in settled]
     # That a condition holds is given: it is no condition of a verdict.
@@ -76,28 +79,29 @@ def scalar_question(problem: Problem, proving: bool = True) -> ScalarQuestion:
         for equation in entries.equations(one, other):
             # That a matrix is symmetric says of each pair of entries twice that they are equal.
             if sp.Eq(equation.rhs, equation.lhs, evaluate=False) not in given:
-                given[equation] = text
+                given[equation] = (text,)
     for hypothesis in filter(_turns, assumed):
         value = entries(hypothesis.subjects[0])[0]  # read as a word, by the hypothesis itself, it would say nothing
-        said = (sp.sign(value), sp.Integer(1)) if hypothesis.nonvanishing else (sp.Abs(value), value)
-        given[sp.Eq(*said, evaluate=False)] = hypothesis.text
+        given[sp.Eq(sp.Abs(value), value, evaluate=False)] = (hypothesis.text,)
+        if hypothesis.nonvanishing:
+            nonzero.append(value)
+            sources[f"{value} != 0"] = (hypothesis.text,)
     for hypothesis in assumed:
         known = _turns(hypothesis) or (hypothesis.kind == "positive" and hypothesis.subjects[0] not in entries.rules)
         most = 0 if known else 1 if hypothesis.kind == "inequality" else None
         for node in hypothesis.nonvanishing[:most]:
             value = entries(node)[0]
             nonzero.append(value)
-            sources[f"{value} != 0"] = hypothesis.text
-    both = sp.Tuple(*left, *right)
+            sources[f"{value} != 0"] = (hypothesis.text,)
     lost = [divisor for divisor in entries.lost_divisors(both) if divisor not in nonzero]
     if not proving:
         nonzero += lost
         for domain in entries.lost_domains(both):
-            given[sp.Eq(sp.Abs(domain), domain, evaluate=False)] = f"{spelled(domain)} >= 0"
+            given[sp.Eq(sp.Abs(domain), domain, evaluate=False)] = (f"{spelled(domain)} >= 0",)
     shapes = [(goal.label, *goal.left.shape) for goal in problem.goals]
     places = tuple((label, (i + 1, j + 1)) for label, m, n in shapes for i in range(m) for j in range(n))
     partial = any(h.kind in BY_MORE for h in problem.hypotheses)
-    sources |= {f"{equation.lhs} = {equation.rhs}": text for equation, text in given.items()}
+    sources |= {f"{equation.lhs} = {equation.rhs}": texts for equation, texts in given.items()}
     used = (*entries.reasons, *(f"{spelled(divisor)} != 0" for divisor in lost))
     return ScalarQuestion(left, right, tuple(given), tuple(nonzero), places, sources, used, partial)
 

@@ -87,8 +87,9 @@ class EntriesOfWords:
         """The texts of the bounds that are used, leave room, and are of angles of which nothing else is assumed."""
         others = [side for pair in self.stated for side in pair]
         speaking = {symbol for side in others for symbol in self(side).free_symbols}
-        found = [b for angle, b in self.bounds.items() if angle not in speaking and b.leave_room]
-        return frozenset(text for b in found for text in b.texts if text in self.reasons)
+        found = [b for angle, b in self.bounds.items() if angle not in speaking and b.low < b.high]
+        said = self.reasons.keys() | {text for texts in self.principal.told.values() for text in texts}
+        return frozenset(text for b in found for text in b.texts if text in said)
 
     @property
     def reasons(self) -> dict[str, None]:
