@@ -570,3 +570,10 @@ def test_slips_in_determinants_are_refuted(left: Node, right: Node, assuming: An
     verdict = Session().decide(claim).verdict
     assert isinstance(verdict, Fails), verdict
     check_counterexample(problem_of(claim), verdict.counterexample)
+
+
+def test_what_is_printed_and_does_not_fit_is_repaired_or_not_at_any_size() -> None:
+    """The misprint is the second letter: the product does not fit, whatever the sizes."""
+    K, z, y = rectangular("K", "K", "a gain", n, m), vector("z", "z", "a residual", size=m), vector("y", "y", "an error", size=n)
+    wrong = Claim("1", K @ (2 * z), K @ z + printed(lambda: K @ y), sic=True)
+    assert isinstance(Session().decide(wrong).verdict, IllFormed)

@@ -74,7 +74,7 @@ ORTHOGONAL = ("rotation", "half_turn", "orthogonal")
 
 def idle_parts(node: Node, orthogonal: Container[Node] = ()) -> int:
     """How many parts of an expression have no effect: a x a, t - 2 t, c (1/c), and R R^T of what is `orthogonal`."""
-    return sum(1 for part in w.walk(node) if _is_idle(part, orthogonal))
+    return sum(1 for part in w.walk(node) if not part.fault and _is_idle(part, orthogonal))
 
 
 def _is_idle(part: Node, orthogonal: Container[Node]) -> bool:

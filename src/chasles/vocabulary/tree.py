@@ -7,6 +7,7 @@ from dataclasses import replace as with_fields
 from itertools import islice
 from typing import Any
 
+from chasles.vocabulary.fitting import printed
 from chasles.vocabulary.layout import Block, Rate
 from chasles.vocabulary.letters import Symbol
 from chasles.vocabulary.nodes import Node, node_fields
@@ -18,17 +19,16 @@ def children(node: Node) -> tuple[Node, ...]:
 
 
 def rebuilt(node: Node, parts: tuple[Node, ...]) -> Node:
-    """The same kind of node over other parts, measured anew."""
-    match node:
-        case Block(rows):
-            taken = iter(parts)
-            return Block(tuple(tuple(next(taken) for _ in row) for row in rows))
-        case _:
-            taken, changes = iter(parts), dict[str, Any]()
-            for name in node_fields(type(node)):  # type: ignore[arg-type]
-                held = getattr(node, name)
-                changes[name] = tuple(islice(taken, len(held))) if isinstance(held, tuple) else next(taken)
-            return with_fields(node, **changes) if changes else node  # type: ignore[type-var]
+    """The same kind of node over other parts, measured anew; of one that does not fit, one that need not fit."""
+    taken, changes = iter(parts), dict[str, Any]()
+    if isinstance(node, Block):
+        changes["rows"] = tuple(tuple(next(taken) for _ in row) for row in node.rows)
+    for name in node_fields(type(node)):  # type: ignore[arg-type]
+        held = getattr(node, name)
+        changes[name] = tuple(islice(taken, len(held))) if isinstance(held, tuple) else next(taken)
+    if node.fault:
+        return printed(lambda: with_fields(node, **changes))  # type: ignore[type-var]
+    return with_fields(node, **changes) if changes else node  # type: ignore[type-var]
 
 
 def replace(node: Node, values: Mapping[Node, Node]) -> Node:

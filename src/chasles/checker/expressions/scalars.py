@@ -71,8 +71,9 @@ def scalar_question(problem: Problem, proving: bool = True) -> ScalarQuestion:
     sources: dict[str, tuple[str, ...]] = {}
     stated = [("", goal.left, goal.right) for goal in problem.conditions]
     assumed = [hypothesis for hypothesis in problem.hypotheses if hypothesis.text not in settled]
-    # That a condition holds is given: it is no condition of a verdict.
-    stated += [("" if h.kind in ASSUMED else h.text, *p) for h in assumed if not _turns(h) for p in h.equations]
+    # That a condition holds is given: it is no condition of a verdict, nor is it that a vector has a direction.
+    unsaid = {*ASSUMED, "direction"}
+    stated += [("" if h.kind in unsaid else h.text, *p) for h in assumed if not _turns(h) for p in h.equations]
     stated += [(h.text, abs(s), s) for h in assumed if h.kind == "positive" for s in h.subjects if s in entries.rules]
     stated += [("", abs(symbol), symbol) for symbol in problem.nonnegative if symbol in entries.rules]
     for text, one, other in stated:
@@ -80,29 +81,26 @@ def scalar_question(problem: Problem, proving: bool = True) -> ScalarQuestion:
             # That a matrix is symmetric says of each pair of entries twice that they are equal.
             if sp.Eq(equation.rhs, equation.lhs, evaluate=False) not in given:
                 given[equation] = (text,)
-    for hypothesis in filter(_turns, assumed):
-        value = entries(hypothesis.subjects[0])[0]  # read as a word, by the hypothesis itself, it would say nothing
-        given[sp.Eq(sp.Abs(value), value, evaluate=False)] = (hypothesis.text,)
-        if hypothesis.nonvanishing:
-            nonzero.append(value)
-            sources[f"{value} != 0"] = (hypothesis.text,)
-    for hypothesis in assumed:
-        known = _turns(hypothesis) or (hypothesis.kind == "positive" and hypothesis.subjects[0] not in entries.rules)
-        most = 0 if known else 1 if hypothesis.kind == "inequality" else None
-        for node in hypothesis.nonvanishing[:most]:
-            value = entries(node)[0]
-            nonzero.append(value)
-            sources[f"{value} != 0"] = (hypothesis.text,)
-    lost = [divisor for divisor in entries.lost_divisors(both) if divisor not in nonzero]
+    for hypothesis in (h for h in assumed if h.kind != "positive" or h.subjects[0] in entries.rules):
+        nodes = hypothesis.nonvanishing[: 1 if hypothesis.kind == "inequality" else None]
+        kept = [entries(node)[0] for node in nodes]
+        if _turns(hypothesis):  # its difference, read as a word by the hypothesis itself, would say nothing
+            value = entries(hypothesis.subjects[0])[0]
+            given[sp.Eq(sp.Abs(value), value, evaluate=False)] = (hypothesis.text,)
+            kept = [value for _ in nodes]
+        nonzero += kept
+        sources |= {f"{value} != 0": (hypothesis.text,) for value in kept}
+    lost = entries.lost_divisors(both)
     if not proving:
-        nonzero += lost
+        nonzero += [divisor for divisor in lost if divisor not in nonzero]
         for domain in entries.lost_domains(both):
             given[sp.Eq(sp.Abs(domain), domain, evaluate=False)] = (f"{spelled(domain)} >= 0",)
     shapes = [(goal.label, *goal.left.shape) for goal in problem.goals]
     places = tuple((label, (i + 1, j + 1)) for label, m, n in shapes for i in range(m) for j in range(n))
     partial = any(h.kind in BY_MORE for h in problem.hypotheses)
     sources |= {f"{equation.lhs} = {equation.rhs}": texts for equation, texts in given.items()}
-    used = (*entries.reasons, *(f"{spelled(divisor)} != 0" for divisor in lost))
+    divided = (text for e in lost for text in sources.get(f"{e} != 0", (f"{spelled(e)} != 0",)))
+    used = (*entries.reasons, *divided)
     return ScalarQuestion(left, right, tuple(given), tuple(nonzero), places, sources, used, partial)
 
 

@@ -88,8 +88,8 @@ class EntriesOfWords:
         others = [side for pair in self.stated for side in pair]
         speaking = {symbol for side in others for symbol in self(side).free_symbols}
         found = [b for angle, b in self.bounds.items() if angle not in speaking and b.low < b.high]
-        said = self.reasons.keys() | {text for texts in self.principal.told.values() for text in texts}
-        return frozenset(text for b in found for text in b.texts if text in said)
+        said = {*self.reasons, *(text for texts in self.principal.told.values() for text in texts)}
+        return frozenset(said.intersection(text for b in found for text in b.texts))
 
     @property
     def reasons(self) -> dict[str, None]:
