@@ -20,6 +20,7 @@ from chasles.decisions.session import Session
 from chasles.lowering.declaration import requested
 from chasles.lowering.lower import program_of
 from chasles.points.at_sizes import points_at_sizes
+from chasles.repairs.repair import repair
 from chasles.statements import (
     Claim,
     Condition,
@@ -48,7 +49,7 @@ from chasles.statements.matrices import (
     skew_symmetric,
     with_sizes,
 )
-from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, Posed, Undecided, Verdict
+from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, IllFormed, Posed, Undecided, Verdict
 from chasles.vocabulary import (
     LENGTH,
     MASS,
@@ -67,6 +68,7 @@ from chasles.vocabulary import (
     norm,
     number,
     plain,
+    printed,
     square,
     tr,
     vector,
@@ -572,8 +574,9 @@ def test_slips_in_determinants_are_refuted(left: Node, right: Node, assuming: An
     check_counterexample(problem_of(claim), verdict.counterexample)
 
 
-def test_what_is_printed_and_does_not_fit_is_repaired_or_not_at_any_size() -> None:
-    """The misprint is the second letter: the product does not fit, whatever the sizes."""
-    K, z, y = rectangular("K", "K", "a gain", n, m), vector("z", "z", "a residual", size=m), vector("y", "y", "an error", size=n)
-    wrong = Claim("1", K @ (2 * z), K @ z + printed(lambda: K @ y), sic=True)
+def test_a_letter_that_does_not_fit_is_repaired_at_any_size() -> None:
+    gain, other = rectangular("K", "K", "a gain", n, m), rectangular("L", "L", "a gain", n, m)
+    z, y = vector("z", "z", "a residual", size=m), vector("y", "y", "an error", size=n)
+    wrong = Claim("1", (gain + other) @ z + y, gain @ z + printed(lambda: other @ y) + y, sic=True)
     assert isinstance(Session().decide(wrong).verdict, IllFormed)
+    assert repair(wrong)[0].changes == ("z instead of y",)

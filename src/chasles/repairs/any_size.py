@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from dataclasses import replace as with_fields
 from fractions import Fraction
@@ -67,13 +67,12 @@ class NearestAtNumbers(Nearest):
     at_points: _PointTest = field(kw_only=True)
     back: Callable[[Node], Node] = field(kw_only=True)
 
-    @property
-    def lifted(self) -> Iterator[Change]:
+    def said_of_any_size(self, changes: Iterable[Change]) -> Iterator[Change]:
         """The changes, said of any size again."""
-        left, right = self.statement.printed
-        for change in self.changes(left, right):
+        for change in changes:
             sides = self._back(change)
-            more = sum(_awkward(new) - _awkward(old) for new, old in zip(sides, (left, right), strict=True))
+            printed = zip(sides, self.statement.printed, strict=True)
+            more = sum(_awkward(new) - _awkward(old) for new, old in printed)
             yield with_fields(change, left=sides[0], right=sides[1], effort=change.effort + more)
 
     def _back(self, change: Change) -> tuple[Node, Node]:
@@ -81,15 +80,16 @@ class NearestAtNumbers(Nearest):
         return left, right
 
     def _holds(self, test: ModularTest, change: Change) -> bool:
-        return super()._holds(test, change) and self._agrees(change)
+        return super()._holds(test, change) and self.agrees(change)
 
-    def _agrees(self, change: Change) -> bool:
+    def agrees(self, change: Change) -> bool:
+        """Whether the sides fit and agree at points of several sizes."""
         left, right = self._back(change)
         return left != right and fit(left, right) and self.at_points.agree(left, right)
 
     def _without_form(self, left: Node, right: Node) -> Iterator[Change]:
         if not self.is_tested(left, right):
-            yield from filter(self._agrees, edited(left, right, lambda side: edits_of(side, self.letters)))
+            yield from filter(self.agrees, edited(left, right, lambda side: edits_of(side, self.letters)))
 
 
 def _awkward(side: Node) -> int:
@@ -105,7 +105,8 @@ class _PointTest:
         self.claim = claim
         self.accepted = accepted
         try:
-            found = list(islice(points_at_sizes(problem_of(claim, "printed", accepted)), DRAWN))
+            fitting = claim.saying(claim.left, claim.left) if claim.fault else claim
+            found = list(islice(points_at_sizes(problem_of(fitting, "printed", accepted)), DRAWN))
         except (w.Misfit, TypeError):
             found = []
         self.points = found[::-1][:: max(1, len(found) // POINTS)]

@@ -14,7 +14,7 @@ from itertools import chain, islice
 from chasles.algebra.work_limit import OutOfTime, within
 from chasles.deciding import decided
 from chasles.display import Displayed
-from chasles.repairs.any_size import nearest_at_numbers
+from chasles.repairs.any_size import NearestAtNumbers, nearest_at_numbers
 from chasles.repairs.candidates import Nearest, given_sides
 from chasles.repairs.one_term import Change
 from chasles.repairs.ranking import ORTHOGONAL, Ranking
@@ -105,11 +105,19 @@ def _of_claim(near: Nearest) -> Iterator[Repair]:
     if not isinstance(statement, Claim) or statement.solves is not None:
         return
     sized = nearest_at_numbers(statement, near.accepted)
-    for changes in _candidates(near) if sized is None else (sized.lifted,):
+    for changes in _candidates(near) if sized is None else _at_any_size(sized):
         found = list(_proved(near, changes))
         yield from found
         if found:
             return
+
+
+def _at_any_size(sized: NearestAtNumbers) -> Iterator[Iterable[Change]]:
+    """Candidates among matrices of any size: what fits after a change or two, or else what is true at numbers."""
+    groups = _fitting(sized) if sized.statement.fault else ()
+    yield from (sized.said_of_any_size(filter(sized.agrees, map(_as_change, group))) for group in groups)
+    if not groups:
+        yield sized.said_of_any_size(sized.changes(*sized.statement.printed))
 
 
 def _candidates(near: Nearest) -> Iterator[Iterable[Change]]:
@@ -117,7 +125,7 @@ def _candidates(near: Nearest) -> Iterator[Iterable[Change]]:
     statement = near.statement
     once, twice = _fitting(near) if statement.fault else ([], [])
     for group in (once, twice):
-        yield [_marked(f, Change(f.left, f.right, ())) for f in group if near.agree(f.left, f.right)]
+        yield [_as_change(f) for f in group if near.agree(f.left, f.right)]
     if statement.reading is not None:
         left, right = statement.form("reading")
         words = _words_of_reading(near, left, right, [*once, *twice])
@@ -166,6 +174,10 @@ def _words_of_reading(near: Nearest, left: Node, right: Node, found: Iterable[We
             if each.left == left and other == right:
                 return (*each.words, words)
     return (f"it reads {plain(left)} = {plain(right)}",)
+
+
+def _as_change(fitting: WellFormedRepair) -> Change:
+    return _marked(fitting, Change(fitting.left, fitting.right, ()))
 
 
 def _marked(fitting: WellFormedRepair, change: Change) -> Change:

@@ -86,8 +86,9 @@ def scalar_question(problem: Problem, proving: bool = True) -> ScalarQuestion:
         kept = [entries(node)[0] for node in nodes]
         if _turns(hypothesis):  # its difference, read as a word by the hypothesis itself, would say nothing
             value = entries(hypothesis.subjects[0])[0]
-            given[sp.Eq(sp.Abs(value), value, evaluate=False)] = (hypothesis.text,)
-            kept = [value for _ in nodes]
+            kept = [value for _ in nodes if value.atoms(sp.Function) <= value.atoms(sp.cos, sp.sin)]
+            said = (sp.sign(value), sp.Integer(1)) if nodes and not kept else (sp.Abs(value), value)
+            given[sp.Eq(*said, evaluate=False)] = (hypothesis.text,)
         nonzero += kept
         sources |= {f"{value} != 0": (hypothesis.text,) for value in kept}
     lost = entries.lost_divisors(both)
