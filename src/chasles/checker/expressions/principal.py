@@ -30,8 +30,9 @@ class Bounds:
     @property
     def sign_of_cosine(self) -> int:
         """1 or -1 where the cosine of every angle between both is not negative or not positive, else 0."""
-        turns = round((self.low + self.high) / 2)
-        return (-1) ** (turns % 2) if turns - HALF <= self.low and self.high <= turns + HALF else 0
+        turns = ((self.low + self.high) / 2 + HALF) // 1
+        within = turns - HALF <= self.low and self.high <= turns + HALF
+        return 0 if not within else -1 if turns % 2 else 1
 
     @property
     def reach_zeros(self) -> bool:
