@@ -75,7 +75,7 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_block)(
         const doubles result4 = t3 + e[1] * t6;
         const doubles result8 = t3 + e[2] * (e[2] * t4);
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 9);
+        prefetch_to_write(item2, step2, 9, sizeof(double));
         if (dense2) {
             store_4(item2 + 0 * sizeof(double), step2, result0, result1, result2, result1);
             store_4(item2 + 4 * sizeof(double), step2, result4, result5, result2, result5);
@@ -167,7 +167,7 @@ void CHASLES_LEVELED(chasles_normal_matrix_inverse_blockf)(
         const floats result4 = t3 + e[1] * t6;
         const floats result8 = t3 + e[2] * (e[2] * t4);
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 9);
+        prefetch_to_write(item2, step2, 9, sizeof(float));
         if (dense2) {
             store_4f(item2 + 0 * sizeof(float), step2, result0, result1, result2, result1);
             store_4f(item2 + 4 * sizeof(float), step2, result4, result5, result2, result5);
@@ -300,7 +300,7 @@ void CHASLES_LEVELED(chasles_screw_axis_point_block)(
         const doubles p_0_1 = 0.5 * ((e[2] * t5 - e[0] * t7) * t9 - (e[1] * t4 - t2));
         const doubles p_0_2 = 0.5 * ((e[0] * t6 - e[1] * t5) * t9 - (e[2] * t4 - t3));
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, 3);
+        prefetch_to_write(item4, step4, 3, sizeof(double));
         if (dense4) {
             store_3(item4 + 0 * sizeof(double), step4, p_0_0, p_0_1, p_0_2);
         } else if (step4 == sizeof(double)) {
@@ -416,7 +416,7 @@ void CHASLES_LEVELED(chasles_screw_axis_point_blockf)(
         const floats p_0_1 = 0.5f * ((e[2] * t5 - e[0] * t7) * t9 - (e[1] * t4 - t2));
         const floats p_0_2 = 0.5f * ((e[0] * t6 - e[1] * t5) * t9 - (e[2] * t4 - t3));
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, 3);
+        prefetch_to_write(item4, step4, 3, sizeof(float));
         if (dense4) {
             store_3f(item4 + 0 * sizeof(float), step4, p_0_0, p_0_1, p_0_2);
         } else if (step4 == sizeof(float)) {

@@ -89,7 +89,7 @@ void CHASLES_LEVELED(chasles_plucker_line_block)(
         const doubles kappa4 = p_1[2] * kappa0 - p_1[0] * kappa2;
         const doubles kappa5 = p_1[0] * kappa1 - p_1[1] * kappa0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 6);
+        prefetch_to_write(item2, step2, 6, sizeof(double));
         if (dense2) {
             store_4(item2 + 0 * sizeof(double), step2, kappa0, kappa1, kappa2, kappa3);
             store_2(item2 + 4 * sizeof(double), step2, kappa4, kappa5);
@@ -182,7 +182,7 @@ void CHASLES_LEVELED(chasles_plucker_line_blockf)(
         const floats kappa4 = p_1[2] * kappa0 - p_1[0] * kappa2;
         const floats kappa5 = p_1[0] * kappa1 - p_1[1] * kappa0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 6);
+        prefetch_to_write(item2, step2, 6, sizeof(float));
         if (dense2) {
             store_4f(item2 + 0 * sizeof(float), step2, kappa0, kappa1, kappa2, kappa3);
             store_2f(item2 + 4 * sizeof(float), step2, kappa4, kappa5);
@@ -290,7 +290,7 @@ void CHASLES_LEVELED(chasles_plucker_transfer_block)(
         const doubles kappa_B4 = kappa_A[4] + (kappa_B0 * t3 - kappa_B2 * t1);
         const doubles kappa_B5 = kappa_A[5] + (kappa_B1 * t1 - kappa_B0 * t2);
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, 6);
+        prefetch_to_write(item3, step3, 6, sizeof(double));
         if (dense3) {
             store_4(item3 + 0 * sizeof(double), step3, kappa_B0, kappa_B1, kappa_B2, kappa_B3);
             store_2(item3 + 4 * sizeof(double), step3, kappa_B4, kappa_B5);
@@ -398,7 +398,7 @@ void CHASLES_LEVELED(chasles_plucker_transfer_blockf)(
         const floats kappa_B4 = kappa_A[4] + (kappa_B0 * t3 - kappa_B2 * t1);
         const floats kappa_B5 = kappa_A[5] + (kappa_B1 * t1 - kappa_B0 * t2);
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, 6);
+        prefetch_to_write(item3, step3, 6, sizeof(float));
         if (dense3) {
             store_4f(item3 + 0 * sizeof(float), step3, kappa_B0, kappa_B1, kappa_B2, kappa_B3);
             store_2f(item3 + 4 * sizeof(float), step3, kappa_B4, kappa_B5);

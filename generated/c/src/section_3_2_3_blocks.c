@@ -114,7 +114,7 @@ void CHASLES_LEVELED(chasles_rotation_in_triad_axes_block)(
         const doubles t9 = triad[2] * triad_prime[2] + triad[5] * triad_prime[5];
         const doubles Q8 = t9 + triad[8] * triad_prime[8];
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 9);
+        prefetch_to_write(item2, step2, 9, sizeof(double));
         if (dense2) {
             store_4(item2 + 0 * sizeof(double), step2, Q0, Q1, Q2, Q3);
             store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
@@ -236,7 +236,7 @@ void CHASLES_LEVELED(chasles_rotation_in_triad_axes_blockf)(
         const floats t9 = triad[2] * triad_prime[2] + triad[5] * triad_prime[5];
         const floats Q8 = t9 + triad[8] * triad_prime[8];
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 9);
+        prefetch_to_write(item2, step2, 9, sizeof(float));
         if (dense2) {
             store_4f(item2 + 0 * sizeof(float), step2, Q0, Q1, Q2, Q3);
             store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
@@ -358,7 +358,7 @@ void CHASLES_LEVELED(chasles_rotation_from_triads_block)(
         const doubles t9 = triad[6] * triad_prime[6] + triad[7] * triad_prime[7];
         const doubles Q8 = t9 + triad[8] * triad_prime[8];
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 9);
+        prefetch_to_write(item2, step2, 9, sizeof(double));
         if (dense2) {
             store_4(item2 + 0 * sizeof(double), step2, Q0, Q1, Q2, Q3);
             store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
@@ -480,7 +480,7 @@ void CHASLES_LEVELED(chasles_rotation_from_triads_blockf)(
         const floats t9 = triad[6] * triad_prime[6] + triad[7] * triad_prime[7];
         const floats Q8 = t9 + triad[8] * triad_prime[8];
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 9);
+        prefetch_to_write(item2, step2, 9, sizeof(float));
         if (dense2) {
             store_4f(item2 + 0 * sizeof(float), step2, Q0, Q1, Q2, Q3);
             store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);

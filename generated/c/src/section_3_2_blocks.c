@@ -54,7 +54,7 @@ void CHASLES_LEVELED(chasles_cross_product_matrix_block)(
         const doubles V5 = -V7;
         const doubles V6 = -V2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, spread(0.0), V1, V2, V3);
             store_4(item1 + 4 * sizeof(double), step1, spread(0.0), V5, V6, V7);
@@ -116,7 +116,7 @@ void CHASLES_LEVELED(chasles_cross_product_matrix_blockf)(
         const floats V5 = -V7;
         const floats V6 = -V2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, spreadf(0.0f), V1, V2, V3);
             store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), V5, V6, V7);
@@ -206,7 +206,7 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_block)(
         const doubles Q6 = t5 - t8;
         const doubles Q7 = t6 + t7;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 9);
+        prefetch_to_write(item2, step2, 9, sizeof(double));
         if (dense2) {
             store_4(item2 + 0 * sizeof(double), step2, Q0, Q1, Q2, Q3);
             store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
@@ -296,7 +296,7 @@ void CHASLES_LEVELED(chasles_rotation_from_axis_angle_blockf)(
         const floats Q6 = t5 - t8;
         const floats Q7 = t6 + t7;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 9);
+        prefetch_to_write(item2, step2, 9, sizeof(float));
         if (dense2) {
             store_4f(item2 + 0 * sizeof(float), step2, Q0, Q1, Q2, Q3);
             store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
@@ -432,7 +432,7 @@ void CHASLES_LEVELED(chasles_point_after_displacement_block)(
         const doubles p_prime1 = a_prime[1] + (Q[3] * t1 + Q[4] * t2 + Q[5] * t3);
         const doubles p_prime2 = a_prime[2] + (Q[6] * t1 + Q[7] * t2 + Q[8] * t3);
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, 3);
+        prefetch_to_write(item4, step4, 3, sizeof(double));
         if (dense4) {
             store_3(item4 + 0 * sizeof(double), step4, p_prime0, p_prime1, p_prime2);
         } else if (step4 == sizeof(double)) {
@@ -560,7 +560,7 @@ void CHASLES_LEVELED(chasles_point_after_displacement_blockf)(
         const floats p_prime1 = a_prime[1] + (Q[3] * t1 + Q[4] * t2 + Q[5] * t3);
         const floats p_prime2 = a_prime[2] + (Q[6] * t1 + Q[7] * t2 + Q[8] * t3);
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, 3);
+        prefetch_to_write(item4, step4, 3, sizeof(float));
         if (dense4) {
             store_3f(item4 + 0 * sizeof(float), step4, p_prime0, p_prime1, p_prime2);
         } else if (step4 == sizeof(float)) {
@@ -634,7 +634,7 @@ void CHASLES_LEVELED(chasles_pitch_of_motion_block)(
         const doubles t1 = e[0] * d_P[0] + e[1] * d_P[1] + e[2] * d_P[2];
         const doubles result_value = choose(equal(phi, spread(0.0)), spread(0.0), t1) / phi;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, 1);
+        prefetch_to_write(item3, step3, 1, sizeof(double));
         store_1(item3, step3, result_value);
         stream_lines(&copied);
     }
@@ -699,7 +699,7 @@ void CHASLES_LEVELED(chasles_pitch_of_motion_blockf)(
         const floats t1 = e[0] * d_P[0] + e[1] * d_P[1] + e[2] * d_P[2];
         const floats result_value = choosef(equalf(phi, spreadf(0.0f)), spreadf(0.0f), t1) / phi;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, 1);
+        prefetch_to_write(item3, step3, 1, sizeof(float));
         store_1f(item3, step3, result_value);
         stream_lines(&copied);
     }

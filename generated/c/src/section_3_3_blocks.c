@@ -58,7 +58,7 @@ void CHASLES_LEVELED(chasles_axial_vector_block)(
         const doubles omega1 = 0.5 * (Omega[2] - Omega[6]);
         const doubles omega2 = 0.5 * (Omega[3] - Omega[1]);
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 3);
+        prefetch_to_write(item1, step1, 3, sizeof(double));
         if (dense1) {
             store_3(item1 + 0 * sizeof(double), step1, omega0, omega1, omega2);
         } else if (step1 == sizeof(double)) {
@@ -116,7 +116,7 @@ void CHASLES_LEVELED(chasles_axial_vector_blockf)(
         const floats omega1 = 0.5f * (Omega[2] - Omega[6]);
         const floats omega2 = 0.5f * (Omega[3] - Omega[1]);
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 3);
+        prefetch_to_write(item1, step1, 3, sizeof(float));
         if (dense1) {
             store_3f(item1 + 0 * sizeof(float), step1, omega0, omega1, omega2);
         } else if (step1 == sizeof(float)) {

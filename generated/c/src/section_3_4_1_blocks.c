@@ -105,7 +105,7 @@ void CHASLES_LEVELED(chasles_instant_screw_point_block)(
         const doubles p_0_prime1 = choose(t14, spread(0.0), t9 * t11 - t7 * t13) / t10 / t6;
         const doubles p_0_prime2 = choose(t14, spread(0.0), t7 * t12 - t8 * t11) / t10 / t6;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, 3);
+        prefetch_to_write(item3, step3, 3, sizeof(double));
         if (dense3) {
             store_3(item3 + 0 * sizeof(double), step3, p_0_prime0, p_0_prime1, p_0_prime2);
         } else if (step3 == sizeof(double)) {
@@ -210,7 +210,7 @@ void CHASLES_LEVELED(chasles_instant_screw_point_blockf)(
         const floats p_0_prime1 = choosef(t14, spreadf(0.0f), t9 * t11 - t7 * t13) / t10 / t6;
         const floats p_0_prime2 = choosef(t14, spreadf(0.0f), t7 * t12 - t8 * t11) / t10 / t6;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, 3);
+        prefetch_to_write(item3, step3, 3, sizeof(float));
         if (dense3) {
             store_3f(item3 + 0 * sizeof(float), step3, p_0_prime0, p_0_prime1, p_0_prime2);
         } else if (step3 == sizeof(float)) {

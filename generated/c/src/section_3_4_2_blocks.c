@@ -89,7 +89,7 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_block)(
         const doubles N6 = half_N10 - t7;
         const doubles N7 = -(half_N9 + t9);
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 12);
+        prefetch_to_write(item2, step2, 12, sizeof(double));
         if (dense2) {
             store_4(item2 + 0 * sizeof(double), step2, N0, N1, N2, N3);
             store_4(item2 + 4 * sizeof(double), step2, N4, N5, N6, N7);
@@ -189,7 +189,7 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_blockf)(
         const floats N6 = half_N10 - t7;
         const floats N7 = -(half_N9 + t9);
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 12);
+        prefetch_to_write(item2, step2, 12, sizeof(float));
         if (dense2) {
             store_4f(item2 + 0 * sizeof(float), step2, N0, N1, N2, N3);
             store_4f(item2 + 4 * sizeof(float), step2, N4, N5, N6, N7);
@@ -288,7 +288,7 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_block)(
         const doubles L10 = -(e[1] * sin_phi);
         const doubles L11 = -(e[2] * sin_phi);
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 12);
+        prefetch_to_write(item2, step2, 12, sizeof(double));
         if (dense2) {
             store_4(item2 + 0 * sizeof(double), step2, L0, L1, L2, L3);
             store_4(item2 + 4 * sizeof(double), step2, L4, L5, L6, L7);
@@ -387,7 +387,7 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_blockf)(
         const floats L10 = -(e[1] * sin_phi);
         const floats L11 = -(e[2] * sin_phi);
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 12);
+        prefetch_to_write(item2, step2, 12, sizeof(float));
         if (dense2) {
             store_4f(item2 + 0 * sizeof(float), step2, L0, L1, L2, L3);
             store_4f(item2 + 4 * sizeof(float), step2, L4, L5, L6, L7);
@@ -470,7 +470,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_block)(
         const doubles H1 = e[2] * half_sin_half_phi;
         const doubles H3 = -H1;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 12);
+        prefetch_to_write(item2, step2, 12, sizeof(double));
         if (dense2) {
             store_4(item2 + 0 * sizeof(double), step2, H0, H1, H2, H3);
             store_4(item2 + 4 * sizeof(double), step2, H0, H5, H6, H7);
@@ -553,7 +553,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_blockf)(
         const floats H1 = e[2] * half_sin_half_phi;
         const floats H3 = -H1;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 12);
+        prefetch_to_write(item2, step2, 12, sizeof(float));
         if (dense2) {
             store_4f(item2 + 0 * sizeof(float), step2, H0, H1, H2, H3);
             store_4f(item2 + 4 * sizeof(float), step2, H0, H5, H6, H7);
@@ -634,7 +634,7 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_block)(
         const doubles Q6 = t6 - q[1];
         const doubles Q7 = q[0] + t7;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 9);
+        prefetch_to_write(item2, step2, 9, sizeof(double));
         if (dense2) {
             store_4(item2 + 0 * sizeof(double), step2, Q0, Q1, Q2, Q3);
             store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
@@ -712,7 +712,7 @@ void CHASLES_LEVELED(chasles_rotation_from_linear_invariants_blockf)(
         const floats Q6 = t6 - q[1];
         const floats Q7 = q[0] + t7;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 9);
+        prefetch_to_write(item2, step2, 9, sizeof(float));
         if (dense2) {
             store_4f(item2 + 0 * sizeof(float), step2, Q0, Q1, Q2, Q3);
             store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
@@ -793,7 +793,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_block)(
         const doubles Q6 = t6 - t9;
         const doubles Q7 = t7 + t8;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 9);
+        prefetch_to_write(item2, step2, 9, sizeof(double));
         if (dense2) {
             store_4(item2 + 0 * sizeof(double), step2, Q0, Q1, Q2, Q3);
             store_4(item2 + 4 * sizeof(double), step2, Q4, Q5, Q6, Q7);
@@ -874,7 +874,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_rodrigues_blockf)(
         const floats Q6 = t6 - t9;
         const floats Q7 = t7 + t8;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 9);
+        prefetch_to_write(item2, step2, 9, sizeof(float));
         if (dense2) {
             store_4f(item2 + 0 * sizeof(float), step2, Q0, Q1, Q2, Q3);
             store_4f(item2 + 4 * sizeof(float), step2, Q4, Q5, Q6, Q7);
@@ -950,7 +950,7 @@ void CHASLES_LEVELED(chasles_linear_invariants_block)(
         const doubles q2 = 0.5 * (Q[3] - Q[1]);
         const doubles q_0_value = 0.5 * (Q[8] + (Q[0] + Q[4]) - 1.0);
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 3);
+        prefetch_to_write(item1, step1, 3, sizeof(double));
         if (dense1) {
             store_3(item1 + 0 * sizeof(double), step1, q0, q1, q2);
         } else if (step1 == sizeof(double)) {
@@ -962,7 +962,7 @@ void CHASLES_LEVELED(chasles_linear_invariants_block)(
             give_each(item1, entries1, step1, 3, all);
         }
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 1);
+        prefetch_to_write(item2, step2, 1, sizeof(double));
         store_1(item2, step2, q_0_value);
         stream_lines(&copied);
     }
@@ -1021,7 +1021,7 @@ void CHASLES_LEVELED(chasles_linear_invariants_blockf)(
         const floats q2 = 0.5f * (Q[3] - Q[1]);
         const floats q_0_value = 0.5f * (Q[8] + (Q[0] + Q[4]) - 1.0f);
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 3);
+        prefetch_to_write(item1, step1, 3, sizeof(float));
         if (dense1) {
             store_3f(item1 + 0 * sizeof(float), step1, q0, q1, q2);
         } else if (step1 == sizeof(float)) {
@@ -1033,7 +1033,7 @@ void CHASLES_LEVELED(chasles_linear_invariants_blockf)(
             give_eachf(item1, entries1, step1, 3, all);
         }
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 1);
+        prefetch_to_write(item2, step2, 1, sizeof(float));
         store_1f(item2, step2, q_0_value);
         stream_lines(&copied);
     }
@@ -1160,7 +1160,7 @@ void CHASLES_LEVELED(chasles_natural_invariants_block)(
         const doubles e2 = t51 * t68;
         const doubles phi_value = 2.0 * directions(t42 * (choose(t58, spread(0.0), t47) / t57), t60 * t68);
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 3);
+        prefetch_to_write(item1, step1, 3, sizeof(double));
         if (dense1) {
             store_3(item1 + 0 * sizeof(double), step1, e0, e1, e2);
         } else if (step1 == sizeof(double)) {
@@ -1172,7 +1172,7 @@ void CHASLES_LEVELED(chasles_natural_invariants_block)(
             give_each(item1, entries1, step1, 3, all);
         }
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 1);
+        prefetch_to_write(item2, step2, 1, sizeof(double));
         store_1(item2, step2, phi_value);
         stream_lines(&copied);
     }
@@ -1300,7 +1300,7 @@ void CHASLES_LEVELED(chasles_natural_invariants_blockf)(
         const floats t69 = directionsf(t42 * (choosef(t58, spreadf(0.0f), t47) / t57), t60 * t68);
         const floats phi_value = 2.0f * t69;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 3);
+        prefetch_to_write(item1, step1, 3, sizeof(float));
         if (dense1) {
             store_3f(item1 + 0 * sizeof(float), step1, e0, e1, e2);
         } else if (step1 == sizeof(float)) {
@@ -1312,7 +1312,7 @@ void CHASLES_LEVELED(chasles_natural_invariants_blockf)(
             give_eachf(item1, entries1, step1, 3, all);
         }
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 1);
+        prefetch_to_write(item2, step2, 1, sizeof(float));
         store_1f(item2, step2, phi_value);
         stream_lines(&copied);
     }
@@ -1427,7 +1427,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_block)(
         const doubles q2 = t44 * t56;
         const doubles q_0_value = t48 * t56;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 3);
+        prefetch_to_write(item1, step1, 3, sizeof(double));
         if (dense1) {
             store_3(item1 + 0 * sizeof(double), step1, q0, q1, q2);
         } else if (step1 == sizeof(double)) {
@@ -1439,7 +1439,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_block)(
             give_each(item1, entries1, step1, 3, all);
         }
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 1);
+        prefetch_to_write(item2, step2, 1, sizeof(double));
         store_1(item2, step2, q_0_value);
         stream_lines(&copied);
     }
@@ -1554,7 +1554,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_blockf)(
         const floats q2 = t44 * t56;
         const floats q_0_value = t48 * t56;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 3);
+        prefetch_to_write(item1, step1, 3, sizeof(float));
         if (dense1) {
             store_3f(item1 + 0 * sizeof(float), step1, q0, q1, q2);
         } else if (step1 == sizeof(float)) {
@@ -1566,7 +1566,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_parameters_blockf)(
             give_eachf(item1, entries1, step1, 3, all);
         }
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 1);
+        prefetch_to_write(item2, step2, 1, sizeof(float));
         store_1f(item2, step2, q_0_value);
         stream_lines(&copied);
     }
@@ -1754,7 +1754,7 @@ void CHASLES_LEVELED(chasles_screw_of_motion_block)(
         const doubles d_0_value = axis0 * t73 + axis1 * t74 + axis2 * t75;
         const doubles phi_value = 2.0 * directions(t42 * t61, t79);
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, 6);
+        prefetch_to_write(item3, step3, 6, sizeof(double));
         if (dense3) {
             store_4(item3 + 0 * sizeof(double), step3, axis0, axis1, axis2, axis3);
             store_2(item3 + 4 * sizeof(double), step3, axis4, axis5);
@@ -1770,10 +1770,10 @@ void CHASLES_LEVELED(chasles_screw_of_motion_block)(
             give_each(item3, entries3, step3, 6, all);
         }
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, 1);
+        prefetch_to_write(item4, step4, 1, sizeof(double));
         store_1(item4, step4, d_0_value);
         char *const item5 = at5 + g * LANES * step5;
-        prefetch_to_write(item5, 1);
+        prefetch_to_write(item5, step5, 1, sizeof(double));
         store_1(item5, step5, phi_value);
         stream_lines(&copied);
     }
@@ -1961,7 +1961,7 @@ void CHASLES_LEVELED(chasles_screw_of_motion_blockf)(
         const floats d_0_value = axis0 * t73 + axis1 * t74 + axis2 * t75;
         const floats phi_value = 2.0f * directionsf(t42 * t61, t79);
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, 6);
+        prefetch_to_write(item3, step3, 6, sizeof(float));
         if (dense3) {
             store_4f(item3 + 0 * sizeof(float), step3, axis0, axis1, axis2, axis3);
             store_2f(item3 + 4 * sizeof(float), step3, axis4, axis5);
@@ -1977,10 +1977,10 @@ void CHASLES_LEVELED(chasles_screw_of_motion_blockf)(
             give_eachf(item3, entries3, step3, 6, all);
         }
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, 1);
+        prefetch_to_write(item4, step4, 1, sizeof(float));
         store_1f(item4, step4, d_0_value);
         char *const item5 = at5 + g * LANESF * step5;
-        prefetch_to_write(item5, 1);
+        prefetch_to_write(item5, step5, 1, sizeof(float));
         store_1f(item5, step5, phi_value);
         stream_lines(&copied);
     }
@@ -2086,7 +2086,7 @@ void CHASLES_LEVELED(chasles_instant_screw_block)(
         const doubles axis5 = axis1 * t16 - axis0 * t17;
         const doubles pitch_value = (axis0 * t13 + axis1 * t14 + axis2 * t15) / t6;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, 6);
+        prefetch_to_write(item3, step3, 6, sizeof(double));
         if (dense3) {
             store_4(item3 + 0 * sizeof(double), step3, axis0, axis1, axis2, axis3);
             store_2(item3 + 4 * sizeof(double), step3, axis4, axis5);
@@ -2102,7 +2102,7 @@ void CHASLES_LEVELED(chasles_instant_screw_block)(
             give_each(item3, entries3, step3, 6, all);
         }
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, 1);
+        prefetch_to_write(item4, step4, 1, sizeof(double));
         store_1(item4, step4, pitch_value);
         stream_lines(&copied);
     }
@@ -2208,7 +2208,7 @@ void CHASLES_LEVELED(chasles_instant_screw_blockf)(
         const floats axis5 = axis1 * t16 - axis0 * t17;
         const floats pitch_value = (axis0 * t13 + axis1 * t14 + axis2 * t15) / t6;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, 6);
+        prefetch_to_write(item3, step3, 6, sizeof(float));
         if (dense3) {
             store_4f(item3 + 0 * sizeof(float), step3, axis0, axis1, axis2, axis3);
             store_2f(item3 + 4 * sizeof(float), step3, axis4, axis5);
@@ -2224,7 +2224,7 @@ void CHASLES_LEVELED(chasles_instant_screw_blockf)(
             give_eachf(item3, entries3, step3, 6, all);
         }
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, 1);
+        prefetch_to_write(item4, step4, 1, sizeof(float));
         store_1f(item4, step4, pitch_value);
         stream_lines(&copied);
     }
@@ -2290,7 +2290,7 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_block)(
         const doubles N_tilde6 = -N_tilde9;
         const doubles N_tilde8 = -N_tilde2;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 12);
+        prefetch_to_write(item2, step2, 12, sizeof(double));
         if (dense2) {
             store_4(item2 + 0 * sizeof(double), step2, N_tilde0, N_tilde1, N_tilde2, N_tilde3);
             store_4(item2 + 4 * sizeof(double), step2, N_tilde4, N_tilde0, N_tilde6, N_tilde7);
@@ -2388,7 +2388,7 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_blockf)(
         const floats N_tilde6 = -N_tilde9;
         const floats N_tilde8 = -N_tilde2;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 12);
+        prefetch_to_write(item2, step2, 12, sizeof(float));
         if (dense2) {
             store_4f(item2 + 0 * sizeof(float), step2, N_tilde0, N_tilde1, N_tilde2, N_tilde3);
             store_4f(item2 + 4 * sizeof(float), step2, N_tilde4, N_tilde0, N_tilde6, N_tilde7);
@@ -2483,7 +2483,7 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_block)(
         const doubles L_tilde3 = -L_tilde9;
         const doubles L_tilde7 = -L_tilde2;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 12);
+        prefetch_to_write(item2, step2, 12, sizeof(double));
         if (dense2) {
             store_4(item2 + 0 * sizeof(double), step2, spread(1.0), L_tilde1, L_tilde2, L_tilde3);
             store_4(item2 + 4 * sizeof(double), step2, L_tilde4, spread(1.0), L_tilde3, L_tilde7);
@@ -2578,7 +2578,7 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_blockf)(
         const floats L_tilde3 = -L_tilde9;
         const floats L_tilde7 = -L_tilde2;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 12);
+        prefetch_to_write(item2, step2, 12, sizeof(float));
         if (dense2) {
             store_4f(item2 + 0 * sizeof(float), step2, spreadf(1.0f), L_tilde1, L_tilde2, L_tilde3);
             store_4f(item2 + 4 * sizeof(float), step2, L_tilde4, spreadf(1.0f), L_tilde3, L_tilde7);
@@ -2673,7 +2673,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_block)(
         const doubles H_tilde3 = -H_tilde9;
         const doubles H_tilde7 = -H_tilde2;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 12);
+        prefetch_to_write(item2, step2, 12, sizeof(double));
         if (dense2) {
             store_4(item2 + 0 * sizeof(double), step2, H_tilde0, H_tilde1, H_tilde2, H_tilde3);
             store_4(item2 + 4 * sizeof(double), step2, H_tilde4, H_tilde0, H_tilde3, H_tilde7);
@@ -2768,7 +2768,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_blockf)(
         const floats H_tilde3 = -H_tilde9;
         const floats H_tilde7 = -H_tilde2;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 12);
+        prefetch_to_write(item2, step2, 12, sizeof(float));
         if (dense2) {
             store_4f(item2 + 0 * sizeof(float), step2, H_tilde0, H_tilde1, H_tilde2, H_tilde3);
             store_4f(item2 + 4 * sizeof(float), step2, H_tilde4, H_tilde0, H_tilde3, H_tilde7);
@@ -2891,7 +2891,7 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_block)(
         const doubles s_dot1 = -(0.5 * (e[2] * t[0] - e[0] * t[2]) + (e[1] * s_dot3 - t[1]) * t2);
         const doubles s_dot2 = -(0.5 * (e[0] * t[1] - e[1] * t[0]) + (e[2] * s_dot3 - t[2]) * t2);
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, 7);
+        prefetch_to_write(item3, step3, 7, sizeof(double));
         if (dense3) {
             store_4(item3 + 0 * sizeof(double), step3, s_dot0, s_dot1, s_dot2, s_dot3);
             store_3(item3 + 4 * sizeof(double), step3, s_dot4, s_dot5, s_dot6);
@@ -2996,7 +2996,7 @@ void CHASLES_LEVELED(chasles_pose_rate_natural_blockf)(
         const floats s_dot1 = -(0.5f * (e[2] * t[0] - e[0] * t[2]) + (e[1] * s_dot3 - t[1]) * t2);
         const floats s_dot2 = -(0.5f * (e[0] * t[1] - e[1] * t[0]) + (e[2] * s_dot3 - t[2]) * t2);
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, 7);
+        prefetch_to_write(item3, step3, 7, sizeof(float));
         if (dense3) {
             store_4f(item3 + 0 * sizeof(float), step3, s_dot0, s_dot1, s_dot2, s_dot3);
             store_3f(item3 + 4 * sizeof(float), step3, s_dot4, s_dot5, s_dot6);
@@ -3104,7 +3104,7 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_block)(
         const doubles t3 = t[0] * (e[0] * sin_phi) + t[1] * (e[1] * sin_phi);
         const doubles s_dot3 = -(t3 + t[2] * (e[2] * sin_phi));
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, 7);
+        prefetch_to_write(item3, step3, 7, sizeof(double));
         if (dense3) {
             store_4(item3 + 0 * sizeof(double), step3, s_dot0, s_dot1, s_dot2, s_dot3);
             store_3(item3 + 4 * sizeof(double), step3, s_dot4, s_dot5, s_dot6);
@@ -3212,7 +3212,7 @@ void CHASLES_LEVELED(chasles_pose_rate_linear_blockf)(
         const floats t3 = t[0] * (e[0] * sin_phi) + t[1] * (e[1] * sin_phi);
         const floats s_dot3 = -(t3 + t[2] * (e[2] * sin_phi));
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, 7);
+        prefetch_to_write(item3, step3, 7, sizeof(float));
         if (dense3) {
             store_4f(item3 + 0 * sizeof(float), step3, s_dot0, s_dot1, s_dot2, s_dot3);
             store_3f(item3 + 4 * sizeof(float), step3, s_dot4, s_dot5, s_dot6);
@@ -3320,7 +3320,7 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_block)(
         const doubles s_dot2 = t[0] * t2 - t[1] * t1 + t[2] * half_cos_half_phi;
         const doubles s_dot3 = -(t[0] * t1 + t[1] * t2 + t[2] * t3);
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, 7);
+        prefetch_to_write(item3, step3, 7, sizeof(double));
         if (dense3) {
             store_4(item3 + 0 * sizeof(double), step3, s_dot0, s_dot1, s_dot2, s_dot3);
             store_3(item3 + 4 * sizeof(double), step3, s_dot4, s_dot5, s_dot6);
@@ -3428,7 +3428,7 @@ void CHASLES_LEVELED(chasles_pose_rate_euler_rodrigues_blockf)(
         const floats s_dot2 = t[0] * t2 - t[1] * t1 + t[2] * half_cos_half_phi;
         const floats s_dot3 = -(t[0] * t1 + t[1] * t2 + t[2] * t3);
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, 7);
+        prefetch_to_write(item3, step3, 7, sizeof(float));
         if (dense3) {
             store_4f(item3 + 0 * sizeof(float), step3, s_dot0, s_dot1, s_dot2, s_dot3);
             store_3f(item3 + 4 * sizeof(float), step3, s_dot4, s_dot5, s_dot6);
@@ -3536,7 +3536,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_block)(
         const doubles t9 = s_dot[2] * sin_phi + t6 * (e[0] * s_dot[1] - e[1] * s_dot[0]);
         const doubles t2 = t9 + e[2] * s_dot[3];
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, 6);
+        prefetch_to_write(item3, step3, 6, sizeof(double));
         if (dense3) {
             store_4(item3 + 0 * sizeof(double), step3, t0, t1, t2, t3);
             store_2(item3 + 4 * sizeof(double), step3, t4, t5);
@@ -3643,7 +3643,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_natural_blockf)(
         const floats t9 = s_dot[2] * sin_phi + t6 * (e[0] * s_dot[1] - e[1] * s_dot[0]);
         const floats t2 = t9 + e[2] * s_dot[3];
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, 6);
+        prefetch_to_write(item3, step3, 6, sizeof(float));
         if (dense3) {
             store_4f(item3 + 0 * sizeof(float), step3, t0, t1, t2, t3);
             store_2f(item3 + 4 * sizeof(float), step3, t4, t5);
@@ -3751,7 +3751,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_block)(
         const doubles t1 = s_dot[1] + s_dot[0] * t10 - s_dot[2] * t8 - s_dot[3] * t9;
         const doubles t2 = s_dot[2] + (s_dot[1] * t8 - s_dot[0] * t9) - s_dot[3] * t10;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, 6);
+        prefetch_to_write(item3, step3, 6, sizeof(double));
         if (dense3) {
             store_4(item3 + 0 * sizeof(double), step3, t0, t1, t2, t3);
             store_2(item3 + 4 * sizeof(double), step3, t4, t5);
@@ -3859,7 +3859,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_linear_blockf)(
         const floats t1 = s_dot[1] + s_dot[0] * t10 - s_dot[2] * t8 - s_dot[3] * t9;
         const floats t2 = s_dot[2] + (s_dot[1] * t8 - s_dot[0] * t9) - s_dot[3] * t10;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, 6);
+        prefetch_to_write(item3, step3, 6, sizeof(float));
         if (dense3) {
             store_4f(item3 + 0 * sizeof(float), step3, t0, t1, t2, t3);
             store_2f(item3 + 4 * sizeof(float), step3, t4, t5);
@@ -3967,7 +3967,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_block)(
         const doubles t1 = s_dot[0] * t10 + s_dot[1] * t6 - s_dot[2] * t8 - s_dot[3] * t9;
         const doubles t2 = s_dot[1] * t8 - s_dot[0] * t9 + s_dot[2] * t6 - s_dot[3] * t10;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, 6);
+        prefetch_to_write(item3, step3, 6, sizeof(double));
         if (dense3) {
             store_4(item3 + 0 * sizeof(double), step3, t0, t1, t2, t3);
             store_2(item3 + 4 * sizeof(double), step3, t4, t5);
@@ -4075,7 +4075,7 @@ void CHASLES_LEVELED(chasles_twist_from_pose_rate_euler_rodrigues_blockf)(
         const floats t1 = s_dot[0] * t10 + s_dot[1] * t6 - s_dot[2] * t8 - s_dot[3] * t9;
         const floats t2 = s_dot[1] * t8 - s_dot[0] * t9 + s_dot[2] * t6 - s_dot[3] * t10;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, 6);
+        prefetch_to_write(item3, step3, 6, sizeof(float));
         if (dense3) {
             store_4f(item3 + 0 * sizeof(float), step3, t0, t1, t2, t3);
             store_2f(item3 + 4 * sizeof(float), step3, t4, t5);
@@ -4183,7 +4183,7 @@ void CHASLES_LEVELED(chasles_twist_transfer_block)(
         const doubles t_P4 = t_A[4] + (t_P0 * t3 - t_P2 * t1);
         const doubles t_P5 = t_A[5] + (t_P1 * t1 - t_P0 * t2);
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, 6);
+        prefetch_to_write(item3, step3, 6, sizeof(double));
         if (dense3) {
             store_4(item3 + 0 * sizeof(double), step3, t_P0, t_P1, t_P2, t_P3);
             store_2(item3 + 4 * sizeof(double), step3, t_P4, t_P5);
@@ -4291,7 +4291,7 @@ void CHASLES_LEVELED(chasles_twist_transfer_blockf)(
         const floats t_P4 = t_A[4] + (t_P0 * t3 - t_P2 * t1);
         const floats t_P5 = t_A[5] + (t_P1 * t1 - t_P0 * t2);
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, 6);
+        prefetch_to_write(item3, step3, 6, sizeof(float));
         if (dense3) {
             store_4f(item3 + 0 * sizeof(float), step3, t_P0, t_P1, t_P2, t_P3);
             store_2f(item3 + 4 * sizeof(float), step3, t_P4, t_P5);

@@ -114,7 +114,7 @@ void CHASLES_LEVELED(chasles_velocity_of_point_block)(
         const doubles p_dot1 = a_dot[1] + (omega[2] * t1 - omega[0] * t3);
         const doubles p_dot2 = a_dot[2] + (omega[0] * t2 - omega[1] * t1);
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, 3);
+        prefetch_to_write(item4, step4, 3, sizeof(double));
         if (dense4) {
             store_3(item4 + 0 * sizeof(double), step4, p_dot0, p_dot1, p_dot2);
         } else if (step4 == sizeof(double)) {
@@ -228,7 +228,7 @@ void CHASLES_LEVELED(chasles_velocity_of_point_blockf)(
         const floats p_dot1 = a_dot[1] + (omega[2] * t1 - omega[0] * t3);
         const floats p_dot2 = a_dot[2] + (omega[0] * t2 - omega[1] * t1);
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, 3);
+        prefetch_to_write(item4, step4, 3, sizeof(float));
         if (dense4) {
             store_3f(item4 + 0 * sizeof(float), step4, p_dot0, p_dot1, p_dot2);
         } else if (step4 == sizeof(float)) {

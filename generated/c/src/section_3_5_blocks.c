@@ -83,7 +83,7 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_block)(
         const doubles W6 = t3 - omega_dot[1];
         const doubles W7 = omega_dot[0] + t5;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 9);
+        prefetch_to_write(item2, step2, 9, sizeof(double));
         if (dense2) {
             store_4(item2 + 0 * sizeof(double), step2, W0, W1, W2, W3);
             store_4(item2 + 4 * sizeof(double), step2, W4, W5, W6, W7);
@@ -174,7 +174,7 @@ void CHASLES_LEVELED(chasles_angular_acceleration_matrix_blockf)(
         const floats W6 = t3 - omega_dot[1];
         const floats W7 = omega_dot[0] + t5;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 9);
+        prefetch_to_write(item2, step2, 9, sizeof(float));
         if (dense2) {
             store_4f(item2 + 0 * sizeof(float), step2, W0, W1, W2, W3);
             store_4f(item2 + 4 * sizeof(float), step2, W4, W5, W6, W7);
@@ -322,7 +322,7 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_block)(
         const doubles t9 = a_ddot[2] + (omega_dot[0] * t2 - omega_dot[1] * t1);
         const doubles p_ddot2 = t9 + (omega[0] * t5 - omega[1] * t4);
         char *const item5 = at5 + g * LANES * step5;
-        prefetch_to_write(item5, 3);
+        prefetch_to_write(item5, step5, 3, sizeof(double));
         if (dense5) {
             store_3(item5 + 0 * sizeof(double), step5, p_ddot0, p_ddot1, p_ddot2);
         } else if (step5 == sizeof(double)) {
@@ -462,7 +462,7 @@ void CHASLES_LEVELED(chasles_acceleration_of_point_blockf)(
         const floats t9 = a_ddot[2] + (omega_dot[0] * t2 - omega_dot[1] * t1);
         const floats p_ddot2 = t9 + (omega[0] * t5 - omega[1] * t4);
         char *const item5 = at5 + g * LANESF * step5;
-        prefetch_to_write(item5, 3);
+        prefetch_to_write(item5, step5, 3, sizeof(float));
         if (dense5) {
             store_3f(item5 + 0 * sizeof(float), step5, p_ddot0, p_ddot1, p_ddot2);
         } else if (step5 == sizeof(float)) {
@@ -578,7 +578,7 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_block)(
         const doubles N_dot7 = half_t8 + t16;
         const doubles N_dot8 = e[2] * t13 - t4;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, 12);
+        prefetch_to_write(item3, step3, 12, sizeof(double));
         if (dense3) {
             store_4(item3 + 0 * sizeof(double), step3, N_dot0, N_dot1, N_dot2, N_dot3);
             store_4(item3 + 4 * sizeof(double), step3, N_dot4, N_dot5, N_dot6, N_dot7);
@@ -717,7 +717,7 @@ void CHASLES_LEVELED(chasles_natural_rate_matrix_dot_blockf)(
         const floats N_dot7 = half_t8 + t16;
         const floats N_dot8 = e[2] * t13 - t4;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, 12);
+        prefetch_to_write(item3, step3, 12, sizeof(float));
         if (dense3) {
             store_4f(item3 + 0 * sizeof(float), step3, N_dot0, N_dot1, N_dot2, N_dot3);
             store_4f(item3 + 4 * sizeof(float), step3, N_dot4, N_dot5, N_dot6, N_dot7);
@@ -861,7 +861,7 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_block)(
         const doubles L_dot10 = -t13;
         const doubles L_dot11 = -t14;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, 12);
+        prefetch_to_write(item3, step3, 12, sizeof(double));
         if (dense3) {
             store_4(item3 + 0 * sizeof(double), step3, L_dot0, L_dot1, L_dot2, L_dot3);
             store_4(item3 + 4 * sizeof(double), step3, L_dot4, L_dot5, L_dot6, L_dot7);
@@ -1005,7 +1005,7 @@ void CHASLES_LEVELED(chasles_linear_rate_matrix_dot_blockf)(
         const floats L_dot10 = -t13;
         const floats L_dot11 = -t14;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, 12);
+        prefetch_to_write(item3, step3, 12, sizeof(float));
         if (dense3) {
             store_4f(item3 + 0 * sizeof(float), step3, L_dot0, L_dot1, L_dot2, L_dot3);
             store_4f(item3 + 4 * sizeof(float), step3, L_dot4, L_dot5, L_dot6, L_dot7);
@@ -1124,7 +1124,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_block)(
         const doubles H_dot2 = -H_dot6;
         const doubles H_dot3 = -H_dot1;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, 12);
+        prefetch_to_write(item3, step3, 12, sizeof(double));
         if (dense3) {
             store_4(item3 + 0 * sizeof(double), step3, H_dot0, H_dot1, H_dot2, H_dot3);
             store_4(item3 + 4 * sizeof(double), step3, H_dot0, H_dot5, H_dot6, H_dot7);
@@ -1243,7 +1243,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_rate_matrix_dot_blockf)(
         const floats H_dot2 = -H_dot6;
         const floats H_dot3 = -H_dot1;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, 12);
+        prefetch_to_write(item3, step3, 12, sizeof(float));
         if (dense3) {
             store_4f(item3 + 0 * sizeof(float), step3, H_dot0, H_dot1, H_dot2, H_dot3);
             store_4f(item3 + 4 * sizeof(float), step3, H_dot0, H_dot5, H_dot6, H_dot7);
@@ -1369,7 +1369,7 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_block)(
         const doubles N_tilde_dot7 = -((e[1] * t1 - omega[1]) * t9 + 0.5 * t6);
         const doubles N_tilde_dot11 = -((e[2] * t1 - omega[2]) * t9 + 0.5 * t7);
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, 12);
+        prefetch_to_write(item3, step3, 12, sizeof(double));
         if (dense3) {
             store_4(item3 + 0 * sizeof(double), step3, 
             N_tilde_dot0,
@@ -1507,7 +1507,7 @@ void CHASLES_LEVELED(chasles_natural_velocity_matrix_dot_blockf)(
         const floats N_tilde_dot7 = -((e[1] * t1 - omega[1]) * t9 + 0.5f * t6);
         const floats N_tilde_dot11 = -((e[2] * t1 - omega[2]) * t9 + 0.5f * t7);
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, 12);
+        prefetch_to_write(item3, step3, 12, sizeof(float));
         if (dense3) {
             store_4f(item3 + 0 * sizeof(float), step3, 
             N_tilde_dot0,
@@ -1638,7 +1638,7 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_block)(
         const doubles L_tilde_dot3 = -L_tilde_dot9;
         const doubles L_tilde_dot7 = -L_tilde_dot2;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, 12);
+        prefetch_to_write(item3, step3, 12, sizeof(double));
         if (dense3) {
             store_4(item3 + 0 * sizeof(double), step3, 
             spread(0.0),
@@ -1769,7 +1769,7 @@ void CHASLES_LEVELED(chasles_linear_velocity_matrix_dot_blockf)(
         const floats L_tilde_dot3 = -L_tilde_dot9;
         const floats L_tilde_dot7 = -L_tilde_dot2;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, 12);
+        prefetch_to_write(item3, step3, 12, sizeof(float));
         if (dense3) {
             store_4f(item3 + 0 * sizeof(float), step3, 
             spreadf(0.0f),
@@ -1898,7 +1898,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_block)(
         const doubles H_tilde_dot3 = -H_tilde_dot9;
         const doubles H_tilde_dot7 = -H_tilde_dot2;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, 12);
+        prefetch_to_write(item3, step3, 12, sizeof(double));
         if (dense3) {
             store_4(item3 + 0 * sizeof(double), step3, 
             H_tilde_dot0,
@@ -2027,7 +2027,7 @@ void CHASLES_LEVELED(chasles_euler_rodrigues_velocity_matrix_dot_blockf)(
         const floats H_tilde_dot3 = -H_tilde_dot9;
         const floats H_tilde_dot7 = -H_tilde_dot2;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, 12);
+        prefetch_to_write(item3, step3, 12, sizeof(float));
         if (dense3) {
             store_4f(item3 + 0 * sizeof(float), step3, 
             H_tilde_dot0,
@@ -2194,7 +2194,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_block)(
         const doubles t14 = 0.5 * (e[0] * t_dot[1] - e[1] * t_dot[0] + (t[0] * t8 - t[1] * t7));
         const doubles s_ddot2 = t6 * (t_dot[2] - e[2] * s_ddot3 + t1 * t9) + t4 * t11 - t14;
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, 7);
+        prefetch_to_write(item4, step4, 7, sizeof(double));
         if (dense4) {
             store_4(item4 + 0 * sizeof(double), step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
             store_3(item4 + 4 * sizeof(double), step4, s_ddot4, s_ddot5, s_ddot6);
@@ -2331,7 +2331,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_natural_blockf)(
         const floats t14 = 0.5f * (e[0] * t_dot[1] - e[1] * t_dot[0] + (t[0] * t8 - t[1] * t7));
         const floats s_ddot2 = t6 * (t_dot[2] - e[2] * s_ddot3 + t1 * t9) + t4 * t11 - t14;
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, 7);
+        prefetch_to_write(item4, step4, 7, sizeof(float));
         if (dense4) {
             store_4f(item4 + 0 * sizeof(float), step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
             store_3f(item4 + 4 * sizeof(float), step4, s_ddot4, s_ddot5, s_ddot6);
@@ -2467,7 +2467,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_block)(
         const doubles s_ddot2 = t6 - t[2] * t3 + (e[0] * t[1] - e[1] * t[0]) * t8 - e[2] * t11;
         const doubles s_ddot3 = t2 * t8 - sin_phi * t9 - t1 * t10;
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, 7);
+        prefetch_to_write(item4, step4, 7, sizeof(double));
         if (dense4) {
             store_4(item4 + 0 * sizeof(double), step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
             store_3(item4 + 4 * sizeof(double), step4, s_ddot4, s_ddot5, s_ddot6);
@@ -2603,7 +2603,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_linear_blockf)(
         const floats s_ddot2 = t6 - t[2] * t3 + (e[0] * t[1] - e[1] * t[0]) * t8 - e[2] * t11;
         const floats s_ddot3 = t2 * t8 - sin_phi * t9 - t1 * t10;
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, 7);
+        prefetch_to_write(item4, step4, 7, sizeof(float));
         if (dense4) {
             store_4f(item4 + 0 * sizeof(float), step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
             store_3f(item4 + 4 * sizeof(float), step4, s_ddot4, s_ddot5, s_ddot6);
@@ -2735,7 +2735,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_block)(
         const doubles t9 = 0.5 * (t_dot[0] * t1 + t_dot[1] * t2 + t_dot[2] * t3);
         const doubles s_ddot3 = -(t9 + cos_half_phi * t4);
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, 7);
+        prefetch_to_write(item4, step4, 7, sizeof(double));
         if (dense4) {
             store_4(item4 + 0 * sizeof(double), step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
             store_3(item4 + 4 * sizeof(double), step4, s_ddot4, s_ddot5, s_ddot6);
@@ -2867,7 +2867,7 @@ void CHASLES_LEVELED(chasles_pose_acceleration_euler_rodrigues_blockf)(
         const floats t9 = 0.5f * (t_dot[0] * t1 + t_dot[1] * t2 + t_dot[2] * t3);
         const floats s_ddot3 = -(t9 + cos_half_phi * t4);
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, 7);
+        prefetch_to_write(item4, step4, 7, sizeof(float));
         if (dense4) {
             store_4f(item4 + 0 * sizeof(float), step4, s_ddot0, s_ddot1, s_ddot2, s_ddot3);
             store_3f(item4 + 4 * sizeof(float), step4, s_ddot4, s_ddot5, s_ddot6);
@@ -3002,7 +3002,7 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_block)(
         const doubles t9 = s_dot[2] * t5 + (e[0] * s_dot[1] - e[1] * s_dot[0]) * t6;
         const doubles t_dot2 = t4 + e[2] * s_ddot[3] + t9;
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, 6);
+        prefetch_to_write(item4, step4, 6, sizeof(double));
         if (dense4) {
             store_4(item4 + 0 * sizeof(double), step4, t_dot0, t_dot1, t_dot2, t_dot3);
             store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
@@ -3136,7 +3136,7 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_natural_blockf)(
         const floats t9 = s_dot[2] * t5 + (e[0] * s_dot[1] - e[1] * s_dot[0]) * t6;
         const floats t_dot2 = t4 + e[2] * s_ddot[3] + t9;
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, 6);
+        prefetch_to_write(item4, step4, 6, sizeof(float));
         if (dense4) {
             store_4f(item4 + 0 * sizeof(float), step4, t_dot0, t_dot1, t_dot2, t_dot3);
             store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
@@ -3271,7 +3271,7 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_block)(
         const doubles t10 = (s_dot[2] + (s_dot[1] * t3 - s_dot[0] * t4) - s_dot[3] * t5) * t7;
         const doubles t_dot2 = s_ddot[2] + (s_ddot[1] * t3 - s_ddot[0] * t4) - s_ddot[3] * t5 - t10;
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, 6);
+        prefetch_to_write(item4, step4, 6, sizeof(double));
         if (dense4) {
             store_4(item4 + 0 * sizeof(double), step4, t_dot0, t_dot1, t_dot2, t_dot3);
             store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
@@ -3406,7 +3406,7 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_linear_blockf)(
         const floats t10 = (s_dot[2] + (s_dot[1] * t3 - s_dot[0] * t4) - s_dot[3] * t5) * t7;
         const floats t_dot2 = s_ddot[2] + (s_ddot[1] * t3 - s_ddot[0] * t4) - s_ddot[3] * t5 - t10;
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, 6);
+        prefetch_to_write(item4, step4, 6, sizeof(float));
         if (dense4) {
             store_4f(item4 + 0 * sizeof(float), step4, t_dot0, t_dot1, t_dot2, t_dot3);
             store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
@@ -3514,7 +3514,7 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_block)(
         const doubles t_dot1 = s_ddot[0] * t5 + s_ddot[1] * t1 - s_ddot[2] * t3 - s_ddot[3] * t4;
         const doubles t_dot2 = s_ddot[1] * t3 - s_ddot[0] * t4 + s_ddot[2] * t1 - s_ddot[3] * t5;
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, 6);
+        prefetch_to_write(item4, step4, 6, sizeof(double));
         if (dense4) {
             store_4(item4 + 0 * sizeof(double), step4, t_dot0, t_dot1, t_dot2, t_dot3);
             store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
@@ -3622,7 +3622,7 @@ void CHASLES_LEVELED(chasles_twist_rate_from_pose_euler_rodrigues_blockf)(
         const floats t_dot1 = s_ddot[0] * t5 + s_ddot[1] * t1 - s_ddot[2] * t3 - s_ddot[3] * t4;
         const floats t_dot2 = s_ddot[1] * t3 - s_ddot[0] * t4 + s_ddot[2] * t1 - s_ddot[3] * t5;
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, 6);
+        prefetch_to_write(item4, step4, 6, sizeof(float));
         if (dense4) {
             store_4f(item4 + 0 * sizeof(float), step4, t_dot0, t_dot1, t_dot2, t_dot3);
             store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);

@@ -151,7 +151,7 @@ void CHASLES_LEVELED(chasles_moving_frame_velocity_block)(
         const doubles t6 = Q[6] * rho_dot[0] + Q[7] * rho_dot[1] + Q[8] * rho_dot[2];
         const doubles p_dot2 = o_dot[2] + (omega[0] * t2 - omega[1] * t1) + t6;
         char *const item5 = at5 + g * LANES * step5;
-        prefetch_to_write(item5, 3);
+        prefetch_to_write(item5, step5, 3, sizeof(double));
         if (dense5) {
             store_3(item5 + 0 * sizeof(double), step5, p_dot0, p_dot1, p_dot2);
         } else if (step5 == sizeof(double)) {
@@ -302,7 +302,7 @@ void CHASLES_LEVELED(chasles_moving_frame_velocity_blockf)(
         const floats t6 = Q[6] * rho_dot[0] + Q[7] * rho_dot[1] + Q[8] * rho_dot[2];
         const floats p_dot2 = o_dot[2] + (omega[0] * t2 - omega[1] * t1) + t6;
         char *const item5 = at5 + g * LANESF * step5;
-        prefetch_to_write(item5, 3);
+        prefetch_to_write(item5, step5, 3, sizeof(float));
         if (dense5) {
             store_3f(item5 + 0 * sizeof(float), step5, p_dot0, p_dot1, p_dot2);
         } else if (step5 == sizeof(float)) {
@@ -502,7 +502,7 @@ void CHASLES_LEVELED(chasles_moving_frame_acceleration_block)(
         const doubles t15 = Q[6] * rho_ddot[0] + Q[7] * rho_ddot[1] + Q[8] * rho_ddot[2];
         const doubles p_ddot2 = t12 + (omega[0] * t7 - omega[1] * t5) + t15;
         char *const item7 = at7 + g * LANES * step7;
-        prefetch_to_write(item7, 3);
+        prefetch_to_write(item7, step7, 3, sizeof(double));
         if (dense7) {
             store_3(item7 + 0 * sizeof(double), step7, p_ddot0, p_ddot1, p_ddot2);
         } else if (step7 == sizeof(double)) {
@@ -702,7 +702,7 @@ void CHASLES_LEVELED(chasles_moving_frame_acceleration_blockf)(
         const floats t15 = Q[6] * rho_ddot[0] + Q[7] * rho_ddot[1] + Q[8] * rho_ddot[2];
         const floats p_ddot2 = t12 + (omega[0] * t7 - omega[1] * t5) + t15;
         char *const item7 = at7 + g * LANESF * step7;
-        prefetch_to_write(item7, 3);
+        prefetch_to_write(item7, step7, 3, sizeof(float));
         if (dense7) {
             store_3f(item7 + 0 * sizeof(float), step7, p_ddot0, p_ddot1, p_ddot2);
         } else if (step7 == sizeof(float)) {

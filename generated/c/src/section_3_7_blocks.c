@@ -115,7 +115,7 @@ void CHASLES_LEVELED(chasles_wrench_axis_block)(
         const doubles axis5 = axis1 * t16 - axis0 * t17;
         const doubles pitch_value = (axis0 * t13 + axis1 * t14 + axis2 * t15) / t6;
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, 6);
+        prefetch_to_write(item3, step3, 6, sizeof(double));
         if (dense3) {
             store_4(item3 + 0 * sizeof(double), step3, axis0, axis1, axis2, axis3);
             store_2(item3 + 4 * sizeof(double), step3, axis4, axis5);
@@ -131,7 +131,7 @@ void CHASLES_LEVELED(chasles_wrench_axis_block)(
             give_each(item3, entries3, step3, 6, all);
         }
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, 1);
+        prefetch_to_write(item4, step4, 1, sizeof(double));
         store_1(item4, step4, pitch_value);
         stream_lines(&copied);
     }
@@ -237,7 +237,7 @@ void CHASLES_LEVELED(chasles_wrench_axis_blockf)(
         const floats axis5 = axis1 * t16 - axis0 * t17;
         const floats pitch_value = (axis0 * t13 + axis1 * t14 + axis2 * t15) / t6;
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, 6);
+        prefetch_to_write(item3, step3, 6, sizeof(float));
         if (dense3) {
             store_4f(item3 + 0 * sizeof(float), step3, axis0, axis1, axis2, axis3);
             store_2f(item3 + 4 * sizeof(float), step3, axis4, axis5);
@@ -253,7 +253,7 @@ void CHASLES_LEVELED(chasles_wrench_axis_blockf)(
             give_eachf(item3, entries3, step3, 6, all);
         }
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, 1);
+        prefetch_to_write(item4, step4, 1, sizeof(float));
         store_1f(item4, step4, pitch_value);
         stream_lines(&copied);
     }
@@ -326,7 +326,7 @@ void CHASLES_LEVELED(chasles_power_block)(
         const doubles t1 = t[0] * w[0] + t[1] * w[1] + t[2] * w[2] + t[3] * w[3] + t[4] * w[4];
         const doubles Pi_value = t1 + t[5] * w[5];
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 1);
+        prefetch_to_write(item2, step2, 1, sizeof(double));
         store_1(item2, step2, Pi_value);
         stream_lines(&copied);
     }
@@ -399,7 +399,7 @@ void CHASLES_LEVELED(chasles_power_blockf)(
         const floats t1 = t[0] * w[0] + t[1] * w[1] + t[2] * w[2] + t[3] * w[3] + t[4] * w[4];
         const floats Pi_value = t1 + t[5] * w[5];
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 1);
+        prefetch_to_write(item2, step2, 1, sizeof(float));
         store_1f(item2, step2, Pi_value);
         stream_lines(&copied);
     }
@@ -472,7 +472,7 @@ void CHASLES_LEVELED(chasles_reciprocal_product_block)(
         const doubles t1 = s_w[0] * s_t[3] + s_w[1] * s_t[4] + s_w[2] * s_t[5] + s_w[3] * s_t[0];
         const doubles product_value = t1 + s_w[4] * s_t[1] + s_w[5] * s_t[2];
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 1);
+        prefetch_to_write(item2, step2, 1, sizeof(double));
         store_1(item2, step2, product_value);
         stream_lines(&copied);
     }
@@ -545,7 +545,7 @@ void CHASLES_LEVELED(chasles_reciprocal_product_blockf)(
         const floats t1 = s_w[0] * s_t[3] + s_w[1] * s_t[4] + s_w[2] * s_t[5] + s_w[3] * s_t[0];
         const floats product_value = t1 + s_w[4] * s_t[1] + s_w[5] * s_t[2];
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 1);
+        prefetch_to_write(item2, step2, 1, sizeof(float));
         store_1f(item2, step2, product_value);
         stream_lines(&copied);
     }
@@ -640,7 +640,7 @@ void CHASLES_LEVELED(chasles_wrench_transfer_block)(
         const doubles w_P1 = w_A[1] + (w_P3 * t3 - w_P5 * t1);
         const doubles w_P2 = w_A[2] + (w_P4 * t1 - w_P3 * t2);
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, 6);
+        prefetch_to_write(item3, step3, 6, sizeof(double));
         if (dense3) {
             store_4(item3 + 0 * sizeof(double), step3, w_P0, w_P1, w_P2, w_P3);
             store_2(item3 + 4 * sizeof(double), step3, w_P4, w_P5);
@@ -748,7 +748,7 @@ void CHASLES_LEVELED(chasles_wrench_transfer_blockf)(
         const floats w_P1 = w_A[1] + (w_P3 * t3 - w_P5 * t1);
         const floats w_P2 = w_A[2] + (w_P4 * t1 - w_P3 * t2);
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, 6);
+        prefetch_to_write(item3, step3, 6, sizeof(float));
         if (dense3) {
             store_4f(item3 + 0 * sizeof(float), step3, w_P0, w_P1, w_P2, w_P3);
             store_2f(item3 + 4 * sizeof(float), step3, w_P4, w_P5);

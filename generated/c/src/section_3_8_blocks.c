@@ -128,7 +128,7 @@ void CHASLES_LEVELED(chasles_inertia_about_point_block)(
         const doubles I_A7 = I_C[7] - t10;
         const doubles I_A8 = I_C[8] + (t6 + t9);
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, 9);
+        prefetch_to_write(item4, step4, 9, sizeof(double));
         if (dense4) {
             store_4(item4 + 0 * sizeof(double), step4, I_A0, I_A1, I_A2, I_A3);
             store_4(item4 + 4 * sizeof(double), step4, I_A4, I_A5, I_A6, I_A7);
@@ -264,7 +264,7 @@ void CHASLES_LEVELED(chasles_inertia_about_point_blockf)(
         const floats I_A7 = I_C[7] - t10;
         const floats I_A8 = I_C[8] + (t6 + t9);
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, 9);
+        prefetch_to_write(item4, step4, 9, sizeof(float));
         if (dense4) {
             store_4f(item4 + 0 * sizeof(float), step4, I_A0, I_A1, I_A2, I_A3);
             store_4f(item4 + 4 * sizeof(float), step4, I_A4, I_A5, I_A6, I_A7);
@@ -387,7 +387,7 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_block)(
         const doubles I_A4 = I_C[4] - t2 * t5;
         const doubles I_A5 = I_C[5] + (t6 + t7);
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, 6);
+        prefetch_to_write(item4, step4, 6, sizeof(double));
         if (dense4) {
             store_4(item4 + 0 * sizeof(double), step4, I_A0, I_A1, I_A2, I_A3);
             store_2(item4 + 4 * sizeof(double), step4, I_A4, I_A5);
@@ -506,7 +506,7 @@ void CHASLES_LEVELED(chasles_inertia_about_point_sym6_blockf)(
         const floats I_A4 = I_C[4] - t2 * t5;
         const floats I_A5 = I_C[5] + (t6 + t7);
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, 6);
+        prefetch_to_write(item4, step4, 6, sizeof(float));
         if (dense4) {
             store_4f(item4 + 0 * sizeof(float), step4, I_A0, I_A1, I_A2, I_A3);
             store_2f(item4 + 4 * sizeof(float), step4, I_A4, I_A5);
@@ -611,7 +611,7 @@ void CHASLES_LEVELED(chasles_momentum_screw_block)(
         const doubles mu4 = m * t[4];
         const doubles mu5 = m * t[5];
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, 6);
+        prefetch_to_write(item3, step3, 6, sizeof(double));
         if (dense3) {
             store_4(item3 + 0 * sizeof(double), step3, mu0, mu1, mu2, mu3);
             store_2(item3 + 4 * sizeof(double), step3, mu4, mu5);
@@ -716,7 +716,7 @@ void CHASLES_LEVELED(chasles_momentum_screw_blockf)(
         const floats mu4 = m * t[4];
         const floats mu5 = m * t[5];
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, 6);
+        prefetch_to_write(item3, step3, 6, sizeof(float));
         if (dense3) {
             store_4f(item3 + 0 * sizeof(float), step3, mu0, mu1, mu2, mu3);
             store_2f(item3 + 4 * sizeof(float), step3, mu4, mu5);
@@ -814,7 +814,7 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_block)(
         const doubles mu4 = m * t[4];
         const doubles mu5 = m * t[5];
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, 6);
+        prefetch_to_write(item3, step3, 6, sizeof(double));
         if (dense3) {
             store_4(item3 + 0 * sizeof(double), step3, mu0, mu1, mu2, mu3);
             store_2(item3 + 4 * sizeof(double), step3, mu4, mu5);
@@ -912,7 +912,7 @@ void CHASLES_LEVELED(chasles_momentum_screw_sym6_blockf)(
         const floats mu4 = m * t[4];
         const floats mu5 = m * t[5];
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, 6);
+        prefetch_to_write(item3, step3, 6, sizeof(float));
         if (dense3) {
             store_4f(item3 + 0 * sizeof(float), step3, mu0, mu1, mu2, mu3);
             store_2f(item3 + 4 * sizeof(float), step3, mu4, mu5);
@@ -1014,7 +1014,7 @@ void CHASLES_LEVELED(chasles_kinetic_energy_block)(
         const doubles t4 = t3 + m * t[3] * (0.5 * t[3]) + m * t[4] * (0.5 * t[4]);
         const doubles T_value = t4 + m * t[5] * (0.5 * t[5]);
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, 1);
+        prefetch_to_write(item3, step3, 1, sizeof(double));
         store_1(item3, step3, T_value);
         stream_lines(&copied);
     }
@@ -1103,7 +1103,7 @@ void CHASLES_LEVELED(chasles_kinetic_energy_blockf)(
         const floats t4 = t3 + m * t[3] * (0.5f * t[3]) + m * t[4] * (0.5f * t[4]);
         const floats T_value = t4 + m * t[5] * (0.5f * t[5]);
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, 1);
+        prefetch_to_write(item3, step3, 1, sizeof(float));
         store_1f(item3, step3, T_value);
         stream_lines(&copied);
     }
@@ -1185,7 +1185,7 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_block)(
         const doubles t4 = t3 + m * t[3] * (0.5 * t[3]) + m * t[4] * (0.5 * t[4]);
         const doubles T_value = t4 + m * t[5] * (0.5 * t[5]);
         char *const item3 = at3 + g * LANES * step3;
-        prefetch_to_write(item3, 1);
+        prefetch_to_write(item3, step3, 1, sizeof(double));
         store_1(item3, step3, T_value);
         stream_lines(&copied);
     }
@@ -1267,7 +1267,7 @@ void CHASLES_LEVELED(chasles_kinetic_energy_sym6_blockf)(
         const floats t4 = t3 + m * t[3] * (0.5f * t[3]) + m * t[4] * (0.5f * t[4]);
         const floats T_value = t4 + m * t[5] * (0.5f * t[5]);
         char *const item3 = at3 + g * LANESF * step3;
-        prefetch_to_write(item3, 1);
+        prefetch_to_write(item3, step3, 1, sizeof(float));
         store_1f(item3, step3, T_value);
         stream_lines(&copied);
     }
@@ -1385,7 +1385,7 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_block)(
         const doubles t6 = I_C[6] * t_dot[0] + I_C[7] * t_dot[1] + I_C[8] * t_dot[2];
         const doubles w2 = t6 + (t[0] * t2 - t[1] * t1);
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, 6);
+        prefetch_to_write(item4, step4, 6, sizeof(double));
         if (dense4) {
             store_4(item4 + 0 * sizeof(double), step4, w0, w1, w2, w3);
             store_2(item4 + 4 * sizeof(double), step4, w4, w5);
@@ -1516,7 +1516,7 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_blockf)(
         const floats t6 = I_C[6] * t_dot[0] + I_C[7] * t_dot[1] + I_C[8] * t_dot[2];
         const floats w2 = t6 + (t[0] * t2 - t[1] * t1);
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, 6);
+        prefetch_to_write(item4, step4, 6, sizeof(float));
         if (dense4) {
             store_4f(item4 + 0 * sizeof(float), step4, w0, w1, w2, w3);
             store_2f(item4 + 4 * sizeof(float), step4, w4, w5);
@@ -1640,7 +1640,7 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_block)(
         const doubles t6 = I_C[2] * t_dot[0] + I_C[4] * t_dot[1] + I_C[5] * t_dot[2];
         const doubles w2 = t6 + (t[0] * t2 - t[1] * t1);
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, 6);
+        prefetch_to_write(item4, step4, 6, sizeof(double));
         if (dense4) {
             store_4(item4 + 0 * sizeof(double), step4, w0, w1, w2, w3);
             store_2(item4 + 4 * sizeof(double), step4, w4, w5);
@@ -1764,7 +1764,7 @@ void CHASLES_LEVELED(chasles_newton_euler_wrench_sym6_blockf)(
         const floats t6 = I_C[2] * t_dot[0] + I_C[4] * t_dot[1] + I_C[5] * t_dot[2];
         const floats w2 = t6 + (t[0] * t2 - t[1] * t1);
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, 6);
+        prefetch_to_write(item4, step4, 6, sizeof(float));
         if (dense4) {
             store_4f(item4 + 0 * sizeof(float), step4, w0, w1, w2, w3);
             store_2f(item4 + 4 * sizeof(float), step4, w4, w5);
@@ -1934,7 +1934,7 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_block)(
         const doubles t_dot1 = t41 * (t43 + t33 * (t21 * t22 - t19 * t24)) / t18;
         const doubles t_dot2 = t41 * (t44 + t33 * (t19 * t23 - t20 * t22)) / t18;
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, 6);
+        prefetch_to_write(item4, step4, 6, sizeof(double));
         if (dense4) {
             store_4(item4 + 0 * sizeof(double), step4, t_dot0, t_dot1, t_dot2, t_dot3);
             store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
@@ -2105,7 +2105,7 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_blockf)(
         const floats t_dot1 = t42 * (t44 + t33 * (t21 * t22 - t19 * t24)) / t18;
         const floats t_dot2 = t42 * (t45 + t33 * (t19 * t23 - t20 * t22)) / t18;
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, 6);
+        prefetch_to_write(item4, step4, 6, sizeof(float));
         if (dense4) {
             store_4f(item4 + 0 * sizeof(float), step4, t_dot0, t_dot1, t_dot2, t_dot3);
             store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
@@ -2257,7 +2257,7 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_block)(
         const doubles t_dot1 = t33 * (t22 * t26 + t23 * (t13 * t18 - t15 * t15) + t24 * t28) / t12;
         const doubles t_dot2 = t33 * (t22 * t27 + t23 * t28 + t24 * (t13 * t16 - t14 * t14)) / t12;
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, 6);
+        prefetch_to_write(item4, step4, 6, sizeof(double));
         if (dense4) {
             store_4(item4 + 0 * sizeof(double), step4, t_dot0, t_dot1, t_dot2, t_dot3);
             store_2(item4 + 4 * sizeof(double), step4, t_dot4, t_dot5);
@@ -2410,7 +2410,7 @@ void CHASLES_LEVELED(chasles_newton_euler_twist_rate_sym6_blockf)(
         const floats t_dot1 = t34 * (t22 * t26 + t23 * (t13 * t18 - t15 * t15) + t24 * t28) / t12;
         const floats t_dot2 = t34 * (t22 * t27 + t23 * t28 + t24 * (t13 * t16 - t14 * t14)) / t12;
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, 6);
+        prefetch_to_write(item4, step4, 6, sizeof(float));
         if (dense4) {
             store_4f(item4 + 0 * sizeof(float), step4, t_dot0, t_dot1, t_dot2, t_dot3);
             store_2f(item4 + 4 * sizeof(float), step4, t_dot4, t_dot5);
@@ -2547,7 +2547,7 @@ void CHASLES_LEVELED(chasles_inertia_dyad_block)(
         const doubles M_A13 = I_C[7] - t8;
         const doubles M_A14 = I_C[8] + (t4 + t7);
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, 36);
+        prefetch_to_write(item4, step4, 36, sizeof(double));
         if (dense4) {
             store_4(item4 + 0 * sizeof(double), step4, M_A0, M_A1, M_A2, spread(0.0));
             store_4(item4 + 4 * sizeof(double), step4, M_A4, M_A5, M_A6, M_A7);
@@ -2757,7 +2757,7 @@ void CHASLES_LEVELED(chasles_inertia_dyad_blockf)(
         const floats M_A13 = I_C[7] - t8;
         const floats M_A14 = I_C[8] + (t4 + t7);
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, 36);
+        prefetch_to_write(item4, step4, 36, sizeof(float));
         if (dense4) {
             store_4f(item4 + 0 * sizeof(float), step4, M_A0, M_A1, M_A2, spreadf(0.0f));
             store_4f(item4 + 4 * sizeof(float), step4, M_A4, M_A5, M_A6, M_A7);
@@ -2954,7 +2954,7 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_block)(
         const doubles M_A8 = I_C[4] - t2 * M_A4;
         const doubles M_A14 = I_C[5] + (t4 + t5);
         char *const item4 = at4 + g * LANES * step4;
-        prefetch_to_write(item4, 36);
+        prefetch_to_write(item4, step4, 36, sizeof(double));
         if (dense4) {
             store_4(item4 + 0 * sizeof(double), step4, M_A0, M_A1, M_A2, spread(0.0));
             store_4(item4 + 4 * sizeof(double), step4, M_A4, M_A5, M_A1, M_A7);
@@ -3151,7 +3151,7 @@ void CHASLES_LEVELED(chasles_inertia_dyad_sym6_blockf)(
         const floats M_A8 = I_C[4] - t2 * M_A4;
         const floats M_A14 = I_C[5] + (t4 + t5);
         char *const item4 = at4 + g * LANESF * step4;
-        prefetch_to_write(item4, 36);
+        prefetch_to_write(item4, step4, 36, sizeof(float));
         if (dense4) {
             store_4f(item4 + 0 * sizeof(float), step4, M_A0, M_A1, M_A2, spreadf(0.0f));
             store_4f(item4 + 4 * sizeof(float), step4, M_A4, M_A5, M_A1, M_A7);

@@ -77,7 +77,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_block)(
         const doubles Q7 = sin_angles_0 * cos_angles_2 + t2 * sin_angles_2;
         const doubles Q8 = t2 * cos_angles_2 - sin_angles_0 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
             store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
@@ -162,7 +162,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyx_blockf)(
         const floats Q7 = sin_angles_0 * cos_angles_2 + t2 * sin_angles_2;
         const floats Q8 = t2 * cos_angles_2 - sin_angles_0 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
             store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
@@ -235,7 +235,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_block)(
         const doubles W5 = W7 * sin_angles_1;
         const doubles W8 = -(W4 * sin_angles_1);
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, spread(1.0), spread(0.0), W2, spread(0.0));
             store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(0.0), W7);
@@ -308,7 +308,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyx_blockf)(
         const floats W5 = W7 * sin_angles_1;
         const floats W8 = -(W4 * sin_angles_1);
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
             store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(0.0f), W7);
@@ -390,7 +390,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_block)(
         const doubles W_body7 = -sin_angles_2;
         const doubles W_body6 = sin_angles_1 * W_body4;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, W_body0, spread(0.0), spread(1.0), W_body3);
             store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, W_body7);
@@ -472,7 +472,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyx_blockf)(
         const floats W_body7 = -sin_angles_2;
         const floats W_body6 = sin_angles_1 * W_body4;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
             store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, W_body7);
@@ -573,7 +573,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_block)(
         const doubles theta_dot0 = omega[0] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[1] * cos_angles_0 + omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 3);
+        prefetch_to_write(item2, step2, 3, sizeof(double));
         if (dense2) {
             store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
         } else if (step2 == sizeof(double)) {
@@ -658,7 +658,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyx_blockf)(
         const floats theta_dot0 = omega[0] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[1] * cos_angles_0 + omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 3);
+        prefetch_to_write(item2, step2, 3, sizeof(float));
         if (dense2) {
             store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
         } else if (step2 == sizeof(float)) {
@@ -735,7 +735,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_block)(
         const doubles Q6 = sin_angles_0 * sin_angles_2 - t2 * cos_angles_2;
         const doubles Q7 = t2 * sin_angles_2 + sin_angles_0 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
             store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
@@ -820,7 +820,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xyz_blockf)(
         const floats Q6 = sin_angles_0 * sin_angles_2 - t2 * cos_angles_2;
         const floats Q7 = t2 * sin_angles_2 + sin_angles_0 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
             store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
@@ -893,7 +893,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_block)(
         const doubles W5 = -(W7 * cos_angles_1);
         const doubles W8 = W4 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, spread(1.0), spread(0.0), W2, spread(0.0));
             store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(0.0), W7);
@@ -966,7 +966,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xyz_blockf)(
         const floats W5 = -(W7 * cos_angles_1);
         const floats W8 = W4 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
             store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(0.0f), W7);
@@ -1048,7 +1048,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_block)(
         const doubles W_body1 = sin_angles_2;
         const doubles W_body3 = -(cos_angles_1 * W_body1);
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, W_body0, W_body1, spread(0.0), W_body3);
             store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, spread(0.0));
@@ -1130,7 +1130,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xyz_blockf)(
         const floats W_body1 = sin_angles_2;
         const floats W_body3 = -(cos_angles_1 * W_body1);
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, W_body0, W_body1, spreadf(0.0f), W_body3);
             store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
@@ -1231,7 +1231,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_block)(
         const doubles theta_dot0 = omega[0] - sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[1] * cos_angles_0 + omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 3);
+        prefetch_to_write(item2, step2, 3, sizeof(double));
         if (dense2) {
             store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
         } else if (step2 == sizeof(double)) {
@@ -1316,7 +1316,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xyz_blockf)(
         const floats theta_dot0 = omega[0] - sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[1] * cos_angles_0 + omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 3);
+        prefetch_to_write(item2, step2, 3, sizeof(float));
         if (dense2) {
             store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
         } else if (step2 == sizeof(float)) {
@@ -1393,7 +1393,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_block)(
         const doubles Q7 = t2 * cos_angles_2 + cos_angles_0 * sin_angles_2;
         const doubles Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
             store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
@@ -1478,7 +1478,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzx_blockf)(
         const floats Q7 = t2 * cos_angles_2 + cos_angles_0 * sin_angles_2;
         const floats Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
             store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
@@ -1551,7 +1551,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_block)(
         const doubles W5 = W7 * sin_angles_1;
         const doubles W8 = sin_angles_0 * sin_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, spread(1.0), spread(0.0), W2, spread(0.0));
             store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(0.0), W7);
@@ -1624,7 +1624,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzx_blockf)(
         const floats W5 = W7 * sin_angles_1;
         const floats W8 = sin_angles_0 * sin_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
             store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(0.0f), W7);
@@ -1706,7 +1706,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_block)(
         const doubles W_body4 = sin_angles_2;
         const doubles W_body6 = sin_angles_1 * W_body4;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, W_body0, spread(0.0), spread(1.0), W_body3);
             store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, W_body7);
@@ -1788,7 +1788,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzx_blockf)(
         const floats W_body4 = sin_angles_2;
         const floats W_body6 = sin_angles_1 * W_body4;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
             store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, W_body7);
@@ -1889,7 +1889,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_block)(
         const doubles theta_dot0 = omega[0] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[2] * cos_angles_0 - omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 3);
+        prefetch_to_write(item2, step2, 3, sizeof(double));
         if (dense2) {
             store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
         } else if (step2 == sizeof(double)) {
@@ -1974,7 +1974,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzx_blockf)(
         const floats theta_dot0 = omega[0] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[2] * cos_angles_0 - omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 3);
+        prefetch_to_write(item2, step2, 3, sizeof(float));
         if (dense2) {
             store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
         } else if (step2 == sizeof(float)) {
@@ -2051,7 +2051,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_block)(
         const doubles Q6 = t2 * cos_angles_2 - cos_angles_0 * sin_angles_2;
         const doubles Q8 = t2 * sin_angles_2 + cos_angles_0 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
             store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
@@ -2136,7 +2136,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_xzy_blockf)(
         const floats Q6 = t2 * cos_angles_2 - cos_angles_0 * sin_angles_2;
         const floats Q8 = t2 * sin_angles_2 + cos_angles_0 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
             store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
@@ -2209,7 +2209,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_block)(
         const doubles W5 = W7 * cos_angles_1;
         const doubles W8 = sin_angles_0 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, spread(1.0), spread(0.0), W2, spread(0.0));
             store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(0.0), W7);
@@ -2282,7 +2282,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_xzy_blockf)(
         const floats W5 = W7 * cos_angles_1;
         const floats W8 = sin_angles_0 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, spreadf(1.0f), spreadf(0.0f), W2, spreadf(0.0f));
             store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(0.0f), W7);
@@ -2364,7 +2364,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_block)(
         const doubles W_body1 = -sin_angles_2;
         const doubles W_body6 = cos_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, W_body0, W_body1, spread(0.0), W_body3);
             store_4(item1 + 4 * sizeof(double), step1, spread(0.0), spread(1.0), W_body6, W_body7);
@@ -2446,7 +2446,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_xzy_blockf)(
         const floats W_body1 = -sin_angles_2;
         const floats W_body6 = cos_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, W_body0, W_body1, spreadf(0.0f), W_body3);
             store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
@@ -2547,7 +2547,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_block)(
         const doubles theta_dot0 = omega[0] + sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[2] * cos_angles_0 - omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 3);
+        prefetch_to_write(item2, step2, 3, sizeof(double));
         if (dense2) {
             store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
         } else if (step2 == sizeof(double)) {
@@ -2632,7 +2632,7 @@ void CHASLES_LEVELED(chasles_euler_rates_xzy_blockf)(
         const floats theta_dot0 = omega[0] + sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[2] * cos_angles_0 - omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 3);
+        prefetch_to_write(item2, step2, 3, sizeof(float));
         if (dense2) {
             store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
         } else if (step2 == sizeof(float)) {
@@ -2709,7 +2709,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_block)(
         const doubles Q6 = -(sin_angles_0 * cos_angles_2 + t2 * sin_angles_2);
         const doubles Q8 = t2 * cos_angles_2 - sin_angles_0 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
             store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
@@ -2794,7 +2794,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxy_blockf)(
         const floats Q6 = -(sin_angles_0 * cos_angles_2 + t2 * sin_angles_2);
         const floats Q8 = t2 * cos_angles_2 - sin_angles_0 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
             store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
@@ -2867,7 +2867,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_block)(
         const doubles W2 = sin_angles_0 * sin_angles_1;
         const doubles W8 = W1 * sin_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, spread(0.0), W1, W2, spread(1.0));
             store_4(item1 + 4 * sizeof(double), step1, spread(0.0), W5, spread(0.0), W7);
@@ -2940,7 +2940,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxy_blockf)(
         const floats W2 = sin_angles_0 * sin_angles_1;
         const floats W8 = W1 * sin_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
             store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
@@ -3022,7 +3022,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_block)(
         const doubles W_body0 = sin_angles_1 * W_body7;
         const doubles W_body6 = -(sin_angles_1 * W_body1);
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, W_body0, W_body1, spread(0.0), W_body3);
             store_4(item1 + 4 * sizeof(double), step1, spread(0.0), spread(1.0), W_body6, W_body7);
@@ -3104,7 +3104,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxy_blockf)(
         const floats W_body0 = sin_angles_1 * W_body7;
         const floats W_body6 = -(sin_angles_1 * W_body1);
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, W_body0, W_body1, spreadf(0.0f), W_body3);
             store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
@@ -3205,7 +3205,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_block)(
         const doubles theta_dot0 = omega[1] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * cos_angles_0 - omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 3);
+        prefetch_to_write(item2, step2, 3, sizeof(double));
         if (dense2) {
             store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
         } else if (step2 == sizeof(double)) {
@@ -3290,7 +3290,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxy_blockf)(
         const floats theta_dot0 = omega[1] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * cos_angles_0 - omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 3);
+        prefetch_to_write(item2, step2, 3, sizeof(float));
         if (dense2) {
             store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
         } else if (step2 == sizeof(float)) {
@@ -3367,7 +3367,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_block)(
         const doubles Q6 = t2 * sin_angles_2 - sin_angles_0 * cos_angles_2;
         const doubles Q7 = sin_angles_0 * sin_angles_2 + t2 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
             store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
@@ -3452,7 +3452,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yxz_blockf)(
         const floats Q6 = t2 * sin_angles_2 - sin_angles_0 * cos_angles_2;
         const floats Q7 = sin_angles_0 * sin_angles_2 + t2 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
             store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
@@ -3525,7 +3525,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_block)(
         const doubles W2 = sin_angles_0 * cos_angles_1;
         const doubles W8 = W1 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, spread(0.0), W1, W2, spread(1.0));
             store_4(item1 + 4 * sizeof(double), step1, spread(0.0), W5, spread(0.0), W7);
@@ -3598,7 +3598,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yxz_blockf)(
         const floats W2 = sin_angles_0 * cos_angles_1;
         const floats W8 = W1 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
             store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
@@ -3680,7 +3680,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_block)(
         const doubles W_body4 = -sin_angles_2;
         const doubles W_body3 = cos_angles_1 * W_body1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, W_body0, W_body1, spread(0.0), W_body3);
             store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, spread(0.0));
@@ -3762,7 +3762,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yxz_blockf)(
         const floats W_body4 = -sin_angles_2;
         const floats W_body3 = cos_angles_1 * W_body1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, W_body0, W_body1, spreadf(0.0f), W_body3);
             store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
@@ -3863,7 +3863,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_block)(
         const doubles theta_dot0 = omega[1] + sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * cos_angles_0 - omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 3);
+        prefetch_to_write(item2, step2, 3, sizeof(double));
         if (dense2) {
             store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
         } else if (step2 == sizeof(double)) {
@@ -3948,7 +3948,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yxz_blockf)(
         const floats theta_dot0 = omega[1] + sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * cos_angles_0 - omega[2] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 3);
+        prefetch_to_write(item2, step2, 3, sizeof(float));
         if (dense2) {
             store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
         } else if (step2 == sizeof(float)) {
@@ -4025,7 +4025,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_block)(
         const doubles Q7 = t2 * cos_angles_2 + cos_angles_0 * sin_angles_2;
         const doubles Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
             store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
@@ -4110,7 +4110,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzx_blockf)(
         const floats Q7 = t2 * cos_angles_2 + cos_angles_0 * sin_angles_2;
         const floats Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
             store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
@@ -4183,7 +4183,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_block)(
         const doubles W2 = W7 * cos_angles_1;
         const doubles W8 = -(W1 * cos_angles_1);
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, spread(0.0), W1, W2, spread(1.0));
             store_4(item1 + 4 * sizeof(double), step1, spread(0.0), W5, spread(0.0), W7);
@@ -4256,7 +4256,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzx_blockf)(
         const floats W2 = W7 * cos_angles_1;
         const floats W8 = -(W1 * cos_angles_1);
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
             store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
@@ -4338,7 +4338,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_block)(
         const doubles W_body4 = sin_angles_2;
         const doubles W_body6 = -(cos_angles_1 * W_body4);
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, W_body0, spread(0.0), spread(1.0), W_body3);
             store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, W_body7);
@@ -4420,7 +4420,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzx_blockf)(
         const floats W_body4 = sin_angles_2;
         const floats W_body6 = -(cos_angles_1 * W_body4);
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
             store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, W_body7);
@@ -4521,7 +4521,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_block)(
         const doubles theta_dot0 = omega[1] - sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * sin_angles_0 + omega[2] * cos_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 3);
+        prefetch_to_write(item2, step2, 3, sizeof(double));
         if (dense2) {
             store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
         } else if (step2 == sizeof(double)) {
@@ -4606,7 +4606,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzx_blockf)(
         const floats theta_dot0 = omega[1] - sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * sin_angles_0 + omega[2] * cos_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 3);
+        prefetch_to_write(item2, step2, 3, sizeof(float));
         if (dense2) {
             store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
         } else if (step2 == sizeof(float)) {
@@ -4683,7 +4683,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_block)(
         const doubles Q6 = -(t2 * cos_angles_2 + cos_angles_0 * sin_angles_2);
         const doubles Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
             store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
@@ -4768,7 +4768,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_yzy_blockf)(
         const floats Q6 = -(t2 * cos_angles_2 + cos_angles_0 * sin_angles_2);
         const floats Q8 = cos_angles_0 * cos_angles_2 - t2 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
             store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
@@ -4841,7 +4841,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_block)(
         const doubles W2 = -(W7 * sin_angles_1);
         const doubles W8 = W1 * sin_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, spread(0.0), W1, W2, spread(1.0));
             store_4(item1 + 4 * sizeof(double), step1, spread(0.0), W5, spread(0.0), W7);
@@ -4914,7 +4914,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_yzy_blockf)(
         const floats W2 = -(W7 * sin_angles_1);
         const floats W8 = W1 * sin_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, spreadf(0.0f), W1, W2, spreadf(1.0f));
             store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), W5, spreadf(0.0f), W7);
@@ -4996,7 +4996,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_block)(
         const doubles W_body1 = -sin_angles_2;
         const doubles W_body6 = sin_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, W_body0, W_body1, spread(0.0), W_body3);
             store_4(item1 + 4 * sizeof(double), step1, spread(0.0), spread(1.0), W_body6, W_body7);
@@ -5078,7 +5078,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_yzy_blockf)(
         const floats W_body1 = -sin_angles_2;
         const floats W_body6 = sin_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, W_body0, W_body1, spreadf(0.0f), W_body3);
             store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
@@ -5179,7 +5179,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_block)(
         const doubles theta_dot0 = omega[1] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * sin_angles_0 + omega[2] * cos_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 3);
+        prefetch_to_write(item2, step2, 3, sizeof(double));
         if (dense2) {
             store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
         } else if (step2 == sizeof(double)) {
@@ -5264,7 +5264,7 @@ void CHASLES_LEVELED(chasles_euler_rates_yzy_blockf)(
         const floats theta_dot0 = omega[1] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * sin_angles_0 + omega[2] * cos_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 3);
+        prefetch_to_write(item2, step2, 3, sizeof(float));
         if (dense2) {
             store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
         } else if (step2 == sizeof(float)) {
@@ -5341,7 +5341,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_block)(
         const doubles Q6 = -(cos_angles_1 * sin_angles_2);
         const doubles Q8 = cos_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
             store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
@@ -5426,7 +5426,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxy_blockf)(
         const floats Q6 = -(cos_angles_1 * sin_angles_2);
         const floats Q8 = cos_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
             store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
@@ -5499,7 +5499,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_block)(
         const doubles W2 = -(W4 * cos_angles_1);
         const doubles W5 = W1 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, spread(0.0), W1, W2, spread(0.0));
             store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(1.0), spread(0.0));
@@ -5572,7 +5572,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxy_blockf)(
         const floats W2 = -(W4 * cos_angles_1);
         const floats W5 = W1 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
             store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
@@ -5654,7 +5654,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_block)(
         const doubles W_body0 = -(cos_angles_1 * W_body7);
         const doubles W_body6 = cos_angles_1 * W_body1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, W_body0, W_body1, spread(0.0), W_body3);
             store_4(item1 + 4 * sizeof(double), step1, spread(0.0), spread(1.0), W_body6, W_body7);
@@ -5736,7 +5736,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxy_blockf)(
         const floats W_body0 = -(cos_angles_1 * W_body7);
         const floats W_body6 = cos_angles_1 * W_body1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, W_body0, W_body1, spreadf(0.0f), W_body3);
             store_4f(item1 + 4 * sizeof(float), step1, spreadf(0.0f), spreadf(1.0f), W_body6, W_body7);
@@ -5837,7 +5837,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_block)(
         const doubles theta_dot0 = omega[2] - sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * cos_angles_0 + omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 3);
+        prefetch_to_write(item2, step2, 3, sizeof(double));
         if (dense2) {
             store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
         } else if (step2 == sizeof(double)) {
@@ -5922,7 +5922,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxy_blockf)(
         const floats theta_dot0 = omega[2] - sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * cos_angles_0 + omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 3);
+        prefetch_to_write(item2, step2, 3, sizeof(float));
         if (dense2) {
             store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
         } else if (step2 == sizeof(float)) {
@@ -5999,7 +5999,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_block)(
         const doubles Q6 = sin_angles_1 * sin_angles_2;
         const doubles Q7 = sin_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
             store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
@@ -6084,7 +6084,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zxz_blockf)(
         const floats Q6 = sin_angles_1 * sin_angles_2;
         const floats Q7 = sin_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
             store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
@@ -6157,7 +6157,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_block)(
         const doubles W2 = W4 * sin_angles_1;
         const doubles W5 = -(W1 * sin_angles_1);
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, spread(0.0), W1, W2, spread(0.0));
             store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(1.0), spread(0.0));
@@ -6230,7 +6230,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zxz_blockf)(
         const floats W2 = W4 * sin_angles_1;
         const floats W5 = -(W1 * sin_angles_1);
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
             store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
@@ -6312,7 +6312,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_block)(
         const doubles W_body4 = -sin_angles_2;
         const doubles W_body3 = sin_angles_1 * W_body1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, W_body0, W_body1, spread(0.0), W_body3);
             store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, spread(0.0));
@@ -6394,7 +6394,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zxz_blockf)(
         const floats W_body4 = -sin_angles_2;
         const floats W_body3 = sin_angles_1 * W_body1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, W_body0, W_body1, spreadf(0.0f), W_body3);
             store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
@@ -6495,7 +6495,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_block)(
         const doubles theta_dot0 = omega[2] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[0] * cos_angles_0 + omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 3);
+        prefetch_to_write(item2, step2, 3, sizeof(double));
         if (dense2) {
             store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
         } else if (step2 == sizeof(double)) {
@@ -6580,7 +6580,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zxz_blockf)(
         const floats theta_dot0 = omega[2] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[0] * cos_angles_0 + omega[1] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 3);
+        prefetch_to_write(item2, step2, 3, sizeof(float));
         if (dense2) {
             store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
         } else if (step2 == sizeof(float)) {
@@ -6657,7 +6657,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_block)(
         const doubles Q7 = cos_angles_1 * sin_angles_2;
         const doubles Q8 = cos_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
             store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
@@ -6742,7 +6742,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyx_blockf)(
         const floats Q7 = cos_angles_1 * sin_angles_2;
         const floats Q8 = cos_angles_1 * cos_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
             store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
@@ -6815,7 +6815,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_block)(
         const doubles W2 = W4 * cos_angles_1;
         const doubles W5 = sin_angles_0 * cos_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, spread(0.0), W1, W2, spread(0.0));
             store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(1.0), spread(0.0));
@@ -6888,7 +6888,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyx_blockf)(
         const floats W2 = W4 * cos_angles_1;
         const floats W5 = sin_angles_0 * cos_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
             store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
@@ -6970,7 +6970,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_block)(
         const doubles W_body7 = -sin_angles_2;
         const doubles W_body6 = cos_angles_1 * W_body4;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, W_body0, spread(0.0), spread(1.0), W_body3);
             store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, W_body7);
@@ -7052,7 +7052,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyx_blockf)(
         const floats W_body7 = -sin_angles_2;
         const floats W_body6 = cos_angles_1 * W_body4;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, W_body0, spreadf(0.0f), spreadf(1.0f), W_body3);
             store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, W_body7);
@@ -7153,7 +7153,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_block)(
         const doubles theta_dot0 = omega[2] + sin_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[1] * cos_angles_0 - omega[0] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 3);
+        prefetch_to_write(item2, step2, 3, sizeof(double));
         if (dense2) {
             store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
         } else if (step2 == sizeof(double)) {
@@ -7238,7 +7238,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyx_blockf)(
         const floats theta_dot0 = omega[2] + sin_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[1] * cos_angles_0 - omega[0] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 3);
+        prefetch_to_write(item2, step2, 3, sizeof(float));
         if (dense2) {
             store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
         } else if (step2 == sizeof(float)) {
@@ -7315,7 +7315,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_block)(
         const doubles Q6 = -(sin_angles_1 * cos_angles_2);
         const doubles Q7 = sin_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, Q0, Q1, Q2, Q3);
             store_4(item1 + 4 * sizeof(double), step1, Q4, Q5, Q6, Q7);
@@ -7400,7 +7400,7 @@ void CHASLES_LEVELED(chasles_rotation_from_euler_zyz_blockf)(
         const floats Q6 = -(sin_angles_1 * cos_angles_2);
         const floats Q7 = sin_angles_1 * sin_angles_2;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, Q0, Q1, Q2, Q3);
             store_4f(item1 + 4 * sizeof(float), step1, Q4, Q5, Q6, Q7);
@@ -7473,7 +7473,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_block)(
         const doubles W2 = W4 * sin_angles_1;
         const doubles W5 = sin_angles_0 * sin_angles_1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, spread(0.0), W1, W2, spread(0.0));
             store_4(item1 + 4 * sizeof(double), step1, W4, W5, spread(1.0), spread(0.0));
@@ -7546,7 +7546,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_zyz_blockf)(
         const floats W2 = W4 * sin_angles_1;
         const floats W5 = sin_angles_0 * sin_angles_1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, spreadf(0.0f), W1, W2, spreadf(0.0f));
             store_4f(item1 + 4 * sizeof(float), step1, W4, W5, spreadf(1.0f), spreadf(0.0f));
@@ -7628,7 +7628,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_block)(
         const doubles W_body1 = sin_angles_2;
         const doubles W_body3 = sin_angles_1 * W_body1;
         char *const item1 = at1 + g * LANES * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(double));
         if (dense1) {
             store_4(item1 + 0 * sizeof(double), step1, W_body0, W_body1, spread(0.0), W_body3);
             store_4(item1 + 4 * sizeof(double), step1, W_body4, spread(0.0), W_body6, spread(0.0));
@@ -7710,7 +7710,7 @@ void CHASLES_LEVELED(chasles_euler_rate_matrix_body_zyz_blockf)(
         const floats W_body1 = sin_angles_2;
         const floats W_body3 = sin_angles_1 * W_body1;
         char *const item1 = at1 + g * LANESF * step1;
-        prefetch_to_write(item1, 9);
+        prefetch_to_write(item1, step1, 9, sizeof(float));
         if (dense1) {
             store_4f(item1 + 0 * sizeof(float), step1, W_body0, W_body1, spreadf(0.0f), W_body3);
             store_4f(item1 + 4 * sizeof(float), step1, W_body4, spreadf(0.0f), W_body6, spreadf(0.0f));
@@ -7811,7 +7811,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_block)(
         const doubles theta_dot0 = omega[2] - cos_angles_1 * theta_dot2;
         const doubles theta_dot1 = omega[1] * cos_angles_0 - omega[0] * sin_angles_0;
         char *const item2 = at2 + g * LANES * step2;
-        prefetch_to_write(item2, 3);
+        prefetch_to_write(item2, step2, 3, sizeof(double));
         if (dense2) {
             store_3(item2 + 0 * sizeof(double), step2, theta_dot0, theta_dot1, theta_dot2);
         } else if (step2 == sizeof(double)) {
@@ -7896,7 +7896,7 @@ void CHASLES_LEVELED(chasles_euler_rates_zyz_blockf)(
         const floats theta_dot0 = omega[2] - cos_angles_1 * theta_dot2;
         const floats theta_dot1 = omega[1] * cos_angles_0 - omega[0] * sin_angles_0;
         char *const item2 = at2 + g * LANESF * step2;
-        prefetch_to_write(item2, 3);
+        prefetch_to_write(item2, step2, 3, sizeof(float));
         if (dense2) {
             store_3f(item2 + 0 * sizeof(float), step2, theta_dot0, theta_dot1, theta_dot2);
         } else if (step2 == sizeof(float)) {

@@ -61,7 +61,7 @@ def stores(place: int, shape: tuple[int, ...], entries: Sequence[str], precision
     """The entries of a result, once all of them are known."""
     suffix, values = precision.suffix, [spread(value, precision) for value in entries]
     yield _item(place, "char", precision)
-    yield f"prefetch_to_write(item{place}, {len(entries)});"
+    yield f"prefetch_to_write(item{place}, step{place}, {len(entries)}, sizeof({precision.name}));"
     if not shape:
         yield from listed(f"store_1{suffix}(item{place}, step{place}, ", values, ");")
         return
