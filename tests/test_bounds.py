@@ -21,10 +21,9 @@ from chasles.generated.numpy import kernels as readable
 from chasles import generated, kernels
 from chasles.bounds import proving
 from chasles.bounds.bound import Bound, Guarantee
-from chasles.bounds.boxes import Boxes, bounds_over
 from chasles.bounds.cases import cases
 from chasles.bounds.cover import covered
-from chasles.bounds.covering import largest
+from chasles.bounds.covering import Boxes, bounds_over, largest
 from chasles.bounds.intervals import Interval
 from chasles.bounds.model import DOUBLE, SINGLE, Model
 from chasles.bounds.outline import NoBound, Outline, outlined

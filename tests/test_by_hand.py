@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from chasles.report.entry_parts import parts_of_entry
+from chasles.report.by_hand import parts_of_entry
 from chasles.vocabulary import (
     CPM,
     Identity,

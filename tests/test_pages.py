@@ -13,7 +13,7 @@ import pytest
 from chasles.decisions.plain_data import from_data, to_data
 from chasles.decisions.session import Decision, Session
 from chasles.report.errata_page import errata_page
-from chasles.report.lost_marks import lost_marks
+from chasles.report.findings import lost_marks
 from chasles.report.markdown import code, escaped
 from chasles.report.summary import HEADERS
 from chasles.report.verdict_page import WORST_FIRST, pages, verdict_page

@@ -8,17 +8,151 @@ larger than the bound at some point: smaller boxes would gain nothing. This is b
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from itertools import product
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from chasles.bounds.boxes import Boxes, Measure, bounds_over, scales_of, whole
 from chasles.bounds.cover import Cover, Region
-from chasles.bounds.intervals import Array
+from chasles.bounds.intervals import Array, Interval
 from chasles.bounds.model import Model
 from chasles.bounds.outline import NoBound, Outline
+from chasles.bounds.pieces import AnglePiece, FacePiece, face_values
+from chasles.bounds.places import Places, Scaled
+from chasles.bounds.running import Running
+
+Measure = Callable[[Running, float], Array]
+"""In each box a bound on the error; what is small enough need not be the smallest that can be proved."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Boxes:
+    """Boxes of several regions of one batch: the ends of each coordinate, a row a box."""
+
+    regions: tuple[Region, ...]
+    owner: NDArray[np.intp]
+    low: Array
+    high: Array
+    places: Mapping[int, Places] = field(default_factory=dict)
+
+    def kept(self, which: Any) -> Boxes:
+        """The boxes of these rows, in their order."""
+        places = {k: (least[which], most[which]) for k, (least, most) in self.places.items()}
+        return Boxes(self.regions, self.owner[which], self.low[which], self.high[which], places)
+
+    def parted(self, split: tuple[NDArray[Any], NDArray[Any]]) -> Boxes:
+        """Boxes in which a step's size may lie on both sides of a power of two, once for each of the sides."""
+        steps, powers = split
+        which = np.concatenate((np.arange(len(steps)), np.flatnonzero(steps >= 0)))
+        found, first = self.kept(which), len(steps)
+        places = dict(found.places)
+        for number in np.unique(steps[steps >= 0]).tolist():
+            least, most = places.get(number, (np.full(len(which), -5000), np.full(len(which), 5000)))
+            mine = steps[which] == number
+            above = mine & (np.arange(len(which)) >= first)
+            below = mine & ~above
+            least[above] = np.maximum(least, powers[which])[above]
+            most[below] = np.minimum(most, powers[which] - 1)[below]
+            places[number] = least, most
+        return replace(found, places=places)
+
+    def halved(self, scales: Array) -> Boxes:
+        """Both halves of every box, across its widest side."""
+        rows = np.arange(len(self.owner))
+        side = np.argmax((self.high - self.low) * scales, axis=1)
+        middle = (self.low[rows, side] + self.high[rows, side]) / 2
+        low, high = self.low.copy(), self.high.copy()
+        high[rows, side], low[rows, side] = middle, middle
+        twice = self.kept(np.concatenate((rows, rows)))
+        return replace(twice, low=np.concatenate((self.low, low)), high=np.concatenate((high, self.high)))
+
+
+def bounds_over(
+    boxes: Boxes, outline: Outline, model: Model, measure: Measure, enough: float = 0.0
+) -> tuple[Array, tuple[NDArray[Any], NDArray[Any]]]:
+    """The bound over each box, infinite where that is too large for one, and the step at whose power of two to part."""
+    values: dict[tuple[int, int], Scaled] = {}
+    turns: dict[tuple[int, int], int] = {}
+    place = 0
+    for k, piece in enumerate(boxes.regions[0]):
+        if isinstance(piece, AnglePiece):
+            turns[piece.argument, piece.entry] = place
+        else:
+            values |= _vectors(boxes, k, place)
+        place += len(piece.ranges)
+    known: dict[tuple[int, int, Fraction], tuple[Scaled, Scaled]] = {}
+    position = {(p.argument, p.entry): k for k, p in enumerate(boxes.regions[0]) if isinstance(p, AnglePiece)}
+
+    def functions(argument: int, entry: int, factor: Fraction) -> tuple[Scaled, Scaled]:
+        key = argument, entry, factor
+        if key not in known:
+            known[key] = _turned(boxes, position[argument, entry], turns[argument, entry], factor)
+        return known[key]
+
+    running = Running(outline, model, values, functions, len(boxes.owner), boxes.places)
+    return np.where(running.empty, 0, measure(running, enough)), running.split
+
+
+def _column(boxes: Boxes, place: int) -> Interval:
+    return Interval(boxes.low[:, place], boxes.high[:, place])
+
+
+def _vectors(boxes: Boxes, k: int, place: int) -> dict[tuple[int, int], Scaled]:
+    """The entries of a unit vector, whose pieces are the k-th of each region's."""
+    found = [Interval(np.empty(len(boxes.owner)), np.empty(len(boxes.owner))) for _ in range(3)]
+    pieces = [region[k] for region in boxes.regions]
+    argument = pieces[0].argument
+    for axis, sign in product(range(3), (1, -1)):
+        mine = [isinstance(p, FacePiece) and p.axis == axis and p.signs[axis] == sign for p in pieces]
+        rows = np.array(mine)[boxes.owner]
+        if rows.any():
+            part = boxes.kept(rows)
+            for entry, value in zip(
+                found, face_values(axis, sign, (_column(part, place), _column(part, place + 1))), strict=True
+            ):
+                entry.low[rows], entry.high[rows] = value.low, value.high
+    zero = np.zeros(len(boxes.owner))
+    return {(argument, entry): Scaled(0, value, zero) for entry, value in enumerate(found)}
+
+
+def _turned(boxes: Boxes, k: int, place: int, factor: Fraction) -> tuple[Scaled, Scaled]:
+    """Sine and cosine of an angle, whose pieces are the k-th of each region's."""
+    pieces = [region[k] for region in boxes.regions]
+    first = np.array([pieces.index(piece) for piece in pieces], dtype=np.float64)[boxes.owner]
+    keys = np.stack((first, boxes.low[:, place], boxes.high[:, place]), axis=1)
+    distinct, where = np.unique(keys, axis=0, return_inverse=True)
+    over = {n: piece.functions(factor) for n, piece in enumerate(pieces) if isinstance(piece, AnglePiece)}
+    found_of = [over[owner](low, high) for owner, low, high in distinct.tolist()]
+    zero = np.zeros(len(where))
+    found = []
+    for which in (0, 1):
+        low_ends, high_ends = (np.array([row[which][end] for row in found_of])[where.ravel()] for end in (1, 2))
+        found.append(Scaled(found_of[0][which][0], Interval(low_ends, high_ends), zero))
+    return found[0], found[1]
+
+
+def whole(regions: Sequence[Region]) -> Boxes:
+    """The boxes of regions of one batch, each undivided."""
+    ranges = np.array([[x for piece in region for x in piece.ranges] for region in regions])
+    return Boxes(tuple(regions), np.arange(len(regions)), ranges[:, :, 0].copy(), ranges[:, :, 1].copy())
+
+
+def scales_of(boxes: Boxes) -> Array:
+    """How much a coordinate of a box moves values, about."""
+    scales: list[Array] = []
+    for piece in boxes.regions[0]:
+        place = len(scales)
+        if isinstance(piece, AnglePiece) and piece.singular:
+            scales.append(1 / boxes.low[:, place])
+        else:
+            one = np.ones(len(boxes.owner))
+            scales += [one * math.pi] if isinstance(piece, AnglePiece) else [one, one]
+    return np.stack(scales, axis=1)
+
 
 CLOSE = 1.033
 """How much larger than at a point the bound over all boxes may be."""

@@ -111,19 +111,16 @@ class Running(Choices):
         if step.op is Op.SELECT:
             return self.chosen(number, operands)
         of = [self.values[k] for k in operands]
-        if not self.rounded.isdisjoint(operands):
-            self.rounded.add(number)
+        self.rounded |= {number} if self.rounded.intersection(operands) else set()
         match step.op:
             case Op.INPUT:
                 given = self._inputs[step.argument, step.entry]
-                if given.error.any():
-                    self.rounded.add(number)
+                self.rounded |= {number} if given.error.any() else set()
                 return given
             case Op.CONSTANT:
                 value = exactly(step.value, self.zero)
-                if self._model.is_exact(step.value):
-                    return Scaled(0, value, self.zero)
-                return self._graded(number, 0, value, self.zero, step.op)
+                exact = self._model.is_exact(step.value)
+                return Scaled(0, value, self.zero) if exact else self._graded(number, 0, value, self.zero, step.op)
             case Op.NEGATE:
                 if operands[0] in self._unrounded:
                     self._unrounded[number] = -self._unrounded[operands[0]]

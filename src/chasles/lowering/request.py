@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
+from functools import partial
 
 from chasles.lowering.cases import Case, Choice
 from chasles.lowering.reach import Reach
@@ -103,13 +104,9 @@ def composed(
     for node in symbols:
         _require_argument(name, node)
     hypotheses = (*hypotheses, *(symmetric(argument.matrix) for argument in arguments if isinstance(argument, Packed)))
-    rules = {left: right for left, right in (rules or {}).items() if left not in symbols}
-    table = dict(rules)
-
-    def opened(node: Node) -> Node:
-        return without_angles(node, angles, table)
-
-    rules = {left: opened(right) for left, right in rules.items()}
+    table = {left: right for left, right in (rules or {}).items() if left not in symbols}
+    opened = partial(without_angles, angles=angles, rules=table)
+    rules = {left: opened(right) for left, right in table.items()}
     choices = [_opened_choice(choice, opened) for choice in choices]
     outputs = tuple(with_fields(output, value=opened(output.value)) for output in outputs)
     hypotheses = tuple(dict.fromkeys(_opened_hypothesis(hypothesis, opened) for hypothesis in hypotheses))

@@ -8,10 +8,12 @@ come out: a scale is read as any positive number.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from fractions import Fraction
 
 from chasles.lowering.builder import Builder
-from chasles.lowering.program import Op, Step
+from chasles.lowering.passes.prune import pruned
+from chasles.lowering.program import Op, Program, Step
 
 LARGE = Fraction(2**60)
 """From here on squares can be out of range in single precision, and 1 is nothing beside them in double."""
@@ -57,6 +59,15 @@ def is_scale(steps: Sequence[Step], number: int) -> bool:
         and _is_constant(steps[one], 1)
         and _is_size(steps, most)
     )
+
+
+def with_free_scales(program: Program, which: int) -> Program:
+    """The program with each of its scales read: whatever positive number it is, nothing is to depend on it."""
+    steps = tuple(
+        Step(Op.INPUT, argument=-which, entry=number) if is_scale(program.steps, number) else step
+        for number, step in enumerate(program.steps)
+    )
+    return pruned(replace(program, steps=steps))
 
 
 def _is_large(steps: Sequence[Step], number: int, most: int) -> bool:

@@ -54,18 +54,13 @@ def bind(
     """Give the subjects of a hypothesis values that satisfy it."""
     subjects = [s for s in hypothesis.subjects if isinstance(s, Symbol)]
     match hypothesis.kind:
-        case "unit" | "direction":
-            (vector,) = subjects
-            if (vector, 0) not in values:
-                entries = unit_vector(draw, rich, vector.shape[0])
-                rates = _turning([[x] for x in entries], orders.get(vector, 0), draw, rich)
-                values |= {(vector, k): rate for k, rate in enumerate(rates)}
-        case "rotation" | "half_turn":
-            (matrix,) = subjects
-            if (matrix, 0) not in values:
-                numbers = (half_turn if hypothesis.kind == "half_turn" else rotation)(draw, rich)
-                rates = _turning(numbers, orders.get(matrix, 0), draw, rich)
-                values |= {(matrix, k): rate for k, rate in enumerate(rates)}
+        case "unit" | "direction" | "rotation" | "half_turn" as kind:
+            (symbol,) = subjects
+            if (symbol, 0) not in values:
+                matrix = {"rotation": rotation, "half_turn": half_turn}.get(kind)
+                numbers = matrix(draw, rich) if matrix else [[x] for x in unit_vector(draw, rich, symbol.shape[0])]
+                rates = _turning(numbers, orders.get(symbol, 0), draw, rich)
+                values |= {(symbol, k): rate for k, rate in enumerate(rates)}
         case "orthonormal":
             order = max(orders.get(s, 0) for s in subjects)
             rates = _turning(rotation(draw, rich), order, draw, rich)

@@ -7,6 +7,7 @@ little as possible. A definition that does not fit is what makes the claims that
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
 from itertools import chain, islice
@@ -19,7 +20,7 @@ from chasles.repairs.candidates import Nearest, given_sides
 from chasles.repairs.one_term import Change
 from chasles.repairs.ranking import ORTHOGONAL, Ranking
 from chasles.repairs.well_formed import WellFormedRepair, fitting
-from chasles.repairs.without_form import edits_of
+from chasles.repairs.without_form import edited, edits_of
 from chasles.rewriting.term_basis import fit, term_basis
 from chasles.statements import Claim, Definition, Statement, problem_of
 from chasles.statements.goals import AcceptedSides
@@ -80,11 +81,8 @@ def repair(
         claims = _not_resting_on(statement, claims)
     near = Nearest(statement, accepted, sides, claims)
     found: list[Repair] = []
-    try:
-        with within(effort):
-            found.extend(_of_definition(near) if isinstance(statement, Definition) else _of_claim(near))
-    except OutOfTime:
-        pass
+    with suppress(OutOfTime), within(effort):
+        found.extend(_of_definition(near) if isinstance(statement, Definition) else _of_claim(near))
     return tuple(found)
 
 
@@ -152,12 +150,10 @@ def _decided_edits(near: Nearest) -> Iterator[Change]:
     except (Misfit, TypeError):
         return
     indices = dict.fromkeys(index for side in (left, right) for index in indices_of(side))
-    for new, words, effort in islice(edits_of(right, near.letters, indices), MOST_DECIDED):
-        if new != left and fit(left, new) and _verdict(near, near.statement.saying(left, new)) is not None:
-            yield Change(left, new, (words,), effort)
-    for new, words, effort in islice(edits_of(left, near.letters, indices), MOST_DECIDED):
-        if new != right and fit(new, right) and _verdict(near, near.statement.saying(new, right)) is not None:
-            yield Change(new, right, (words,), effort)
+    for change in edited(left, right, lambda side: islice(edits_of(side, near.letters, indices), MOST_DECIDED)):
+        sides = change.left, change.right
+        if sides[0] != sides[1] and fit(*sides) and _verdict(near, near.statement.saying(*sides)) is not None:
+            yield change
 
 
 def _fitting(near: Nearest) -> tuple[list[WellFormedRepair], list[WellFormedRepair]]:
@@ -199,11 +195,10 @@ def _proved(near: Nearest, changes: Iterable[Change]) -> Iterator[Repair]:
         if not change.words or (change.left, change.right) in seen or len(seen) == MOST or rank.is_in_vain(change):
             continue
         seen.add((change.left, change.right))
-        verdict = _verdict(near, statement.saying(change.left, change.right))
-        if verdict is not None:
+        if (verdict := _verdict(near, statement.saying(change.left, change.right))) is not None:
             best = change if best is None else best
-            edits = len(change.words)
-            yield Repair(change.left, change.right, change.words, edits, verdict, change.modulo, marks=change.marks)
+            left, right, words = change.left, change.right, change.words
+            yield Repair(left, right, words, len(words), verdict, change.modulo, marks=change.marks)
 
 
 def _verdict(near: Nearest, claim: Statement) -> Holds | HoldsUnder | None:
@@ -225,7 +220,8 @@ def _of_definition(near: Nearest) -> Iterator[Repair]:
     for group in _fitting(near):
         for each in group:
             meant = statement.saying(each.left, each.right)
-            verdicts = {user.number: verdict for user in users if (verdict := _with_meant(near, user, meant))}
+            decided_of = ((user.number, _verdict(near, _with(meant, user))) for user in users)
+            verdicts = {number: verdict for number, verdict in decided_of if verdict is not None}
             if verdicts:
                 found = True
                 edits, verdict = len(each.words), next(iter(verdicts.values()))
@@ -233,11 +229,6 @@ def _of_definition(near: Nearest) -> Iterator[Repair]:
                 yield Repair(each.left, each.right, each.words, edits, verdict, by=by, marks=edits)
         if found:
             return
-
-
-def _with_meant(near: Nearest, user: Claim, meant: Statement) -> Holds | HoldsUnder | None:
-    """The verdict on a claim that rests on the definition, if that is what is meant and it holds."""
-    return _verdict(near, _with(meant, user))
 
 
 def _users(statement: Statement, claims: Iterable[Claim]) -> list[Claim]:

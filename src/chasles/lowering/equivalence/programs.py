@@ -8,7 +8,6 @@ in several variables (Cox, Little and O'Shea, Ideals, Varieties, and Algorithms,
 
 from __future__ import annotations
 
-from dataclasses import replace
 from fractions import Fraction
 from math import factorial, gcd, lcm
 
@@ -18,9 +17,8 @@ from chasles.algebra.rings import Exponents, Polynomial, make_ring
 from chasles.algebra.work_limit import OutOfTime, spend
 from chasles.lowering.arithmetic import Arithmetic, Operators, evaluated
 from chasles.lowering.circular import multiple_of_angle
-from chasles.lowering.passes.prune import pruned
-from chasles.lowering.program import Op, Program, Step
-from chasles.lowering.scales import is_scale
+from chasles.lowering.program import Op, Program
+from chasles.lowering.scales import with_free_scales
 
 MOST_MULTIPLES = 12
 """So many times the part is an angle still written by it."""
@@ -40,7 +38,7 @@ def equivalent(one: Program, other: Program) -> bool:
         return False
     if one == other:
         return True
-    one, other = _with_free_scales(one, 1), _with_free_scales(other, 2)
+    one, other = with_free_scales(one, 1), with_free_scales(other, 2)
     algebra = _Fractions(one, other)
     try:
         arithmetic: Arithmetic[Ratio] = algebra
@@ -53,15 +51,6 @@ def equivalent(one: Program, other: Program) -> bool:
         return all(algebra.is_equal(values[a], others[b]) for a, b in pairs)
     except (OutOfTime, ZeroDivisionError):
         return False
-
-
-def _with_free_scales(program: Program, which: int) -> Program:
-    """The program with each of its scales read: whatever positive number it is, nothing is to depend on it."""
-    steps = tuple(
-        Step(Op.INPUT, argument=-which, entry=number) if is_scale(program.steps, number) else step
-        for number, step in enumerate(program.steps)
-    )
-    return pruned(replace(program, steps=steps))
 
 
 class _Fractions(Operators):
