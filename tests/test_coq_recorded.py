@@ -4,17 +4,22 @@ from __future__ import annotations
 
 import json
 from importlib.resources import files
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from chasles.coq import recorded
+from chasles.coq.checking import CoqVerdict, accepted_before, keep_accepted
 from chasles.coq.recorded import RECORD, CoqCheck, checked_by_coq, text_of
+from chasles.coq.sentences import Claimed
+from chasles.coq.theorems import claims_of
 from chasles.decisions.decision import Decision, key_of
+from chasles.decisions.session import Session
 from chasles.report.details import evidence
 from chasles.report.records import record
-from chasles.statements import load
-from chasles.vocabulary import Negative, paren
+from chasles.statements import Claim, Definition, load, unit
+from chasles.vocabulary import CPM, Dot, Identity, Negative, Node, paren, vector
 
 from .decided import chapter_session
 
@@ -81,3 +86,23 @@ def test_each_statement_is_in_the_record_or_there_is_a_reason(chapter: str) -> N
     assert claimed - told == NOT_RECORDED[chapter].keys(), "`make coq` brings the record up to date"
     kept = json.loads(files(chapter).joinpath(RECORD).read_text("utf-8"))["checked"]
     assert kept.keys() <= declared.keys()
+
+
+def test_only_what_rests_on_a_changed_declaration_is_checked_again(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setenv("CHASLES_CACHE", str(tmp_path))
+    a, e, u = (vector(name, name, "a vector") for name in "aeu")
+    apart = Claim("3", CPM(e) @ CPM(e), e @ e.T - Identity(3), assuming=(unit(e),))
+
+    def claims(right: Node) -> list[Claimed]:
+        defined = Definition("1", u, right)
+        resting = Claim("2", Dot(u, u), 4 * Dot(a, a), given=(defined,))
+        return [*claims_of(map(Session().decide, (resting, apart)))]
+
+    first = claims(2 * a)
+    assert len([claim for claim in first if claim.proof]) == len(first) > 2
+    keep_accepted(map(CoqVerdict, first), "8.16.1")
+    assert accepted_before(claims(2 * a), "8.16.1") == {claim.name for claim in first}
+    assert accepted_before(claims(-2 * a), "8.16.1") == {claim.name for claim in first if claim.number == "3/1"}
+    assert accepted_before(first, "8.17") == set()
