@@ -13,7 +13,7 @@ from chasles.exact.evaluate import column_of
 from chasles.exercises.drawing import drawn
 from chasles.exercises.picture import Arrow, Picture, Point
 from chasles.exercises.solving import solve_with
-from chasles.exercises.worksheet_html import as_html
+from chasles.report.notebook.html import worked
 from chasles.statements.exercises import exercise_numbers
 
 WITHOUT = ("3.8", "3.13")
@@ -45,9 +45,9 @@ def test_labelled_axes_at_one_scale_and_names_apart(number: str) -> None:
 @pytest.mark.sampled(3)
 @pytest.mark.parametrize("number", ["3.1", "3.10", "3.12"])
 def test_the_same_page_each_time(number: str) -> None:
-    page = as_html(solve_with(number, {}))
+    page = worked(solve_with(number, {}))
     assert "<svg" in page
-    assert as_html(solve_with(number, {})) == page
+    assert worked(solve_with(number, {})) == page
 
 
 def test_the_hits_and_the_moment_are_drawn() -> None:

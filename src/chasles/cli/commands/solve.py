@@ -41,9 +41,9 @@ def command(exercise: str, data: Path | None, html: Path | None, hint: int | Non
     except DoesNotStand as error:
         raise Failure(f"exercise {exercise} is not solved: {error}") from error
     if html is not None:
-        from chasles.exercises.worksheet_html import as_page
+        from chasles.report.notebook.html import worked
 
-        write_whole(html, as_page(solution))
+        write_whole(html, worked(solution, whole=True))
     if hint is not None and json:
         print_data({"exercise": solution.exercise, "hints": solution.hints[:hint], "of": len(solution.hints)})
     elif hint is not None:

@@ -88,17 +88,29 @@ def worked_view(chapter: Chapter, number: str) -> WorkedView:
     except DoesNotStand as error:
         solution = Solution(asked.number, asked.title, asked.asked, "unsolved", {}, {}, asked.assumed(()), (), ())
         unsolved = str(error)
-    place = f"exercise-{slug(number)}"
+    return view_of(solution, tuple(_given(asked, solution)), frozenset(chapter.numbers), unsolved)
+
+
+def view_of(
+    solution: Solution,
+    given: tuple[tuple[str, str, str], ...] = (),
+    known: frozenset[str] | None = None,
+    unsolved: str = "",
+) -> WorkedView:
+    """What is shown of a solution: its data as `given`, and references to the numbers that are `known` on a page.
+
+    Where there is no such page, numbers are cited in words.
+    """
+    place = f"exercise-{slug(solution.exercise)}"
     pictures, without = _picture(solution, place)
-    known = frozenset(chapter.numbers)
     return WorkedView(
         place=place,
-        number=number,
+        number=solution.exercise,
         title=solution.title,
         outcome=solution.outcome,
         asked=solution.asked,
         assumed=solution.assumptions,
-        given=tuple(_given(asked, solution)),
+        given=given,
         steps=tuple(_step(known, step) for step in solution.steps),
         answers=tuple(_answer(name, value, solution.means.get(name, "")) for name, value in solution.answers.items()),
         checks=tuple(_step(known, check) for check in solution.checks),
@@ -144,8 +156,10 @@ def _words(value: Any) -> Iterator[str]:
                 yield "; ".join(text_of(part).rstrip(".") for part in told.values() if part)
 
 
-def _step(known: frozenset[str], step: SolutionStep) -> WorkedStep:
-    return WorkedStep(step.says, tuple(_cites(known, step.cites)), tuple(map(_line, step.lines)))
+def _step(known: frozenset[str] | None, step: SolutionStep) -> WorkedStep:
+    words = (Link("", cited(step.cites)),) if step.cites else ()
+    cites = words if known is None else tuple(_cites(known, step.cites))
+    return WorkedStep(step.says, cites, tuple(map(_line, step.lines)))
 
 
 def _line(line: Formula) -> Equation:
