@@ -12,7 +12,7 @@ from chasles.derivations.notation import A_screw, E, N_tilde, Omega, Q, a, alpha
 from click.testing import CliRunner, Result
 
 from chasles.cli import main
-from chasles.cli.derivations import chosen_derivations
+from chasles.cli.answers import chosen_derivations
 from chasles.decisions.memory import Memory
 from chasles.decisions.session import Session
 from chasles.decisions.shipped import shipped
@@ -326,7 +326,7 @@ def test_derive_without_a_number_names_all_roads(monkeypatch: pytest.MonkeyPatch
     """A sample of them is walked."""
     assert chosen_derivations(load(), ()).keys() == ROADS.keys()
     some = dict(sample(list(ROADS.items()), 13))
-    monkeypatch.setattr("chasles.cli.derivations.chosen_derivations", lambda book, numbers: some)
+    monkeypatch.setattr("chasles.cli.answers.chosen_derivations", lambda book, numbers: some)
     lines = call("derive").stdout.splitlines()
     assert len(lines) == len(some)
     assert all("complete" in line for line in lines)

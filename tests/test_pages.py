@@ -12,10 +12,10 @@ import pytest
 
 from chasles.decisions.plain_data import from_data, to_data
 from chasles.decisions.session import Decision, Session
+from chasles.report.decisions import HEADERS
 from chasles.report.errata_page import errata_page
 from chasles.report.findings import lost_marks
 from chasles.report.markdown import code, escaped
-from chasles.report.summary import HEADERS
 from chasles.report.verdict_page import WORST_FIRST, pages, verdict_page
 from chasles.report.words import VERDICTS, counted, said
 from chasles.statements import Chapter, Claim, Definition, Entry, Section, Statement, load, nonzero

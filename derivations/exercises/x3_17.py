@@ -10,8 +10,8 @@ from chasles.derivations.s08_dynamics import (
     twist_is_in_null_space,
 )
 
-from chasles.exercises.formulas import Proofs
 from chasles.exercises.picture import Picture
+from chasles.exercises.solution import Proofs
 from chasles.exercises.worksheet import Worksheet
 from chasles.statements import Claim, Statement
 from chasles.statements.exercise import Exercise

@@ -17,7 +17,7 @@ from click.testing import CliRunner, Result
 
 from chasles import derivations
 from chasles.cli import answers, chosen_chapter, main
-from chasles.cli.derivations import all_derivations
+from chasles.cli.answers import all_derivations
 from chasles.decisions import processes as spreading
 from chasles.statements import Chapter, load
 from chasles.targets import commission

@@ -159,8 +159,8 @@ def test_the_summary_adds_up(installed) -> None:
 
 def test_the_summary_has_a_row_for_each_section_and_a_total(monkeypatch: pytest.MonkeyPatch) -> None:
     from chasles.decisions.session import Session
+    from chasles.report.decisions import summary_table, tallies
     from chasles.report.screen import Screen
-    from chasles.report.summary import summary_table, tallies
 
     whole = load()
     entries = sample(whole.entries, 3)

@@ -10,8 +10,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from chasles.decisions.session import Decision
-from chasles.lowering.branches import choices_of
-from chasles.lowering.cases import largest_of, oriented
+from chasles.lowering.cases import choices_of, largest_of, oriented
 from chasles.lowering.declaration import requested
 from chasles.lowering.equivalence.requests import differences
 from chasles.lowering.lower import lower, program_of

@@ -8,8 +8,8 @@ from importlib.util import find_spec
 from pathlib import Path
 from time import perf_counter
 
+from chasles.cli.answers import all_derivations
 from chasles.cli.checkout import manifest
-from chasles.cli.derivations import all_derivations
 from chasles.cli.failures import Failure
 from chasles.cli.outcome import Outcome, decide
 from chasles.report.closure import lines

@@ -11,8 +11,7 @@ from chasles.decisions.memory import Memory
 from chasles.decisions.session import Session
 from chasles.decisions.shipped import shipped
 from chasles.deriving import walk
-from chasles.exercises.formulas import note, stated
-from chasles.exercises.solution import Citation, SolutionStep
+from chasles.exercises.solution import Citation, SolutionStep, note, stated
 from chasles.statements import Claim, Inverse, Statement, Theorem, load
 from chasles.statements.derivation import Derivation
 from chasles.statements.elsewhere import other_chapter

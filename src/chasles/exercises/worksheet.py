@@ -17,9 +17,17 @@ from chasles.exact.linear import Solutions, solve_linear
 from chasles.exact.numbers import is_zero, normal, sign
 from chasles.exact.spelling import SpelledValue, text_of, words_in_latex
 from chasles.exercises.decided import Decided, Refuted, Sentence
-from chasles.exercises.formulas import chain, compared, confirmed, equation, scalar_or_matrix, solved
 from chasles.exercises.picture import Picture
-from chasles.exercises.solution import Formula, SolutionStep
+from chasles.exercises.solution import (
+    Formula,
+    SolutionStep,
+    chain,
+    compared,
+    confirmed,
+    equation,
+    scalar_or_matrix,
+    solved,
+)
 from chasles.problems.variables import angle_multiples
 from chasles.statements import Hypothesis, Inverse, Statement
 from chasles.statements.statement import bare

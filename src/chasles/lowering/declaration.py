@@ -6,8 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
 from chasles.decisions.session import Decision
-from chasles.lowering.branches import choices_of
-from chasles.lowering.cases import Choice
+from chasles.lowering.cases import Choice, choices_of
 from chasles.lowering.refusal import LoweringError
 from chasles.lowering.request import Output, Request, composed
 from chasles.lowering.rewriting import Angle

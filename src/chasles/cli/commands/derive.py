@@ -25,7 +25,7 @@ def command(numbers: tuple[str, ...], latex: bool, json: bool) -> int:
     Without a number, all derivations are checked, and listed on a line each. The exit status is 1 if a step does not
     hold.
     """
-    from chasles.cli.derivations import chosen_derivations
+    from chasles.cli.answers import chosen_derivations
     from chasles.decisions.recalled import retained, session_of
     from chasles.deriving import walk
     from chasles.report.derivation_page import derivation_line, derivation_page, derivation_record

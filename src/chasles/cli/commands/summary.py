@@ -41,7 +41,7 @@ def command(sections: tuple[str, ...], samples: int, json: bool) -> int:
 
 
 def _data(outcome: Outcome, verification: Verification) -> dict[str, Any]:
-    from chasles.report.summary import tallies
+    from chasles.report.decisions import tallies
 
     again = outcome.rechecked
     assert again is not None
@@ -59,8 +59,8 @@ def _data(outcome: Outcome, verification: Verification) -> dict[str, Any]:
 
 
 def _show(outcome: Outcome, verification: Verification) -> None:
+    from chasles.report.decisions import summary_table, tallies, wrong_as_printed
     from chasles.report.screen import Screen
-    from chasles.report.summary import summary_table, tallies, wrong_as_printed
 
     screen = Screen()
     screen.show(*summary_table(screen, tallies(outcome.decided)), "")

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from chasles.report.decisions import Tally, tallies
 from chasles.report.findings import Pairs, numbers_of, replaced_by, slips_in_words
 from chasles.report.html.citing import Book
 from chasles.report.html.shown import Badge, DerivationView, badge_of
-from chasles.report.summary import Tally, tallies
 from chasles.report.words import VERDICTS, counted
 
 
