@@ -13,7 +13,7 @@ from math import isqrt
 
 from chasles.lowering.arithmetic import applied
 from chasles.lowering.functions import FUNCTIONS
-from chasles.lowering.program import Op, Step, is_power_of_two
+from chasles.lowering.program import HALF_TURN, Op, Step, is_power_of_two
 from chasles.lowering.refusal import LoweringError
 
 _COSTLY = (Op.DIVIDE, Op.SQUARE_ROOT)
@@ -50,6 +50,8 @@ class Builder:
 
     def like(self, step: Step, operands: Sequence[int]) -> int:
         """The step that does to the operands what another one does to its own."""
+        if step == HALF_TURN:
+            return self.half_turn()
         return self.input(step.argument, step.entry) if step.op is Op.INPUT else applied(self, step, operands)
 
     def copied(self, step: Step, operands: Sequence[int]) -> int:
@@ -64,12 +66,16 @@ class Builder:
         if step.op is Op.NEGATE:
             inner = self._steps[step.operands[0]]
             return -inner.value if inner.op is Op.CONSTANT else None
-        return step.value if step.op is Op.CONSTANT else None
+        return step.value if step.is_number else None
 
     def constant(self, value: Fraction | int) -> int:
         """An exact number."""
         size = self._add(Step(Op.CONSTANT, value=abs(Fraction(value))))
         return self.negate(size) if value < 0 else size
+
+    def half_turn(self) -> int:
+        """The number pi, which is folded with no other: what a program means by it is seen."""
+        return self._add(HALF_TURN)
 
     def input(self, argument: int, entry: int) -> int:
         """An entry of an argument."""

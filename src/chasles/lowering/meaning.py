@@ -13,7 +13,7 @@ from chasles.lowering.request import Request
 from chasles.statements import Packed
 from chasles.statements.kernel import Place, nodes_of, places_of
 from chasles.statements.statement import bare
-from chasles.vocabulary import Group, Node, Rate, Symbol, Zero, plain
+from chasles.vocabulary import PI, Group, Node, Rate, Symbol, Zero, plain
 from chasles.vocabulary.differentiation import rate_of
 from chasles.vocabulary.shorthand import Shorthand
 
@@ -34,8 +34,9 @@ class Meanings:
         self._expander = expander
         self._rules = dict(request.rules)
         self._angles = dict(request.angles)
+        self._functions = {known.symbol: known for known in request.functions}
         self._choices = {symbol: choice for choice in request.choices for symbol in choice.symbols}
-        self._known: dict[Node, Rows] = {}
+        self._known: dict[Node, Rows] = {PI: ((expander.builder.half_turn(),),)}
         for number, argument in enumerate(request.arguments):
             steps = {place: expander.builder.input(number, entry) for entry, place in enumerate(places_of(argument))}
             for node in nodes_of(argument):
@@ -62,8 +63,8 @@ class Meanings:
                     return node
 
     def is_known(self, node: Node) -> bool:
-        """Whether it is an argument, a choice or an angle, whose entries are steps and no expressions."""
-        return node in self._known or node in self._choices or node in self._angles
+        """Whether it is an argument, a choice, an angle or a function, whose entries are steps and no expressions."""
+        return any(node in each for each in (self._known, self._choices, self._angles, self._functions))
 
     def is_ruled(self, node: Node) -> bool:
         """Whether the node is a symbol that a rule defines."""
@@ -76,6 +77,10 @@ class Meanings:
             assert isinstance(node, Symbol)
             if node in self._choices:
                 self._choose(self._choices[node])
+            elif node in self._functions:
+                function = self._functions[node]
+                operands = [self._expander.scalar(argument) for argument in function.arguments]
+                self._known[node] = ((function.made(self._expander.builder, operands),),)
             else:
                 self._known[node] = ((self._angle(node),),)
         return self._known[node]

@@ -100,11 +100,20 @@ class Step:
             return hash((self.value.numerator, self.value.denominator))
         return hash((self.operands, self.argument, self.entry))
 
+    @property
+    def is_number(self) -> bool:
+        """Whether it is a constant that is folded with others; pi, which a formula has by name, is not."""
+        return self.op is Op.CONSTANT and self.value != HALF_TURN.value
+
     def on(self, operands: tuple[int, ...]) -> Step:
         """The same operation on other steps."""
         if operands == self.operands:
             return self
         return Step(self.op, operands, self.argument, self.entry, self.value, self.function)
+
+
+HALF_TURN = Step(Op.CONSTANT, value=Fraction("3.14159265358979323846264338327950288419716939937510582097494459"))
+"""The number pi in a formula that has it by name, by digits that no number else has."""
 
 
 @dataclass(frozen=True, slots=True)

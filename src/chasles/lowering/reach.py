@@ -6,10 +6,11 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 from chasles.lowering.cases import Choice
+from chasles.lowering.named_functions import NamedFunction
 from chasles.lowering.refusal import LoweringError
 from chasles.lowering.rewriting import Angle
 from chasles.statements.statement import bare
-from chasles.vocabulary import Node, Rate, Symbol, children, plain
+from chasles.vocabulary import PI, Node, Rate, Symbol, children, plain
 from chasles.vocabulary.differentiation import NoRule, rate_of
 
 
@@ -23,17 +24,20 @@ class Reach:
         rules: Mapping[Node, Node],
         choices: Iterable[Choice],
         angles: Mapping[Symbol, Angle],
+        functions: Mapping[Symbol, NamedFunction] | None = None,
     ) -> None:
         self._kernel = kernel
         self._of = of
         self._rules = rules
         self._choices = {symbol: choice for choice in choices for symbol in choice.symbols}
         self._angles = angles
+        self._functions = functions or {}
         self._used: dict[Node, None] = {}
         self._done: dict[Node, bool] = {}
         self._found_rules: dict[Node, Node] = {}
         self._found_choices: dict[Choice, None] = {}
         self._found_angles: dict[Symbol, Angle] = {}
+        self._found_functions: dict[NamedFunction, None] = {}
 
     @property
     def rules(self) -> tuple[tuple[Node, Node], ...]:
@@ -49,6 +53,11 @@ class Reach:
     def angles(self) -> tuple[tuple[Symbol, Angle], ...]:
         """The angles that were met, with what they are."""
         return tuple(self._found_angles.items())
+
+    @property
+    def functions(self) -> tuple[NamedFunction, ...]:
+        """The functions that were met, each after those in its arguments."""
+        return tuple(self._found_functions)
 
     def is_used(self, node: Node) -> bool:
         """Whether a result depends on the value of a symbol or a rate."""
@@ -66,6 +75,10 @@ class Reach:
                 self._once(node, self._follow_choice)
             case Symbol() if node in self._angles:
                 self._once(node, self._follow_angle)
+            case Symbol() if node in self._functions:
+                self._once(node, self._follow_function)
+            case _ if node == PI:
+                return
             case _ if node in self._rules:
                 self._once(node, self._follow_rule)
             case Symbol(stands_for=Node() as inner):
@@ -103,6 +116,11 @@ class Reach:
         self.follow(self._angles[symbol].cosine)
         self.follow(self._angles[symbol].sine)
         self._found_angles[symbol] = self._angles[symbol]
+
+    def _follow_function(self, symbol: Symbol) -> None:
+        for argument in self._functions[symbol].arguments:
+            self.follow(argument)
+        self._found_functions[self._functions[symbol]] = None
 
     def _follow_rate(self, of: Node) -> None:
         """A rate that is neither an argument nor defined is made of the rates of its parts."""

@@ -8,9 +8,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
-from functools import partial
 
 from chasles.lowering.cases import Case, Choice
+from chasles.lowering.named_functions import NamedFunction, NamedFunctions, is_plain
 from chasles.lowering.reach import Reach
 from chasles.lowering.refusal import LoweringError
 from chasles.lowering.rewriting import Angle, without_angles
@@ -57,6 +57,7 @@ class Request:
     `rules` define other symbols, each before those that use it; `choices` give symbols values case by case, `angles` by
     cosine and sine. The program is right wherever the `hypotheses` hold and nothing that is divided by is zero.
     An offered `form` says the outputs in other words, of which the program is made; what it must equal is the outputs.
+    Of `functions` the outputs have the symbols.
     """
 
     name: str
@@ -67,6 +68,7 @@ class Request:
     choices: tuple[Choice, ...] = ()
     angles: tuple[tuple[Symbol, Angle], ...] = ()
     form: tuple[Node, ...] = ()
+    functions: tuple[NamedFunction, ...] = ()
 
     @property
     def spelled(self) -> tuple[Node, ...]:
@@ -105,14 +107,19 @@ def composed(
         _require_argument(name, node)
     hypotheses = (*hypotheses, *(symmetric(argument.matrix) for argument in arguments if isinstance(argument, Packed)))
     table = {left: right for left, right in (rules or {}).items() if left not in symbols}
-    opened = partial(without_angles, angles=angles, rules=table)
+    named = NamedFunctions(table)
+
+    def opened(node: Node) -> Node:
+        return named(without_angles(node, angles, table))
+
+    hypotheses = tuple(h for h in hypotheses if all(map(is_plain, (*h.subjects, *h.nonvanishing, *h.sides))))
     rules = {left: opened(right) for left, right in table.items()}
     choices = [_opened_choice(choice, opened) for choice in choices]
     outputs = tuple(with_fields(output, value=opened(output.value)) for output in outputs)
     hypotheses = tuple(dict.fromkeys(_opened_hypothesis(hypothesis, opened) for hypothesis in hypotheses))
     form = tuple(map(opened, form))
     _require_fit(name, outputs, form)
-    reach = Reach(name, symbols, rules, choices, angles)
+    reach = Reach(name, symbols, rules, choices, angles, {known.symbol: known for known in named.known.values()})
     for value in (*(output.value for output in outputs), *form):
         reach.follow(value)
     for argument in arguments:
@@ -120,7 +127,8 @@ def composed(
             said = argument.name if isinstance(argument, Stack) else plain(nodes_of(argument)[0])
             raise LoweringError(f"{name}: no result depends on the argument {said}: leave it out")
     _require_names(name, [argument_name(argument) for argument in arguments], [output.name for output in outputs])
-    return Request(name, arguments, outputs, reach.rules, hypotheses, reach.choices, reach.angles, form)
+    reached = reach.rules, hypotheses, reach.choices, reach.angles
+    return Request(name, arguments, outputs, *reached, form, reach.functions)
 
 
 def _opened_choice(choice: Choice, opened: Callable[[Node], Node]) -> Choice:

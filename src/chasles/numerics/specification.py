@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chasles.evaluation.matrices import Matrix
-from chasles.numerics.reference import MissingValue, Singular, evaluate
+from chasles.numerics.reference import MissingValue, Singular, Undetermined, evaluate
 from chasles.statements import Hypothesis, Inverse, Kernel, Packed, Statement, problem_of, symmetric
 from chasles.statements.arrays import argument_name, core_shape
 from chasles.statements.goals import AcceptedSides
@@ -127,7 +127,10 @@ def specification_of(
     symbols = frozenset(node for argument in kernel.of for node in nodes_of(argument))
 
     def reference(values: Values, digits: int) -> tuple[Matrix, ...]:
-        exact = (evaluate(part, values, rules, digits) for part in parts)
+        try:
+            exact = [evaluate(part, values, rules, digits) for part in parts]
+        except (ValueError, Undetermined) as error:  # a function is not real here, or is not known to be
+            raise Singular(str(error)) from None
         return tuple([[value[i][j]] for _, i, j in Packed(parts[0]).places] if packed else value for value in exact)
 
     return Specification(

@@ -6,7 +6,7 @@ a value.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from itertools import zip_longest
 
@@ -19,7 +19,7 @@ from chasles.lowering.equivalence.rotation_vectors import by_directions
 from chasles.lowering.equivalence.units import Units
 from chasles.lowering.request import Request
 from chasles.problems.context import Context, build
-from chasles.statements import Goal, Problem, nonzero
+from chasles.statements import Goal, Hypothesis, Problem, nonzero
 from chasles.vocabulary import Node, Norm, Symbol
 
 COMPLETION = 2e7
@@ -46,7 +46,9 @@ class Algebra:
         goals = tuple(Goal("", node, node) for node in nodes)
         seen: dict[Node, None] = {}
         divisors = dict.fromkeys(divisor for node in nodes for divisor in divisors_of(node, table, seen))
-        hypotheses = (*request.hypotheses, *map(nonzero, (*divisors, *positive)))
+        roots = [(known.symbol, *known.arguments) for known in request.functions if known.function == "sqrt"]
+        squares = (Hypothesis("root", (s,), ((s * s, of),), (), "", f"{s} is a root", free=True) for s, of in roots)
+        hypotheses = (*request.hypotheses, *map(nonzero, (*divisors, *positive)), *squares)
         problem = Problem(goals, tuple(table.items()), hypotheses=tuple(dict.fromkeys(hypotheses)))
         problem, self._said, self.turning = by_directions(problem, request.of)
         self.context: Context = build(problem)
@@ -56,7 +58,8 @@ class Algebra:
         self._nonzero: list[tuple[Polynomial, bool]] = []
         self._units = Units(self.context)
         self._positive = positive
-        self._norms = [Norm(variable.node) for variable in self.context.variables if variable.node is not None]
+        self._norms: list[Node] = [Norm(v.node) for v in self.context.variables if v.node is not None]
+        self._norms += [symbol for symbol, _ in roots]
 
     def constant(self, value: Fraction) -> Ratio:
         """A number."""
@@ -104,7 +107,7 @@ class Algebra:
         return c / d if mine == theirs and self.vanishes(ratio - of * self.constant(c / d)) else None
 
     def root(self, ratio: Ratio) -> Ratio | None:
-        """The norm whose square the fraction is, or that over a positive symbol, if the request has such a norm."""
+        """The norm or root whose square the fraction is, or that over a positive symbol, if the request has one."""
         for known, answer in self._roots:
             if (known - ratio).is_zero:
                 return answer
@@ -115,8 +118,17 @@ class Algebra:
         else:
             sizes = map(self.entry, self._norms)
             root = next((size for size in sizes if self.vanishes(ratio - size * size)), self._turn(ratio))
+            if root is None:
+                root = next(self._roots_over(ratio), None)
         self._roots.append((ratio, root))
         return root
+
+    def _roots_over(self, ratio: Ratio) -> Iterator[Ratio | None]:
+        """The quotients of norms by positive symbols whose squares the fraction is."""
+        for over in map(self.entry, self._positive):
+            scaled = ratio * over * over
+            sizes = (size for size in map(self.entry, self._norms) if self.vanishes(scaled - size * size))
+            yield from (self.quotient(size, over) for size in sizes)
 
     def _turn(self, ratio: Ratio) -> Ratio | None:
         """The multiple of the length of a rotation vector whose square the fraction is."""

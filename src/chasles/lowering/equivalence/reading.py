@@ -15,10 +15,11 @@ from chasles.algebra.localization import Ratio
 from chasles.lowering.arithmetic import Operators, applied
 from chasles.lowering.equivalence.algebra import Algebra
 from chasles.lowering.equivalence.signs import Signs
-from chasles.lowering.program import Op, Program, Step
+from chasles.lowering.named_functions import ANGLE, CALLED
+from chasles.lowering.program import HALF_TURN, Op, Program, Step
 from chasles.lowering.request import Request
 from chasles.lowering.scales import is_scale
-from chasles.vocabulary import Call, Node, Norm, Number, Scale, Sum, Symbol, uniform
+from chasles.vocabulary import PI, Call, Node, Norm, Number, Scale, Sum, Symbol, symbols_of, uniform, walk
 
 Linear = dict[Node, Fraction]
 """An angle as a sum of multiples of scalar arguments, and of lengths of others."""
@@ -73,10 +74,14 @@ class ProgramReading(Operators):
         match step.op:
             case Op.INPUT:
                 return self._input(step.argument, step.entry)
+            case Op.CONSTANT if step == HALF_TURN:
+                return self._algebra.entry(PI)
             case Op.SINE | Op.COSINE:
                 name = "sin" if step.op is Op.SINE else "cos"
                 angle = _linear(self._program, self._request, step.operands[0], self._length)
                 return self._algebra.entry(_call(name, angle))
+            case Op.SELECT if (known := self._extreme(step)) is not None:
+                return known
             case Op.SELECT:
                 return self.value(step.operands[1 if self.value(step.operands[0]) else 2])
         operands = []
@@ -118,7 +123,34 @@ class ProgramReading(Operators):
         for symbol, angle in self._request.angles:
             if vanishes(entry(angle.sine) - sine) and vanishes(entry(angle.cosine) - cosine):
                 return entry(symbol) * self._algebra.constant(1 / angle.times)
-        raise Unreadable("measures an angle that is none of the formula's")
+        known = self._named("atan2", sine, cosine)
+        if known is None:
+            raise Unreadable("measures an angle that is none of the formula's")
+        return known
+
+    def function(self, name: str, *operands: Ratio) -> Ratio:
+        function = next((each for each, call in CALLED.items() if call == name), "")
+        known = self._named(function, *operands)
+        if known is None:
+            raise Unreadable(f"takes {name} of what the formula does not")
+        return known
+
+    def _named(self, function: str, *operands: Any) -> Ratio | None:
+        """The symbol of the formula that stands for a function of these numbers; None if none does."""
+        for known in self._request.functions if None not in operands else ():
+            if known.function == function:
+                pairs = zip(operands, map(self._algebra.entry, known.arguments), strict=True)
+                if all(self._algebra.vanishes(one - other) for one, other in pairs):
+                    return self._algebra.entry(known.symbol)
+        return None
+
+    def _extreme(self, step: Step) -> Ratio | None:
+        """The larger or the smaller of two numbers, where the formula takes that of them."""
+        compared = self._program.steps[step.operands[0]]
+        kind = {compared.operands: "min", compared.operands[::-1]: "max"}.get(step.operands[1:], "")
+        if compared.op is not Op.LESS or not any(known.function == kind for known in self._request.functions):
+            return None
+        return self._named(kind, *map(self.value, compared.operands))
 
     def less(self, left: Ratio, right: Ratio) -> bool:  # type: ignore[override]
         return self._signs.truth("less", left - right)
@@ -133,6 +165,11 @@ class ProgramReading(Operators):
             times = self._algebra.multiple(value, self._algebra.entry(node))
             if times is not None:
                 return {node: times}
+        for known in self._request.functions if isinstance(value, Ratio) else ():
+            angle = known.arguments[0] if known.function == ANGLE else known.symbol
+            times = self._algebra.multiple(value, self._algebra.entry(angle))
+            if times is not None:
+                return {known.symbol: times}
         return {}
 
     def _input(self, argument: int, entry: int) -> Ratio:
@@ -151,6 +188,11 @@ def scale_symbols(program: Program) -> dict[int, Symbol]:
 
 def angles_of(program: Program, request: Request) -> Iterator[Node]:
     """The cosines that the program takes, as expressions; with them its sines are known too."""
+    functions = {known.symbol for known in request.functions}
+    said = (*(output.value for output in request.outputs), *(right for _, right in request.rules))
+    said += tuple(argument for known in request.functions for argument in known.arguments)
+    calls = (part for node in said for part in walk(node) if isinstance(part, Call))
+    turning = [symbol for call in calls for symbol in symbols_of(call.argument) if symbol in functions]
 
     def length(number: int) -> Linear:
         """A multiple of the length of the one argument that a step is made of; the reading sees whether it is that."""
@@ -159,7 +201,9 @@ def angles_of(program: Program, request: Request) -> Iterator[Node]:
             step = program.steps[waiting.pop()]
             waiting += step.operands
             of |= {request.place(step.argument, step.entry)[0]} if step.op is Op.INPUT else set()
-        return {Norm(of.pop()): _factor(program, number)} if len(of) == 1 else {}
+        angles: Linear = {symbol: Fraction(1, 2) for symbol in turning}
+        lengths: Linear = {Norm(node): _factor(program, number) for node in of if len(of) == 1 and not node.is_scalar}
+        return angles | lengths
 
     for step in program.steps:
         if step.op in (Op.SINE, Op.COSINE):
@@ -177,6 +221,8 @@ def _linear(program: Program, request: Request, number: int, length: Callable[[i
     """A step as a sum of rational multiples of scalar arguments and of lengths."""
     step = program.steps[number]
     match step.op:
+        case Op.CONSTANT if step == HALF_TURN:
+            return {PI: Fraction(1)}
         case Op.INPUT if isinstance(symbol := request.place(step.argument, step.entry)[0], Symbol) and symbol.is_scalar:
             return {symbol: Fraction(1)}
         case Op.ADD | Op.SUBTRACT:
@@ -187,10 +233,10 @@ def _linear(program: Program, request: Request, number: int, length: Callable[[i
             return {s: -q for s, q in _linear(program, request, step.operands[0], length).items()}
         case Op.MULTIPLY | Op.DIVIDE:
             first, second = (program.steps[operand] for operand in step.operands)
-            if second.op is Op.CONSTANT and second.value:
+            if second.is_number and second.value:
                 factor = second.value if step.op is Op.MULTIPLY else 1 / second.value
                 return {s: q * factor for s, q in _linear(program, request, step.operands[0], length).items()}
-            if first.op is Op.CONSTANT and step.op is Op.MULTIPLY:
+            if first.is_number and step.op is Op.MULTIPLY:
                 return {s: q * first.value for s, q in _linear(program, request, step.operands[1], length).items()}
     if step.op is not Op.INPUT and (found := length(number)):
         return found

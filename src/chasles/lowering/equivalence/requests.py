@@ -61,7 +61,8 @@ class _Algebras:
     def __init__(self, request: Request, program: Program) -> None:
         compared = [side for c in request.choices for case in c.cases for w in case.where for side in (w.left, w.right)]
         self.scales = scale_symbols(program)
-        self._further = (*compared, *angles_of(program, request))
+        arguments = (argument for known in request.functions for argument in (known.symbol, *known.arguments))
+        self._further = (*compared, *angles_of(program, request), *arguments)
         self._request = request
         self._program = program
         self._known: dict[tuple[tuple[Node, Node], ...], tuple[Algebra, Settled]] = {}

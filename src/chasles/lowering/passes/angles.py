@@ -44,10 +44,10 @@ def _angle_of(program: Program, number: int) -> tuple[int, Fraction]:
             return angle, -times
         case Op.MULTIPLY | Op.DIVIDE:
             first, second = (program.steps[k] for k in step.operands)
-            if step.op is Op.MULTIPLY and first.op is Op.CONSTANT and first.value:
+            if step.op is Op.MULTIPLY and first.is_number and first.value:
                 angle, times = _angle_of(program, step.operands[1])
                 return angle, first.value * times
-            if second.op is Op.CONSTANT and second.value:
+            if second.is_number and second.value:
                 angle, times = _angle_of(program, step.operands[0])
                 return angle, times * second.value if step.op is Op.MULTIPLY else times / second.value
     return number, Fraction(1)
@@ -70,7 +70,7 @@ def _values(program: Program, *, halved: bool) -> list[Value | None]:
     values: list[Value | None] = []
     for step in program.steps:
         known = [values[k] for k in step.operands]
-        if step.op is Op.CONSTANT:
+        if step.is_number:
             values.append((None, constant(step.value)))
         elif step.op in (Op.SINE, Op.COSINE):
             angle, times = _angle_of(program, step.operands[0])
