@@ -38,6 +38,8 @@ spin = Condition("0", CPM(s_), rate(turn) @ turn.T, on=(turn,), assuming=(rotati
 spin_in_body = Condition("0", CPM(s), turn.T @ rate(turn), on=(s,), assuming=(rotation(turn),))
 axis = Condition("0", s.x, lifted(1), assuming=(unit(s),))
 
+EMPTY = (Definition("0", y, w), Condition("1", y, w, on=(x,)))
+"""A condition that says nothing of what it is posed on."""
 TRUE = [
     claim(V * K, i * R * K + w, given=(motor,)),
     claim(K, w / (V - i * R), nonzero(V - i * R), given=(motor,)),
@@ -56,6 +58,7 @@ TRUE = [
     claim(s, turn.T @ s_, rotation(turn), given=(spin, spin_in_body)),
     claim(rate(turn), turn @ CPM(s), rotation(turn), given=(spin_in_body,)),
     claim(x * V, x * i + x * w, given=(Condition("0", x, 2 * V, given=(Definition("0", V, i + w),), on=(x,)),)),
+    claim(x * y, x * w, given=EMPTY),
 ]
 FALSE = [
     claim(V * K, i * R * K - w, given=(motor,)),
@@ -68,6 +71,7 @@ FALSE = [
     claim(a * b, 2 * a**2, given=(Condition("0", a, b),)),
     claim(s.y, 1, given=(axis,)),
     claim(x, i + w, given=(Condition("0", x, 2 * V, given=(Definition("0", V, i + w),), on=(x,)),)),
+    claim(x, w, given=EMPTY),
 ]
 
 

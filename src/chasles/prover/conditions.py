@@ -92,6 +92,8 @@ def _linear(
     context: Context, conditions: tuple[Generator, ...], places: list[int]
 ) -> tuple[list[list[Polynomial]], list[Polynomial]]:
     """M and v with condition = M u - v."""
+    if not (conditions and places):
+        raise Underdetermined(f"the conditions do not say what {describe(context.problem.unknowns)} is")
     ring = context.field.ring
     matrix = [[ring.derivative(c.polynomial, place) for place in places] for c in conditions]
     zero = ring.constant(Fraction(0))
