@@ -6,6 +6,7 @@ from time import process_time
 
 import pytest
 
+import chasles
 from chasles.decisions.session import Session
 from chasles.pages.findings_told import line_of
 from chasles.pages.page import read_page
@@ -13,7 +14,7 @@ from chasles.reading.glyphs import letter_in
 from chasles.reading.notation_file import load_notation
 from chasles.reading.pages import Kind, printed_page
 from chasles.reading.proposal import proposed
-from chasles.reading.prose import poses, said_of_letters
+from chasles.reading.prose import lead_of, said_of_letters
 
 SAID = {
     r"For a unit vector $\mathbf{e}$ and an angle $\phi$ the rotation is": {
@@ -93,6 +94,10 @@ LEADING = {
     "The rotation satisfies the identity": False,
     "It obeys a law. It follows that": False,
     "The kinetic energy is": False,
+    "whereas the *Euler equation* then takes the form": True,
+    "The equations of motion of the cart can now be written as": True,
+    "Its position is obviously perpendicular to the axis, i.e.,": True,
+    "If the pitch is zero, the twist is a pure rotation, and the velocity is": False,
 }
 
 
@@ -103,8 +108,17 @@ def test_a_sentence_may_lead_to_a_law_and_not_to_what_follows(text: str, kind: K
     display = f"\n\n.. math:: a + b = 1\n\n{text}\n\n.. math:: c + d = 2\n"
     page = display if kind == "rst" else f"{opening} a + b = 1 {closing}\n{text}\n{opening} c + d = 2 {closing}"
     first, second = printed_page(page, kind).equations
-    assert not poses(first.before)
-    assert poses(second.before) == LEADING[text]
+    assert not lead_of(first.before).is_posed
+    assert lead_of(second.before).is_posed == LEADING[text]
+
+
+def test_a_sentence_may_lead_to_a_case_to_what_follows_or_to_the_same_again_and_cite_others() -> None:
+    assert lead_of("Hence the two screws are reciprocal if").is_case
+    assert lead_of("this holds. It follows that").follows
+    assert not lead_of("Both are given by").follows
+    assert lead_of("$$a = b$$\n\nor, equivalently,\n").again == lead_of("$$a = b$$\n\nor\n").again
+    said = r"From Eqs. (3.4) and (3.5b), with \eqref{eq:x}, {eq}`two` and :eq:`three`,"
+    assert lead_of(said).cited == ("three", "two", "eq:x", "3.5b", "3.4")
 
 
 PENDULUM = r"""
@@ -165,6 +179,38 @@ def test_what_is_led_to_as_a_law_is_decided_where_it_can_be() -> None:
 def test_hostile_prose_takes_no_more_work_than_its_length(page: str) -> None:
     before = process_time()
     found = printed_page(page, "tex")
-    assert not any(poses(each.before) for each in found.equations)
+    assert not any(lead_of(each.before).is_posed for each in found.equations)
     assert not found.remarks
     assert process_time() - before < 10
+
+
+LETTERS = {
+    "symbols": {
+        "A": {"is": "matrix", "shape": [4, 3]},
+        "b": {"is": "matrix", "shape": [4, 1]},
+        "Q": "rotation",
+        "e": "unit vector",
+        **dict.fromkeys("acpq", "vector"),
+        **dict.fromkeys("wxyzTV", "scalar"),
+    },
+    "operators": {"transpose": ["#^T"], "identity": ["I"]},
+}
+LED_TO = {
+    r"""The point satisfies $$A p = b$$ where
+$$A \equiv \begin{bmatrix} Q - I \\ e^T \end{bmatrix}, \quad b \equiv \begin{bmatrix} (Q - I) a \\ 0 \end{bmatrix}$$
+Multiplying this by the transpose, $$A^T A p = A^T b.$$""": ["assumed", "defined", "defined", "holds-under"],
+    r"One can write $$q - a = Q (p - a)$$ and hence $$q = a + Q (p - a).$$": ["open", "holds-under"],
+    r"$$x = y + z$$ If $$y = z$$ then $$x = 2 z.$$": ["defined", "assumed", "holds-under"],
+    r"Here $$x < z$$ The *Euler equation* is $$x^2 + x y = z$$ or $$w x = z + 1$$": ["open", "assumed", "assumed"],
+    r"$$w = \underbrace{x^2}_T - \underbrace{x z}_{V} + \underbrace{y}_{y > 0}$$ $$w - T = y - V$$ $$w = y - T - V$$": [
+        "defined",
+        "holds",
+        "fails",
+    ],
+}
+
+
+@pytest.mark.parametrize("page", LED_TO)
+def test_what_leads_to_equations_or_is_named_beside_them_counts(page: str) -> None:
+    found = chasles.read(page, LETTERS, "md")
+    assert [each.verdict for each in found.equations] == LED_TO[page]

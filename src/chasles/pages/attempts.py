@@ -38,18 +38,28 @@ class Attempt:
     assumed: tuple[str, ...] = ()
 
 
-def attempts(claim: Claim, premises: Premises, consequences: Consequences) -> Iterator[Attempt]:
-    """The claim with premises from which it may follow, few before many, each set once."""
-    opened = {id(each): named(each) for each in premises.opened.values()}
+def attempts(
+    claim: Claim, premises: Premises, consequences: Consequences, cited: Iterable[Known] = ()
+) -> Iterator[Attempt]:
+    """The claim with premises from which it may follow, few before many, each set once; early those that are cited."""
     seen: set[tuple[frozenset[int], frozenset[int]]] = set()
     asked: set[tuple[frozenset[int], frozenset[int]]] = set()
-    for tried in _premise_sets(claim, premises):
-        likely = consequences.may_follow(*claim.printed, *tried) if _is_new(*tried, asked) else False
-        chosen = consequences.least(*claim.printed, *tried) if likely else tried
-        if likely is not False and _is_new(*chosen, seen):
-            attempt = with_premises(claim, premises, *chosen)
-            names = tuple(opened[id(each)] for each in attempt.given if id(each) in opened)
-            yield from ways(Attempt(attempt, bool(likely), names), premises, chosen[1])
+
+    def chosen() -> Iterator[tuple[bool, Known]]:
+        whole: list[Known] = []
+        for tried in _premise_sets(claim, premises, cited):
+            likely = consequences.may_follow(*claim.printed, *tried) if _is_new(*tried, asked) else False
+            if likely:
+                whole.append(tried)
+            if likely is not False:
+                yield bool(likely), consequences.least(*claim.printed, *tried) if likely else tried
+        yield from ((True, each) for each in whole)
+
+    for likely, known in chosen():
+        if _is_new(*known, seen):
+            attempt = with_premises(claim, premises, *known)
+            names = tuple(name for name in map(named, attempt.given) if name in premises.unproved)
+            yield from ways(Attempt(attempt, likely, names), premises, known[1])
 
 
 def ways(attempt: Attempt, premises: Premises, posed: tuple[PosedEquation, ...]) -> Iterator[Attempt]:
@@ -68,7 +78,7 @@ def _is_new(rules: Rules, posed: tuple[PosedEquation, ...], seen: set[tuple[froz
     return True
 
 
-def _premise_sets(claim: Claim, premises: Premises) -> Iterator[Known]:
+def _premise_sets(claim: Claim, premises: Premises, cited: Iterable[Known]) -> Iterator[Known]:
     """Rules to apply and equations to assume: nothing, what is said of what occurs, all that this rests on."""
     sides = claim.printed
     defined = [premises.defined(generation) for generation in range(premises.generations)]
@@ -77,6 +87,7 @@ def _premise_sets(claim: Claim, premises: Premises) -> Iterator[Known]:
     yield {}, ()
     shallow: Rules = chosen_rules(sides, tables[0], deep=False)
     yield shallow, ()
+    yield from cited
     yield chosen_rules(sides, last_said(tables[0], place), deep=False), ()
     found: list[Rules] = [shallow]
     with_open = {**tables[0], **premises.opened}
@@ -97,6 +108,7 @@ def _premise_sets(claim: Claim, premises: Premises) -> Iterator[Known]:
             yield rules, posed
         if resting := premises.at_rest(sides, rules):
             last_of_all += [(rules, resting), (rules, (*posed, *resting))]
+    yield chosen_rules(sides_of(claim, posed), with_open), posed
     yield from last_of_all
 
 

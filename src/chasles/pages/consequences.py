@@ -50,8 +50,7 @@ class Consequences:
         self._known = {} if known is None else known
         self._keys: dict[int, tuple[Node, str]] = {}
         self._fingerprints = Fingerprints()
-        self._found: dict[tuple[frozenset[int], frozenset[int], int], RandomMotion | None] = {}
-        self._kept: list[object] = []
+        self._found: dict[tuple[frozenset[Pair], frozenset[Pair], int], RandomMotion | NotInMotion | None] = {}
         self._last: ValuesInMotion | None = None
 
     def may_follow(self, left: Node, right: Node, rules: Rules, posed: Sequence[PosedEquation] = ()) -> bool | None:
@@ -81,7 +80,7 @@ class Consequences:
         for terms in range(1 + max((*orders, *(order for _, order in rules)), default=0), TERMS + 1):
             try:
                 with np.errstate(all="ignore"):
-                    motion = self._satisfying(pairs, rules, running, terms, posed) if pairs else self.motion
+                    motion = self._satisfying(pairs, rules, running, terms) if pairs else self.motion
                     if motion is None:
                         return False
                     values = self._values(motion, rules, running, terms)
@@ -113,16 +112,19 @@ class Consequences:
                 rules = chosen_rules((left, right, *(s for each in posed for s in (each.left, each.right))), remaining)
         return rules, posed
 
-    def _satisfying(
-        self, pairs: Sequence[Pair], rules: Rules, running: Running, terms: int, posed: Sequence[PosedEquation]
-    ) -> RandomMotion | None:
+    def _satisfying(self, pairs: Sequence[Pair], rules: Rules, running: Running, terms: int) -> RandomMotion | None:
         chosen = chosen_rules((side for pair in pairs for side in pair), rules)
-        key = frozenset(map(id, posed)), frozenset(map(id, chosen.values())), terms
+        key = frozenset(pairs), frozenset(rule.printed for rule in chosen.values()), terms
         if key not in self._found:
-            self._kept += [*posed, *chosen.values()]
-            unsatisfied = any(not found and k[0] <= key[0] and k[1] <= key[1] for k, found in self._found.items())
-            self._found[key] = None if unsatisfied else satisfying(pairs, rules, running, terms, self.motion)
-        return self._found[key]
+            unsatisfied = any(found is None and k[0] <= key[0] and k[1] <= key[1] for k, found in self._found.items())
+            try:
+                self._found[key] = None if unsatisfied else satisfying(pairs, rules, running, terms, self.motion)
+            except NotInMotion as reason:
+                self._found[key] = reason
+        found = self._found[key]
+        if isinstance(found, NotInMotion):
+            raise found
+        return found
 
 
 def _running(sides: Iterable[Node]) -> Running:

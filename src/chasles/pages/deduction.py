@@ -26,18 +26,19 @@ from dataclasses import replace as with_fields
 from functools import cached_property
 
 from chasles.decisions.session import Session
-from chasles.pages.attempts import Attempt, all_said, attempts, named, ways, with_premises
+from chasles.pages.attempts import Attempt, Known, all_said, attempts, named, sides_of, ways, with_premises
 from chasles.pages.bounded_proofs import posed_on, proof_of, verdict_on
 from chasles.pages.consequences import Consequences
 from chasles.pages.defining import definition_of, is_new, is_said_ahead, meant_by, said_to_be
 from chasles.pages.finding import PageFinding
 from chasles.pages.named_hypotheses import as_hypothesis
-from chasles.pages.notes import DEFINING, NOTHING, EquationNote
+from chasles.pages.notes import DEFINING, EQUAL, NOTHING, EquationNote, Given, is_defining
 from chasles.pages.other_kinds import doubt_of_falsity, doubt_of_reals, doubt_of_truth
 from chasles.pages.premises import PosedEquation, Premises, chosen_rules, free_quantities
 from chasles.pages.quantities import Quantity, quantities, quantity, symbols_in
 from chasles.pages.refutation import expanded, refuted
 from chasles.pages.unsaid_derivatives import UnsaidDerivatives
+from chasles.reading.prose import Lead
 from chasles.reading.reading import Part, Reading
 from chasles.repairs.repair import Repair
 from chasles.statements import Claim, Statement, nonzero
@@ -45,6 +46,9 @@ from chasles.verdict import Assumed, Contradictory, Defined, Fails, Holds, Holds
 from chasles.vocabulary import PI, Node, plain, walk
 from chasles.vocabulary.families import indices_of
 
+NO_LEAD = Lead()
+MOST_CITED = 8
+"""So many equations that the prose before one cites are premises together."""
 MOST_UNLIKELY = 6
 """So many sets of premises are tried of which a random motion does not tell whether a claim follows from them."""
 WORK = 1e6
@@ -70,6 +74,7 @@ class Deduction:
     _derivatives: UnsaidDerivatives = field(default_factory=UnsaidDerivatives)
     _said_here: tuple[int, dict[Quantity, Node]] = (0, {})
     _section: str | None = None
+    _cited: tuple[Given, ...] = ()
 
     @cached_property
     def consequences(self) -> Consequences:
@@ -128,6 +133,13 @@ class Deduction:
         else:
             self.premises.posed.append(self._assumption(claim.number, claim))
 
+    def say_beside(self, claims: Iterable[Claim]) -> None:
+        """What is named beside the displays; what has a definition keeps it."""
+        for claim in map(self._as_said, claims):
+            meant = None if claim.fault else meant_by(claim, self.premises)
+            if meant and is_new(claim, meant[0], self.premises):
+                self._defined(claim, *meant)
+
     def say(
         self,
         number: str,
@@ -137,24 +149,29 @@ class Deduction:
         right: Node,
         note: EquationNote = NOTHING,
         ahead: Iterable[Claim] = (),
-        is_posed: bool = False,
+        lead: Lead = NO_LEAD,
     ) -> PageFinding:
         """The finding on the next equation of the page, which is a premise of what follows.
 
         What is `ahead` may say what new symbols of a claim are, as behind "where". What neither follows nor fails is
-        assumed if it `is_posed`, and open otherwise.
+        assumed if the prose that leads to it says so, and open otherwise.
         """
         finding = self._foretold.pop((number, part), None)
+        claim = self._as_said(Claim(number, left, right, part=part, sign=sign, sic=True))
         if finding is None:
-            claim = self._as_said(Claim(number, left, right, part=part, sign=sign, sic=True))
-            finding = self._found(claim, note, tuple(ahead), is_posed)
+            told = [each for name in lead.cited for each in self.premises.told.get(name, ())]
+            self._cited = tuple((named(each), each) for each in told[:MOST_CITED])
+            finding = self._found(claim, note, tuple(ahead), lead)
+        is_wrong = claim.fault or finding.instead or (isinstance(finding.verdict, Fails) and not finding.open)
+        if sign in EQUAL and not is_wrong:
+            self.premises.told.setdefault(number, []).append(claim)
         self.premises.spoken.update(q for side in (left, right) for q in quantities(side))
         self.premises.stated.append({left, right})
         if self._said_here[0] and (key := quantity(left)) is not None:
             self._said_here[1].setdefault(key, right)
         return finding
 
-    def _found(self, claim: Claim, note: EquationNote, ahead: tuple[Claim, ...], is_posed: bool) -> PageFinding:
+    def _found(self, claim: Claim, note: EquationNote, ahead: tuple[Claim, ...], lead: Lead) -> PageFinding:
         role = note.role
         if claim.sign not in ("=", *DEFINING):
             return PageFinding("claim", Undecided(f"relations such as {claim.sign} are not decided"), claim, open=True)
@@ -175,8 +192,8 @@ class Deduction:
             return with_fields(self._posed(claim, False, Defined()), role=role)
         finding = self._proof(claim)
         key = quantity(claim.left)
-        if finding is None and self._foretell(claim, ahead):
-            finding = self._proof(claim)
+        if finding is None:
+            finding = self._proof_ahead(claim, ahead)
         if finding is None:
             finding = refuted(
                 claim,
@@ -195,8 +212,8 @@ class Deduction:
             return self._posed_or_defined(claim, meant, with_fields(finding, unless=None))
         if not finding.open or (finding.instead and not finding.verdict.true):
             return finding  # what is likely a slip is no premise of what follows
-        if is_posed and not meant and not finding.doubt:
-            return self._posed(claim, False, Assumed())
+        if (lead.is_posed or lead.is_case) and not finding.doubt and not is_defining(claim):
+            return with_fields(self._posed(claim, lead.is_case, Assumed(), is_rule=True), open=False)
         return self._posed_or_defined(claim, meant, finding)
 
     def _defines(self, claim: Claim, key: Quantity, ahead: tuple[Claim, ...]) -> bool:
@@ -218,14 +235,26 @@ class Deduction:
         names, fails = finding.unless if finding and finding.unless else (frozenset(), finding)
         return fails if names <= self.premises.relied else finding
 
-    def _foretell(self, claim: Claim, ahead: tuple[Claim, ...]) -> bool:
-        """Take in advance the definitions of symbols that are new in a claim, if there are any."""
-        before = len(self._foretold)
-        spoken = {symbol for symbol, _ in self.premises.spoken}
-        new = symbols_in(claim.printed) - spoken
+    def _proof_ahead(self, claim: Claim, ahead: tuple[Claim, ...]) -> PageFinding | None:
+        """The finding on a claim that follows from what the page defines ahead; what it defines anew counts only so."""
+        finding = self._proof(claim) if self._foretell(claim, ahead) else None
+        before = self.premises.copy(), dict(self._foretold)
+        if finding is None and self._foretell(claim, ahead, anew=True):
+            finding = self._proof(claim)
+            if finding is None:
+                self.premises, self._foretold = before
+        return finding
+
+    def _foretell(self, claim: Claim, ahead: tuple[Claim, ...], anew: bool = False) -> bool:
+        """Take in advance the definitions of symbols that are new in a claim, or defined `anew`, if there are any."""
+        before, found = len(self._foretold), symbols_in(claim.printed)
+        new = found - {symbol for symbol, _ in self.premises.spoken}
         for other in map(self._as_said, ahead):
             meant = None if other.fault else meant_by(other, self.premises)
-            if meant and meant[0][0] in new and meant[0] not in self.premises.definitions:
+            if meant is None or meant[0][0] not in found or (other.number, other.part) in self._foretold:
+                continue
+            is_first = meant[0][0] in new and meant[0] not in self.premises.definitions
+            if is_defining(other) if anew else is_first:
                 self._foretold[other.number, other.part] = self._defined(other, *meant)
         return len(self._foretold) > before
 
@@ -240,14 +269,15 @@ class Deduction:
         self.premises.opened.pop(key, None)
         return PageFinding("definition", Defined(), made)
 
-    def _posed(self, claim: Claim, is_open: bool, verdict: Verdict) -> PageFinding:
+    def _posed(self, claim: Claim, is_open: bool, verdict: Verdict, is_rule: bool = False) -> PageFinding:
         if not any(map(indices_of, claim.printed)):
             said = as_hypothesis(named(claim), *claim.printed, self.session, self.consequences)
-            key = said_to_be(claim) if is_open else None
+            key = said_to_be(claim) if is_open or is_rule else None
             if key is not None:
                 self.premises.opened[key[0]] = definition_of(claim, key[1])
                 self.premises.said.append(self.premises.opened[key[0]])
             self.premises.posed.append(PosedEquation(said, claim.left, claim.right, is_open, key is not None))
+            self.premises.unproved.add(named(claim))
         return PageFinding("condition", verdict, claim, open=is_open)
 
     def _satisfied(self, claim: Claim) -> Verdict:
@@ -267,7 +297,7 @@ class Deduction:
     def _proof(self, claim: Claim) -> PageFinding | None:
         """The finding on a claim that follows from what the page has said; None for any other."""
         unlikely = 0
-        for attempt in attempts(claim, self.premises, self.consequences):
+        for attempt in attempts(claim, self.premises, self.consequences, self._sets_cited(claim)):
             unlikely += not attempt.likely
             if not attempt.likely and unlikely > self.most_unlikely:
                 continue
@@ -280,6 +310,28 @@ class Deduction:
                 return self._proved(attempt.claim, verdict)
         return None
 
+    def _sets_cited(self, claim: Claim) -> Iterator[Known]:
+        """What the prose cites: alone, and with what the page says of the symbols in it."""
+        if self._cited:
+            rules, posed = self._premises_of(self._cited)
+            yield chosen_rules(sides_of(claim, posed), rules), posed
+            table = {**self.premises.defined(), **self.premises.proved}
+            applied = {named(rule) for rule in table.values()}
+            others = tuple(self._assumption(*each) for each in self._cited if each[0] not in applied)
+            yield chosen_rules(sides_of(claim, others), table), others
+
+    def _premises_of(self, given: Iterable[Given]) -> tuple[dict[Quantity, Statement], tuple[PosedEquation, ...]]:
+        """Equations as rules for the symbols that stand alone in them, the first of each; others are assumed."""
+        rules: dict[Quantity, Statement] = {}
+        posed: list[PosedEquation] = []
+        for name, each in ((name, self._as_said(each)) for name, each in given):
+            key = said_to_be(each)
+            if key is not None and key[0] not in rules:
+                rules[key[0]] = definition_of(each, key[1])
+            else:
+                posed.append(self._assumption(name, each))
+        return rules, tuple(posed)
+
     def _doubt(self, claim: Claim, instead: Repair | None = None, is_true: bool = True) -> str:
         """Under what kinds of letters alone a claim is true, or false; empty where that is not in doubt."""
         if self.is_complex and (doubt := doubt_of_reals(claim)):
@@ -289,25 +341,16 @@ class Deduction:
         known = self.consequences
         return doubt_of_truth(claim, known) if is_true else doubt_of_falsity(claim, instead, known)
 
-    def _under(self, claim: Claim, given: Iterable[tuple[str, Claim]]) -> PageFinding:
+    def _under(self, claim: Claim, given: tuple[Given, ...]) -> PageFinding:
         """The finding on a claim under the premises that a person gives, and no others of the page.
 
         What is proved of what the page does not say is assumed in what follows.
         """
-        rules: dict[Quantity, Statement] = {}
-        posed: list[PosedEquation] = []
-        told: list[str] = []
-        for name, each in ((name, self._as_said(each)) for name, each in given):
-            key = said_to_be(each)
-            if key is not None and key[0] not in rules:
-                rules[key[0]] = definition_of(each, key[1])
-            else:
-                posed.append(self._assumption(name, each))
-            told.append(name)
-        attempt = with_premises(claim, self.premises, rules, tuple(posed))
+        (rules, posed), told = self._premises_of(given), tuple(name for name, _ in given)
+        attempt = with_premises(claim, self.premises, rules, posed)
         likely = self.consequences.may_follow(*claim.printed, rules, posed)
         proved, verdict = attempt, None
-        for way in ways(Attempt(attempt, bool(likely)), self.premises, tuple(posed)) if likely is not False else ():
+        for way in ways(Attempt(attempt, bool(likely)), self.premises, posed) if likely is not False else ():
             proved, verdict = way.claim, proof_of(way.claim, self.session, way.likely)
             if verdict is not None:
                 break
@@ -315,10 +358,10 @@ class Deduction:
         if verdict.true:
             if not {named(each) for each in self.premises.said}.issuperset(told):
                 self._posed(claim, False, verdict)
-            return with_fields(self._proved(proved, _given_freely(tuple(told), verdict)), given=tuple(told))
+            return with_fields(self._proved(proved, _given_freely(told, verdict)), given=told)
         against = (*(rule.number for rule in rules.values()), *(h.text for h in attempt.assuming))
         is_open = not isinstance(verdict, Fails | Contradictory)
-        return PageFinding("claim", verdict, attempt, open=is_open, against=against, given=tuple(told))
+        return PageFinding("claim", verdict, attempt, open=is_open, against=against, given=told)
 
     def _proved(self, claim: Claim, verdict: Verdict) -> PageFinding:
         unused = verdict.unused

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from pathlib import Path
@@ -18,7 +18,7 @@ from chasles.pages.deduction import WORK, Deduction
 from chasles.pages.facts import facts_of, kind_in_meaning
 from chasles.pages.finding import PageFinding
 from chasles.pages.known_answers import KnownAnswers
-from chasles.pages.notes import DEFINING, NOTHING, EquationNote, notes_of, parts_of
+from chasles.pages.notes import EQUAL, NOTHING, EquationNote, is_defining, notes_of, parts_of
 from chasles.pages.other_kinds import imaginary_unit
 from chasles.pages.page_chapter import chapter_of
 from chasles.pages.page_equation import PageEquation
@@ -29,15 +29,15 @@ from chasles.reading.notation_file import load_notation
 from chasles.reading.page_notation import PageNotation
 from chasles.reading.pages import Kind, displayed
 from chasles.reading.printed import PrintedEquation
-from chasles.reading.prose import poses
+from chasles.reading.prose import Lead, lead_of
 from chasles.reading.reading import Part, ReadEquation, Reading
 from chasles.statements import Chapter, Claim
 from chasles.vocabulary import latex, walk
 
 MOST_READINGS = 4
 """So many readings of one equation are decided."""
-AHEAD = 2
-"""So many equations that follow may say what new symbols are."""
+AHEAD, MOST_AHEAD = 2, 6
+"""So many equations that follow may say what new symbols are, and so many if all others are definitions."""
 PROVED = ("holds", "holds-under")
 UNDECIDED = frozenset({"defined", "open"})
 """Where nothing else is said, it makes no difference how the equation is read."""
@@ -144,12 +144,35 @@ def read_page(
         named.setdefault(name, []).extend(claims)
     notes = notes_of(notation, named)
     found: list[PageEquation] = []
+    leads = _leads(printed, names)
     for place, (equation, name) in enumerate(zip(equations, names, strict=True)):
-        following = (claim for claims in relations[place + 1 : place + 1 + AHEAD] for claim in claims)
-        ahead = tuple(claim for claim in following if claim.sign in ("=", *DEFINING))
+        ahead = tuple(_saying(relations[place + 1 : place + 1 + MOST_AHEAD], leads[place + 1 :]))
         first = relations[place][0].part if relations[place] else 1
-        found += _decided(equation, name, first, notes, deduction, ahead)
+        for nth, beside in enumerate(read_equations(equation.printed.beside, notation), 1):
+            for reading in beside.readings[:1]:
+                deduction.say_beside(_relations(reading, f"{name} under a brace", nth))
+        found += _decided(equation, name, first, notes, deduction, ahead, leads[place])
     return ReadPage(tuple(replace(each, finding=deduction.settled(each.finding)) for each in found), file)
+
+
+def _leads(printed: Sequence[PrintedEquation], names: Sequence[str]) -> list[Lead]:
+    """What leads to each equation: it cites the one before it, too."""
+    labels = {each.label: name for each, name in zip(printed, names, strict=True)}
+    leads: list[Lead] = []
+    for each, before in zip(printed, ("", *names), strict=False):
+        lead = lead_of(each.before)
+        cited = dict.fromkeys((before, *(labels.get(name, name) for name in lead.cited)))
+        said = leads[-1] if lead.again and leads else lead
+        leads.append(replace(lead, cited=tuple(cited), is_posed=said.is_posed, is_case=said.is_case))
+    return leads
+
+
+def _saying(following: Sequence[tuple[Claim, ...]], leads: Sequence[Lead]) -> Iterator[Claim]:
+    """The relations that may say what is new in the equation before them: none that are said to follow."""
+    for place, (claims, lead) in enumerate(zip(following, leads, strict=False)):
+        if place >= AHEAD and not all(map(is_defining, claims)):
+            return
+        yield from (claim for claim in claims if claim.sign in EQUAL and (is_defining(claim) or not lead.follows))
 
 
 def _relations(reading: Reading, number: str, first: int) -> tuple[Claim, ...]:
@@ -160,7 +183,13 @@ def _relations(reading: Reading, number: str, first: int) -> tuple[Claim, ...]:
 
 
 def _decided(
-    equation: ReadEquation, number: str, first: int, notes: Notes, deduction: Deduction, ahead: tuple[Claim, ...]
+    equation: ReadEquation,
+    number: str,
+    first: int,
+    notes: Notes,
+    deduction: Deduction,
+    ahead: tuple[Claim, ...],
+    lead: Lead,
 ) -> Iterator[PageEquation]:
     """The relations of an equation in its usual reading, and what differs in its other readings.
 
@@ -173,11 +202,11 @@ def _decided(
     taken, *others = [each for each, new in zip(equation.readings, news, strict=True) if new == min(news)]
     forks = [(other, deduction.fork()) for other in others[: MOST_READINGS - 1]]
     where = equation.printed
-    findings = list(_said(taken, number, first, notes, deduction, ahead, where))
+    findings = list(_said(taken, number, first, notes, deduction, ahead, where, lead))
     usual = [_verdict(finding) for _, finding in findings]
     told = []
     for other, fork in () if _is_meant(usual) else forks:
-        verdicts = [_verdict(finding) for _, finding in _said(other, number, first, notes, fork, ahead, where)]
+        verdicts = [_verdict(finding) for _, finding in _said(other, number, first, notes, fork, ahead, where, lead)]
         if verdicts != usual and not UNDECIDED.issuperset((*verdicts, *usual)):
             told.append((", ".join(verdicts), _in_latex(other)))
     for place, (part, finding) in enumerate(findings, first):
@@ -197,14 +226,14 @@ def _said(
     deduction: Deduction,
     ahead: tuple[Claim, ...],
     printed: PrintedEquation,
+    lead: Lead,
 ) -> Iterator[tuple[Part, PageFinding]]:
     claims = _relations(reading, number, first)
-    is_posed = poses(printed.before)
     with deduction.where(number, reading.given, printed.display, printed.section):
         for place, (part, claim) in enumerate(zip(reading.parts, claims, strict=True), 1):
-            following = (*(each for each in claims[place:] if each.sign in ("=", *DEFINING)), *ahead)
+            following = (*(each for each in claims[place:] if each.sign in EQUAL), *ahead)
             note = notes.get((number, claim.part), NOTHING)
-            yield part, deduction.say(number, claim.part, part.left, part.sign, part.right, note, following, is_posed)
+            yield part, deduction.say(number, claim.part, part.left, part.sign, part.right, note, following, lead)
 
 
 def _verdict(finding: PageFinding) -> str:

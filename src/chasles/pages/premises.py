@@ -9,7 +9,7 @@ from dataclasses import replace as with_fields
 
 from chasles.pages.quantities import Quantity, quantities
 from chasles.problems.scanning import differs
-from chasles.statements import Hypothesis, Statement
+from chasles.statements import Claim, Hypothesis, Statement
 from chasles.vocabulary import Integral, Negative, Node, Rate, Sum, Symbol, plain, walk
 from chasles.vocabulary.letters import zero_of
 
@@ -38,7 +38,8 @@ class Premises:
     used before; `proved` the last claim proved of it, `opened` the last open equation that says what it is; `said` are
     all of these in their order, `stated` what each equation says, and `spoken` is what has occurred; a section has
     `begun` behind so many of what is posed, said and stated.
-    On what is `relied` a proved claim rests. What is `moving` has a rate somewhere on the page.
+    On what is `relied` a proved claim rests. What is `moving` has a rate somewhere on the page. What is `told` under a
+    name is true, or it is `unproved` by its own.
     """
 
     facts: Callable[[Symbol], tuple[Hypothesis, ...]]
@@ -51,6 +52,8 @@ class Premises:
     stated: list[set[Node]] = field(default_factory=list)
     begun: tuple[int, int, int] = (0, 0, 0)
     relied: set[str] = field(default_factory=set)
+    told: dict[str, list[Claim]] = field(default_factory=dict)
+    unproved: set[str] = field(default_factory=set)
     moving: frozenset[Symbol] = frozenset()
     resting: dict[Symbol, PosedEquation] = field(default_factory=dict)
 
@@ -80,6 +83,8 @@ class Premises:
         definitions = {q: list(known) for q, known in self.definitions.items()}
         rules = with_fields(self, definitions=definitions, proved=dict(self.proved), opened=dict(self.opened))
         told = with_fields(rules, said=list(self.said), posed=list(self.posed), stated=list(self.stated))
+        names = {name: list(claims) for name, claims in self.told.items()}
+        told = with_fields(told, told=names, unproved=set(self.unproved))
         return with_fields(told, spoken=set(self.spoken), relied=set(self.relied))
 
     def defined(self, generation: int = 0) -> Rules:

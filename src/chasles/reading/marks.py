@@ -147,7 +147,8 @@ def _nucleus(atom: Atom, letter: Glyph, ctx: FittingContext) -> list[Fit]:
         case "COMMAND_OF_TWO" if "frac" in atom.text:
             fits = fraction_fits(atom, ctx)
         case "GROUP" if atom.arguments[0]:
-            fits = of_atoms(atom.arguments[0], ctx)
+            fits = of_atoms(atom.arguments[0], ctx)  # with the scripts in it; the others are put on all of it
+            rest = replace(rest, sub=said_of(atom.sub or ()), primes=atom.primes, sups=tuple(map(said_of, atom.sups)))
         case "COMMAND" if atom.text in spellings.names:
             fits = applied(spellings.names[atom.text], of_atoms(atom.arguments[0], ctx), ctx, rest, atom.text)
         case "COMMAND" if atom.text.replace("wide", "") in spellings.accents:

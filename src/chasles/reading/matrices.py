@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from itertools import islice, product
 
 from chasles.reading.atoms import Atom, Atoms, Terms, single
 from chasles.reading.context import FittingContext
-from chasles.reading.fits import MOST, Fit, Shape
+from chasles.reading.fits import MOST, UNUSUAL, Fit, Shape
 from chasles.vocabulary import Block, Determinant, Symbol, symbols_of
 from chasles.vocabulary.measure import Extent
 from chasles.vocabulary.pieces import Precedence
@@ -46,16 +47,29 @@ def block_fits(cells: list[list[list[Fit]]], ctx: FittingContext) -> list[Fit]:
     )
     for sizes in islice(product(*heights, *widths), MOST_SIZES):
         high, wide = sizes[: len(cells)], sizes[len(cells) :]
-        at = [[_at(cell, (high[i], wide[j])) for j, cell in enumerate(row)] for i, row in enumerate(cells)]
-        if not all(all(row) for row in at):
-            continue
-        for chosen in _consistent([cell for row in at for cell in row]):
-            found += _block(chosen, len(cells[0]), ctx)
+        found += _of_sizes(cells, high, [wide] * len(cells), ctx)
+        if ctx.level and len(cells) == 2 == len(set(wide)):  # blocks that do not stand below each other
+            found += [
+                replace(fit, cost=fit.cost + UNUSUAL)
+                for turned in ([wide, wide[::-1]], [wide[::-1], wide])
+                for fit in _of_sizes(cells, high, turned, ctx)
+            ]
     if not found and ctx.tolerant:
         firsts = [_first(cell) for row in cells for cell in row]
         if all(fit.node is not None for fit in firsts):
             found = _block(tuple(firsts), len(cells[0]), ctx)
     return found
+
+
+def _of_sizes(
+    cells: list[list[list[Fit]]], high: Sequence[Extent], wide: Sequence[Sequence[Extent]], ctx: FittingContext
+) -> list[Fit]:
+    """The matrices with rows of these heights, and in each row blocks of these widths."""
+    at = [[_at(cell, (high[i], wide[i][j])) for j, cell in enumerate(row)] for i, row in enumerate(cells)]
+    if not all(all(row) for row in at):
+        return []
+    chosen = _consistent([cell for row in at for cell in row])
+    return [fit for each in chosen for fit in _block(each, len(cells[0]), ctx)]
 
 
 def _consistent(cells: list[list[Fit]]) -> list[tuple[Fit, ...]]:

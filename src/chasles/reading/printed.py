@@ -24,7 +24,7 @@ class PrintedEquation:
     """A displayed equation: its LaTeX with macros expanded, where it stands in the page, and what it is called there.
 
     `fault` says why a display cannot be split, if so; the rows of one have the number of their `display`, and the text
-    `before` it.
+    `before` it. What is named under a brace in it is said `beside`.
     """
 
     latex: str
@@ -38,6 +38,7 @@ class PrintedEquation:
     display: int = 0
     found: Atoms = field(default=(), repr=False, compare=False)
     before: str = field(default="", repr=False, compare=False)
+    beside: tuple[PrintedEquation, ...] = field(default=(), repr=False, compare=False)
 
     @cached_property
     def atoms(self) -> Atoms:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 from chasles.reading.atoms import Unread
@@ -56,29 +56,64 @@ UNIT = re.compile(rf"^{_BAR}(.+?){_BAR}=1$")
 
 OPENING = re.compile(r"(?:(?:`{3,}|~{3,}|:{3,})[ \t]*)?(?:\{?math\}?|\.\. math::)$|(?:`{3,}|~{3,}|:{3,})$")
 """What opens a display in Markdown and in reStructuredText."""
-SENTENCE = re.compile(r"[.!?]\s|\n\s*\n|\$\$|\\\]|\\end\{[^}]*\}|```|\\item\b|\}\s*\n")
+SENTENCE = re.compile(
+    r"(?<![Ee]q)(?<!qs)(?<![Ff]ig)(?<!i\.e)(?<!e\.g)(?<!cf)[.!?]\s|\n\s*\n|\$\$|\\\]|\\end\{[^}]*\}|```|\\item\b|\}\s*\n"
+)
 """What ends before the sentence that leads to a display."""
 POSING = re.compile(
-    r"(?:equations? of motion|(?:governing|constitutive|state|differential|dynamical?) equations?"
-    r"|\blaws?\b[\w\s-]{0,30}|\bdynamics|model|(?:constraint|condition)s?)\s*(?:of [\w\s-]{0,40})?"
-    r"(?:is|are|reads?|states?(?: that)?|has the form|(?:is|are) given by|as follows)?\W*$"
+    r"(?:equations? of motion"
+    r"|(?:governing|constitutive|state|differential|dynamical?|newton|euler|lagrange|balance|equilibrium) equations?"
+    r"|\blaws?\b[\w\s-]{0,30}|\bdynamics|model|(?:constraint|condition)s?)\s*(?:(?:of|for|under|on) [\w\s-]{0,40})?"
+    r"(?:then )?(?:is|are|reads?|states?(?: that)?|(?:has|takes?) the form|(?:is|are) given by|as follows"
+    r"|(?:is|are|can|may) (?:now |then |also )?(?:be )?(?:stated|written|expressed) as)?\W*$"
+    r"|\b(?:is|are|be|remains?) (?:\w+ly )?(?:perpendicular|normal|orthogonal|parallel|constant|fixed|zero)\b"
+    r"[^.,;]*(?:, i\.e\.)?\W*$"
     r"|(?:satisf(?:y|ies)|obeys?|subject to|governed by|modell?ed (?:by|as)|described by"
     r"|(?:we )?(?:assume|require|postulate|suppose)(?: that)?)\s*(?:(?:the|a) )?"
     r"(?:following |differential |kinematic )*(?:equation|relation|condition|constraint|law)?s?\W*$"
 )
 """How a text leads to a law or a condition."""
+CASE = re.compile(r"\b(?:if|when|whenever|provided that|such that)\W*$")
+"""How it leads to the condition of one case."""
+RESTATING = re.compile(r"\W*(?:(?:or|i\.e|that is|namely|equivalently)\b\W*){0,2}$")
+"""All that stands between two equations that say the same."""
 DERIVING = re.compile(
     r"\b(?:from|using|into|substitut|insert|differentiat|integrat|solv|multipl|eliminat|combin|simplif|linear[iz]|impl"
-    r"|yield|gives?|obtain|deriv|becomes?|therefore|hence|thus|we (?:get|find|see))"
+    r"|yield|gives?\b|obtain|deriv|becomes?|follows (?:that|from)|leads to|so that|conclud|therefore|hence|thus"
+    r"|we (?:get|find|see))"
 )
 """What is said of an equation that follows from others."""
 
 
-def poses(before: str) -> bool:
-    """Whether the sentence that leads to a display says that it is a law or a condition, and not that it follows."""
+REFERENCE = re.compile(r"\\\w*ref\*?\{([^{}]+)\}|\{eq\}`([^`]+)`|:eq:`([^`]+)`|\((\w[\w.:-]*)\)")
+
+
+@dataclass(frozen=True, slots=True)
+class Lead:
+    """What the text before a display says of it: whether it is a law, or a condition of some case, or follows.
+
+    It is said `again` in other words what the display before says. `cited` are labels and numbers that may be those of
+    equations, the last first.
+    """
+
+    is_posed: bool = False
+    is_case: bool = False
+    follows: bool = False
+    again: bool = False
+    cited: tuple[str, ...] = ()
+
+
+def lead_of(before: str) -> Lead:
+    """What the text before a display, and the sentence that leads to it, say of it."""
     sentence = re.sub(r"\([^()]*\) ?", "", _plain(SENTENCE.split(OPENING.sub("", before.rstrip()).rstrip())[-1]))
     found = POSING.search(sentence)
-    return found is not None and not DERIVING.search(sentence[: found.start()])
+    derived = DERIVING.search(sentence[: found.start()] if found else sentence)
+    names = (name.strip() for each in REFERENCE.findall(before) for name in "".join(each).split(","))
+    is_case = CASE.search(sentence) is not None
+    again = RESTATING.fullmatch(sentence) is not None
+    return Lead(
+        found is not None and not derived, is_case, derived is not None, again, tuple(dict.fromkeys(names))[::-1]
+    )
 
 
 def said_of_letters(remarks: Iterable[Remark], equations: str) -> Told:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import suppress
 
 from chasles.reading.alignment import DisplayedEquation, equations_of, rows_of, states_relation
 from chasles.reading.lexemes import MOST_LEXEMES, BadPage, Token, spelled
@@ -30,6 +31,8 @@ TAKES_OPTION = re.compile(r"(?:dmath|IEEEeqnarray|empheq)\*?$")
 VERBATIM = re.compile(r"(?:[vV]erbatim|lstlisting|minted|comment|filecontents|code|alltt)\*?$")
 CLOSING = {r"\[": r"\]", r"\f[": r"\f]", r"\f{": r"\f}", r"\(": r"\)", "$$": "$$", "$": "$"}
 INLINE = {"$": re.compile(r"(?:[^\\$]|\\.)*?\$", re.DOTALL), r"\(": re.compile(r"[^()]*?\\\)")}
+UNNAMED = re.compile(r"\\(?:[lc]?dots|text\w*|mathrm|\\)|=|&")
+"""What a brace is put under that names nothing, and what names none."""
 SPECIAL = re.compile(r"%[^\n]*|\\(?:[A-Za-z@]+|.)|\$\$?", re.DOTALL)
 
 
@@ -229,7 +232,21 @@ class TexPage:
                 named = each.label or label or None
                 where = self.numbering.name, source.file, each.fault
                 inner = self.displays, tuple(each.atoms), before
-                self.found.append(PrintedEquation(each.latex, line, column, each.number, named, *where, *inner))
+                beside = tuple(self.named_under_braces(each.raw))
+                said = each.latex, line, column, each.number, named
+                self.found.append(PrintedEquation(*said, *where, *inner, beside))
+
+    def named_under_braces(self, raw: list[Token]) -> Iterator[PrintedEquation]:
+        """What the names under braces stand for."""
+        source = Source("", self.macros)
+        for at, token in enumerate(raw):
+            if token.text in (r"\underbrace", r"\overbrace"):
+                source.waiting = raw[at + LONGEST_INLINE : at : -1]
+                with suppress(BadPage):
+                    inside, script, name = source.argument(token), source.lexeme(), source.argument(token)
+                    said = spelled([*name, token._replace(text=r"\equiv"), *inside])
+                    if script and script.text in ("_", "^") and not UNNAMED.search(said):
+                        yield PrintedEquation(said, token.line, token.column, section=self.numbering.name)
 
     def content(self, opening: Token, opener: str, source: Source) -> tuple[list[Token], BadPage | None]:
         """The lexemes up to the display's end, macros expanded, and what is wrong with it if anything is."""
