@@ -193,7 +193,14 @@ def test_complex_symbols_have_all_complex_values(lhs: Any, rhs: Any, under: dict
     recheck(verdict, lhs, rhs, **under)
 
 
-@pytest.mark.parametrize("symbol", [sp.Symbol("j", imaginary=True), sp.Symbol("N", infinite=True)], ids=str)
+NOT_REAL = (
+    {"imaginary": True}, {"infinite": True}, {"antihermitian": True}, {"algebraic": True},
+    {"complex": True, "positive": False}, {"complex": True, "hermitian": True},
+)  # fmt: skip
+"""What may be assumed of a symbol that is no real number, and says more than that it is a complex one."""
+
+
+@pytest.mark.parametrize("symbol", [sp.Symbol("j", **assumed) for assumed in NOT_REAL], ids=str)
 @pytest.mark.parametrize("rule", ["abs", "max", "root", "sign", "switch"])
 def test_cases_of_signs_are_of_real_symbols(symbol: Any, rule: str) -> None:
     """|Z|^2 = Z^2 holds where Z is positive, zero or negative: a complex Z is none of these."""
@@ -212,6 +219,6 @@ def test_cases_of_signs_are_of_real_symbols(symbol: Any, rule: str) -> None:
 
 
 def test_symbols_that_are_called_the_same_are_told_apart() -> None:
-    other = sp.Symbol("Z", complex=True, infinite=False, extended_real=None, prime=False)
-    with pytest.raises(Untreatable, match="two different symbols are both called Z"):
-        prove(Z * conjugate(Z), other * conjugate(other))
+    one, other = (sp.Dummy("Z", complex=True) for _ in "ab")
+    with pytest.raises(Untreatable, match="two different symbols are both called _Z"):
+        prove(one * conjugate(one), other * conjugate(other))

@@ -12,6 +12,7 @@ import mpmath
 import pytest
 
 from chasles.checker.certificate import Rejected, check
+from chasles.checker.expressions.scalars import scalar_question
 from chasles.checker.refutation import check_counterexample
 from chasles.decisions.memory import Memory
 from chasles.decisions.session import Session
@@ -23,6 +24,7 @@ from chasles.verdict import Fails, HoldsUnder, Undecided
 from chasles.vocabulary import (
     CPM,
     LENGTH,
+    PI,
     Identity,
     Misfit,
     Node,
@@ -325,3 +327,10 @@ def test_a_point_of_scalars_is_accepted_where_polynomials_can_be_read(angle: Nod
 def test_an_inequality_with_functions_is_not_read_by_itself(said: Claim, verdict: str) -> None:
     """Read as a word, the absolute value of what is assumed positive is the same, and nothing would be assumed."""
     assert Session().decide(said).verdict.name == verdict
+
+
+def test_bounds_of_an_angle_are_given_where_something_else_is_assumed_of_it() -> None:
+    """An arc is an angle between 0 and pi, and no such angle is four or more: nothing satisfies all three."""
+    arc, bounds = claim(arccos(cos(y)), y), (inequality(y >= 0), inequality(y <= PI))
+    assert not scalar_question(problem_of(replace(arc, assuming=bounds))).given
+    assert len(scalar_question(problem_of(replace(arc, assuming=(*bounds, inequality(y >= 4))))).given) == 2

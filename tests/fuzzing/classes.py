@@ -16,6 +16,7 @@ from chasles.vocabulary import Node, at, number, rate
 
 from . import declared, functions, motions, scalars
 from .asking import Answer, answer_of, ask_statement
+from .assumed import ASSUMED
 from .declared_words import named
 from .equations import Equation
 from .forging import needs_forged
@@ -226,5 +227,6 @@ CLASSES: dict[str, Callable[[Random], Judgement]] = {
         derivatives_in_any_order,
         sums_up_to_a_letter,
         integers_that_are_put_in,
+        *ASSUMED,
     )
 }

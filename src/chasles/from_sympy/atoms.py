@@ -14,7 +14,7 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from chasles.checker.expressions.assumptions import NUMBERS, SIGNS
-from chasles.checker.expressions.quantities import is_atom
+from chasles.checker.expressions.quantities import is_atom, is_unreal
 from chasles.from_sympy.opening import excerpt
 from chasles.from_sympy.positivity import is_definite
 from chasles.problems.variables import Untreatable
@@ -55,8 +55,7 @@ class QuantityNames:
         return symbol
 
     def _check(self, atom: Any) -> None:
-        known_as_complex = atom.is_complex and atom.is_real is None
-        if known_as_complex or atom.is_real is False or atom.is_commutative is False:
+        if is_unreal(atom):
             kind = "does not commute" if atom.is_commutative is False else "is not real"
             raise Untreatable(f"{excerpt(atom)} {kind}: the variables are real numbers")
         text = str(atom)

@@ -15,6 +15,9 @@ from chasles.from_sympy.decimals import with_values
 from chasles.from_sympy.opening import atoms_of
 from chasles.problems.variables import Untreatable
 
+ANY_COMPLEX = sympy.Symbol("z", complex=True).assumptions0
+"""What SymPy knows of a symbol that may have any complex value; of others, parts do not keep all that it knows."""
+
 
 def by_parts(said: tuple[Any, ...]) -> tuple[Any, ...]:
     """What is said, with the parts of complex symbols as real symbols.
@@ -22,8 +25,7 @@ def by_parts(said: tuple[Any, ...]) -> tuple[Any, ...]:
     Raises `Untreatable` for two symbols that are called the same, whose parts would be.
     """
     spoken = list(expressions_in(said))
-    known = {z for e in spoken for z in e.atoms(sympy.Symbol) if z.is_complex and z.is_real is None}
-    found = {z for z in known if z.is_zero is None and z.is_commutative}
+    found = {z for e in spoken for z in e.atoms(sympy.Symbol) if z.assumptions0 == ANY_COMPLEX}
     if not found:
         return said
     names = sorted(map(str, found))

@@ -24,9 +24,10 @@ def by_induction(asked: tuple[Any, ...], answer: Callable[..., Verdict]) -> Verd
         return None
     try:
         question = scalar_question(*asked)
+        letters = letters_of(question)
     except (Rejected, TypeError, ValueError):  # of conditions that are none
         return None
-    for letter in letters_of(question):
+    for letter in letters:
         try:
             found = _decided(question, letter, answer)
         except (Rejected, Untreatable):

@@ -10,7 +10,7 @@ from typing import Any
 
 import sympy
 
-from chasles.checker.expressions.visible import kinds_of, signs_of
+from chasles.checker.expressions.visible import is_running, kinds_of, signs_of
 from chasles.from_sympy.complex_symbols import expressions_in
 from chasles.from_sympy.decimals import with_values
 from chasles.from_sympy.opening import excerpt
@@ -50,6 +50,9 @@ def _value(integral: Any) -> Any:
     for index, *ends in integral.limits:
         if len(ends) < 2:
             raise Untreatable(f"{excerpt(integral)} is not treated: without limits it is known up to a constant only")
+        if not is_running(index, ends, "real"):
+            told = f"{index} is assumed to be what it need not be from {ends[0]} to {ends[1]}"
+            raise Untreatable(f"{excerpt(integral)} is not treated: {told}")
         x = sympy.Dummy(str(index), real=True, **kinds_of(signs_of(ends[0]) | signs_of(ends[1])))
         term = term.xreplace({index: x})
         parts = sympy.Add.make_args(_in_exponentials(term, x))

@@ -135,11 +135,8 @@ def problems_of_inverse(sentence: Inverse, accepted: AcceptedSides = default_sid
 
 def _cover(sentence: Inverse) -> Goal:
     """Where all `where` vanished, zero would be one."""
-    return Goal(COVER, _total([w.Scale(branch.by, branch.where) for branch in sentence.branches]), ONE)
-
-
-def _total(terms: list[Node]) -> Node:
-    return w.Sum(tuple(terms)) if len(terms) > 1 else terms[0] if terms else NOTHING
+    terms = tuple(w.Scale(branch.by, branch.where) for branch in sentence.branches)
+    return Goal(COVER, w.Sum(terms) if len(terms) > 1 else terms[0] if terms else NOTHING, ONE)
 
 
 def _circles(values: dict[Node, Node]) -> Iterator[Goal]:

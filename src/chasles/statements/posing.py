@@ -17,7 +17,7 @@ from chasles.statements.goals import (
     goals_of_theorem,
     presupposed_by,
 )
-from chasles.statements.hypotheses import Hypothesis
+from chasles.statements.hypotheses import Hypothesis, nonzero
 from chasles.statements.problem import Goal, Problem
 from chasles.statements.rules import behind, passed_on, rated, refuse_circles
 from chasles.statements.simpler_words import in_simpler_words, with_rates_said, with_simple_lengths, with_what_is_seen
@@ -32,7 +32,7 @@ from chasles.statements.statement import (
     with_their_definitions,
 )
 from chasles.statements.varied import opened_parts
-from chasles.vocabulary import Negative, Node, Rate, Sum, Symbol, members_of, plain, undotted
+from chasles.vocabulary import Determinant, Inverse, Negative, Node, Rate, Sum, Symbol, members_of, plain, undotted
 from chasles.vocabulary.families import indices_of
 from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.measure import added
@@ -83,7 +83,8 @@ def _problem_of(statement: Decidable, form: str, standing: AcceptedSides) -> Pro
         from chasles.statements.field_equations import moving  # few chapters have fields
 
         rules += moving(said, rules)
-    hypotheses = tuple(dict.fromkeys((*_hypotheses(statement), *_agreeing(dict(rules)))))
+    inverted = (nonzero(Determinant(side.of)) for side in _said(statement, form, []) if isinstance(side, Inverse))
+    hypotheses = tuple(dict.fromkeys((*_hypotheses(statement), *_agreeing(dict(rules)), *inverted)))
     free = conditions and (any(each.is_field for each in unknowns) or not solvable(conditions, unknowns, dict(rules)))
     if free:
         from chasles.statements.field_equations import freely_assumed  # of no use to most claims

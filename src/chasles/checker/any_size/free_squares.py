@@ -32,14 +32,10 @@ def nonnegative(reading: SymbolicReading) -> set[int]:
     for _ in reading.inverses:
         for inverse, of in reading.inverses.values():
             parts = [(c, word, {inner for _, inner in scalars}) for (scalars, word), c in of.items()]
-            if all(c > 0 and is_mirrored(reading, word, found) and _are_in(found, each) for c, word, each in parts):
+            single = all(len(scalar) == 1 and scalar[0] >> 1 in found for _, _, each in parts for scalar in each)
+            if single and all(c > 0 and is_mirrored(reading, word, found) for c, word, _ in parts):
                 found |= _letters(inverse)
     return found
-
-
-def _are_in(found: Collection[int], scalars: Collection[Letters]) -> bool:
-    """Whether the scalars are single letters that are found."""
-    return all(len(word) == 1 and word[0] >> 1 in found for word in scalars)
 
 
 def _letters(words: Words) -> set[int]:

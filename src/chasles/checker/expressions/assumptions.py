@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import sympy
 
 from chasles.checker.expressions.algebra import constant
@@ -38,10 +36,3 @@ def is_so(point: Reals, value: Polynomial, assumption: str) -> bool | None:
     if transcendental or len(numerator.terms) == 1:
         return assumption in ("irrational", "noninteger", "transcendental" if transcendental else "algebraic")
     return {"algebraic": True, "transcendental": False}.get(assumption)
-
-
-def may_be_any(e: Any) -> bool:
-    """Whether SymPy knows nothing of a quantity but, maybe, its sign."""
-    said = (getattr(e, f"is_{assumption}") for assumption in ("zero", "prime", "composite"))
-    kinds = (getattr(e, f"is_{assumption}") for assumption in NUMBERS if assumption not in ("prime", "composite"))
-    return not any(said) and all(known is None for known in kinds)

@@ -10,13 +10,14 @@ from typing import Any
 import sympy
 
 from chasles.checker.expressions.algebra import constant
-from chasles.checker.expressions.assumptions import NUMBERS, SIGNS, is_so, may_be_any
+from chasles.checker.expressions.assumptions import NUMBERS, SIGNS, is_so
 from chasles.checker.expressions.expressions import Circle, Expressions
 from chasles.checker.expressions.quantities import is_atom
 from chasles.checker.expressions.reals import Reals
 from chasles.checker.expressions.symbolic import Symbolic
 from chasles.checker.expressions.turns import turned
 from chasles.checker.expressions.valuation import UnknownValue, Valuation
+from chasles.checker.expressions.visible import is_running
 from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, exponents, number
 
 
@@ -167,7 +168,7 @@ class AtPoint(Expressions, Reals):
                 if not atoms:
                     self._require_fit(monomial)
                     break
-                if any(e not in others and may_be_any(e) for e in atoms):
+                if any(e not in others and not e.is_zero and is_running(e, (), "real") for e in atoms):
                     known = [self.symbolic.atoms[k] for k, _ in exponents(monomial) if not self._is_free(k)]
                     if not all(self.sign(self.atom(e)) for e in known):
                         raise Rejected(f"{self._spelled(monomial)} is zero at the point, whatever the cosine given")

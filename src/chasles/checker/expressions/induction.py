@@ -13,6 +13,8 @@ import sympy
 from chasles.checker.expressions.asked import listed
 from chasles.checker.expressions.proof import check_proof
 from chasles.checker.expressions.quantities import with_values
+from chasles.checker.expressions.unevaluated import require_running
+from chasles.checker.expressions.visible import is_running
 from chasles.checker.sparse import Rejected, well_formed
 from chasles.verdict import Counterexample, HoldsUnder
 
@@ -28,15 +30,18 @@ def scalar_question(lhs: Any, rhs: Any, given: Any, nonzero: Any) -> Question:
     sides = [sympy.sympify(side) for side in (lhs, rhs)]
     if not all(isinstance(side, sympy.Expr) for side in sides):
         raise Rejected("only of scalars something is shown by induction")
+    for part in sorted(sympy.Tuple(*sides).atoms(*LONG), key=str):
+        require_running(part)
     conditions = ([item for _, item in listed(each, name)] for each, name in ((given, "given"), (nonzero, "nonzero")))
     return (*sides, *conditions)
 
 
 def letters_of(question: Question) -> list[Any]:
-    """The integers up to which a question adds or multiplies, and on which nothing depends that is given, by name."""
+    """The integers up to which a question adds or multiplies, of which nothing is known but maybe a sign, by name."""
     parts = sympy.Tuple(*question[:2]).atoms(*LONG)
     letters = {letter for part in parts for letter in part.limits[0][-1].free_symbols if letter.is_integer}
-    return sorted(letters - {each for item in (*question[2], *question[3]) for each in item.free_symbols}, key=str)
+    letters -= {each for item in (*question[2], *question[3]) for each in item.free_symbols}
+    return sorted((letter for letter in letters if is_running(letter, (sympy.S.One,))), key=str)
 
 
 def least_of(letter: Any) -> int:

@@ -14,6 +14,8 @@ from typing import Any
 
 import sympy as sp
 
+from chasles.checker.expressions.visible import signs_of
+
 HALF = Fraction(1, 2)
 
 
@@ -40,11 +42,11 @@ class Bounds:
         ends = (self.low, self.strictly_above), (self.high, self.strictly_below)
         return any(end % 1 == HALF and not strict for end, strict in ends)
 
-    def narrow(self, difference: Any, angle: Any, strict: bool, text: str) -> None:
-        """Take into account that a multiple of the angle and a multiple of pi add up to nothing negative."""
+    def narrow(self, difference: Any, angle: Any, strict: bool, text: str) -> bool:
+        """Whether a multiple of the angle and one of pi add up to what is said not to be negative: it counts then."""
         multiples = _multiples(difference, angle)
         if multiples is None:
-            return
+            return False
         slope, at_zero = multiples
         end = -at_zero / slope
         if slope > 0 and (end > self.low or (end == self.low and strict)):
@@ -52,6 +54,7 @@ class Bounds:
         if slope < 0 and (end < self.high or (end == self.high and strict)):
             self.high, self.strictly_below = end, strict
         self.texts = (*self.texts, text)
+        return True
 
 
 def _multiples(e: Any, angle: Any) -> tuple[Fraction, Fraction] | None:
@@ -142,8 +145,8 @@ class PrincipalValues:
 
     def _why_positive(self, factor: Any) -> tuple[str, ...] | None:
         """The texts of the hypotheses by which a factor is positive; None if it is not seen to be."""
-        if factor.is_positive or factor in self.positive:
-            return () if factor.is_positive else (self.positive[factor],)
+        if factor in self.positive or signs_of(factor) == {1}:
+            return (self.positive[factor],) if factor in self.positive else ()
         ends = self._ends_of_turn(factor)
         return ends.texts if ends and ends.sign_of_cosine > 0 and not ends.reach_zeros else None
 

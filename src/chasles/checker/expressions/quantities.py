@@ -50,10 +50,16 @@ def require_independent(atoms: Iterable[Any]) -> None:
             raise Rejected(f"{function} occurs with other arguments too")
 
 
+def is_unreal(e: Any) -> bool:
+    """Whether SymPy is told that a quantity need not be a real number, or is none."""
+    complex_number = e.is_real is None and (e.is_complex or e.is_antihermitian)
+    return bool(complex_number or e.is_real is False or e.is_commutative is False)
+
+
 def require_real(e: Any) -> None:
     """Raise `Rejected` for what is no real number, or no function of different symbols."""
     function = e.expr if isinstance(e, sympy.Derivative) else e
-    if e.is_real is False or e.is_commutative is False or (e.is_complex and e.is_real is None):
+    if is_unreal(e):
         raise Rejected(f"{e} is not real")
     if isinstance(function, AppliedUndef):
         arguments = function.args

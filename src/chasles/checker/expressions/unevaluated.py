@@ -14,6 +14,7 @@ from sympy.matrices.expressions.matexpr import MatrixElement
 
 from chasles.checker.expressions.quantities import COMPARING, with_values
 from chasles.checker.expressions.remainders import is_integral
+from chasles.checker.expressions.visible import is_running, signs_of
 from chasles.checker.sparse import Rejected
 
 MOST_TERMS = 1000
@@ -78,8 +79,18 @@ def _product(e: Any) -> Any:
     return reduce(mul, factors)
 
 
+def require_running(e: Any) -> None:
+    """Raise `Rejected` where an index of a sum or product is assumed to be what it need not be from end to end."""
+    known = _integers(e.limits)
+    for index, low, high in e.limits:
+        ends = (low, high) if high.is_number or -1 in signs_of(low) else (low,)
+        if not is_running(index, ends, "integer" if is_integral(low.xreplace(known)) else "real"):
+            raise Rejected(f"{e} is not treated: {index} is assumed to be what it need not be from {low} to {high}")
+
+
 def summed(e: Any) -> Any:
     """A sum or product term by term, the inner index first; of many terms, sums of polynomials."""
+    require_running(e)
     term, count = e.function, 1
     for place, (index, low, high) in enumerate(e.limits):
         outer = _integers(e.limits[place + 1 :])

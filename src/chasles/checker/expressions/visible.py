@@ -12,9 +12,9 @@ from typing import Any
 
 import sympy
 
-from chasles.checker.expressions.assumptions import SIGNS
+from chasles.checker.expressions.assumptions import NUMBERS, SIGNS
 from chasles.checker.expressions.complexes import OF_COMPLEX
-from chasles.checker.expressions.quantities import atoms_of, is_atom, require_real
+from chasles.checker.expressions.quantities import atoms_of, is_atom, is_unreal, require_real
 from chasles.checker.expressions.remainders import Floor
 from chasles.checker.expressions.signs import SignedReading, is_nonnegative, may_vanish
 from chasles.checker.sparse import Rejected, limited
@@ -61,6 +61,14 @@ def _signs(reading: SignedReading, e: Any) -> Iterator[int]:
 def kinds_of(signs: frozenset[int], kinds: Iterable[str] = ("positive", "nonnegative")) -> dict[str, bool]:
     """Those of the kinds that say no more of a number than that it has one of the signs."""
     return {kind: True for kind in kinds if signs <= {*SIGNS[kind]}}
+
+
+def is_running(index: Any, ends: Iterable[Any], kind: str = "integer") -> bool:
+    """Whether what is assumed of an index excludes no number of a kind that has the sign of an end, but maybe zero."""
+    signs = signs_of(index)
+    plain = sympy.Dummy(**{kind: True}, **kinds_of(signs, SIGNS))
+    same = (getattr(index, f"is_{each}") in (None, getattr(plain, f"is_{each}")) for each in NUMBERS)
+    return not is_unreal(index) and all(same) and all(signs_of(end) <= signs | {0} for end in ends)
 
 
 def assumed_of(e: Any) -> dict[str, bool]:

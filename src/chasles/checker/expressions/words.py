@@ -11,12 +11,13 @@ from chasles import vocabulary as w
 from chasles.checker.expansion import Formless, expanded
 from chasles.checker.expressions.principal import Bounds, PrincipalValues, in_fewer_squares
 from chasles.checker.expressions.rates import MOST_RATES
+from chasles.checker.expressions.visible import signs_of
 from chasles.checker.sparse import Rejected
 from chasles.statements import Hypothesis, Problem
 from chasles.vocabulary.functions import Cases, FunctionOf
 from chasles.vocabulary.letters import entry_names
 
-TIME = sp.Symbol("t", real=True)
+TIME = sp.Symbol("t")  # no quantity is the time, whatever its name: quantities are real
 FUNCTIONS = {
     "sin": sp.sin, "cos": sp.cos, "sqrt": sp.sqrt, "abs": sp.Abs, "exp": sp.exp, "log": sp.log, "arcsin": sp.asin,
     "arccos": sp.acos, "arctan": sp.atan, "atan2": sp.atan2, "sinh": sp.sinh, "cosh": sp.cosh, "tanh": sp.tanh,
@@ -61,9 +62,10 @@ class EntriesOfWords:
             difference = self(h.subjects[0])[0]
             if h.nonvanishing:
                 positive[difference] = h.text
-            if len(difference.free_symbols) == 1:
-                (angle,) = difference.free_symbols
-                self.bounds.setdefault(angle, Bounds()).narrow(difference, angle, bool(h.nonvanishing), h.text)
+            angles = [*difference.free_symbols]
+            known = [self.bounds.setdefault(angle, Bounds()) for angle in angles[:1]]
+            if len(angles) != 1 or not known[0].narrow(difference, angles[0], bool(h.nonvanishing), h.text):
+                self.stated.append((h.subjects[0], h.subjects[0]))
 
     def __call__(self, node: w.Node) -> Any:
         """The entries as an immutable matrix."""
@@ -158,11 +160,11 @@ class EntriesOfWords:
     def lost_divisors(self, sides: Any) -> list[Any]:
         """The factors by which is divided, and which have been cancelled: sides that stand where they vanish too."""
         left = {power.base for power in sides.atoms(sp.Pow) if power.exp.is_negative}
-        return [divisor for divisor in self.divisors if not (divisor.is_nonzero or divisor in left)]
+        return [divisor for divisor in self.divisors if 0 in signs_of(divisor) and divisor not in left]
 
     def lost_domains(self, sides: Any) -> list[Any]:
         """What is not negative where functions are real that have been simplified away, or to what is not real."""
-        return [d for v, d in self.applied.items() if (not sides.has(v) or v.has(sp.I)) and not d.is_nonnegative]
+        return [d for v, d in self.applied.items() if (not sides.has(v) or v.has(sp.I)) and -1 in signs_of(d)]
 
     def _shorter(self, argument: Any) -> Any:
         found, texts = in_fewer_squares(argument, self.units)
