@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from math import inf
 from random import Random
 from typing import Any
 
@@ -121,13 +122,13 @@ def test_intervals_hold_sums_products_and_powers() -> None:
 
     def some() -> RealInterval:
         low, high = sorted(Fraction(draw.randint(-3, 3)) for _ in range(2))
-        ends = [None if draw.random() < 0.2 else end for end in (low, high)]
-        return RealInterval(*ends, *(end is not None and low != high and draw.random() < 0.5 for end in ends))
+        ends = [away if draw.random() < 0.2 else end for end, away in ((low, -inf), (high, inf))]
+        return RealInterval(*ends, *(inf not in (-end, end) and low != high and draw.random() < 0.5 for end in ends))
 
     def has(interval: RealInterval, x: Fraction) -> bool:
         low, high = interval.low, interval.high
-        above = low is None or x > low or (x == low and not interval.low_open)
-        return above and (high is None or x < high or (x == high and not interval.high_open))
+        above = x > low or (x == low and not interval.low_open)
+        return above and (x < high or (x == high and not interval.high_open))
 
     for one, other in ((some(), some()) for _ in range(400)):
         for x in draw.sample([x for x in grid if has(one, x)], 1):

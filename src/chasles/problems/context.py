@@ -146,9 +146,10 @@ def _refuse_restrictions(
 def _declare_nonzero(
     unfold: Unfolder, active: tuple[Hypothesis, ...]
 ) -> tuple[tuple[Hypothesis | None, Polynomial], ...]:
-    """What may be divided by; an expression that itself divides comes after what it divides by."""
+    """What may be divided by, evident things first; what itself divides comes after what it divides by."""
     declared: list[tuple[Hypothesis | None, Polynomial]] = []
-    waiting = [(hypothesis, node) for hypothesis in active for node in hypothesis.nonvanishing]
+    ordered = sorted(active, key=lambda hypothesis: hypothesis.kind != "evident")
+    waiting = [(hypothesis, node) for hypothesis in ordered for node in hypothesis.nonvanishing]
     while waiting:
         postponed = []
         for hypothesis, node in waiting:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
 from fractions import Fraction
 from functools import reduce
+from math import inf
 from operator import add, mul
 
 from chasles import vocabulary as w
@@ -19,34 +20,32 @@ ZERO = Fraction(0)
 
 @dataclass(frozen=True, slots=True)
 class RealInterval:
-    """All numbers from `low` to `high`, without these where they are `open`; an end that is None is not there."""
+    """All numbers from `low` to `high`, without these where they are `open`."""
 
-    low: Fraction | None = None
-    high: Fraction | None = None
+    low: Fraction | float = -inf
+    high: Fraction | float = inf
     low_open: bool = False
     high_open: bool = False
 
     @property
     def is_positive(self) -> bool:
         """Whether all of it is greater than zero."""
-        return self.low is not None and (self.low > 0 or (self.low == 0 and self.low_open))
+        return self.low > 0 or (self.low == 0 and self.low_open)
 
     def __neg__(self) -> RealInterval:
-        low, high = (None if end is None else -end for end in (self.high, self.low))
-        return RealInterval(low, high, self.high_open, self.low_open)
+        return RealInterval(-self.high, -self.low, self.high_open, self.low_open)
 
     def __add__(self, other: RealInterval) -> RealInterval:
-        low = None if self.low is None or other.low is None else self.low + other.low
-        high = None if self.high is None or other.high is None else self.high + other.high
-        return RealInterval(low, high, self.low_open or other.low_open, self.high_open or other.high_open)
+        opened = self.low_open or other.low_open, self.high_open or other.high_open
+        return RealInterval(self.low + other.low, self.high + other.high, *opened)
 
     def __mul__(self, other: RealInterval) -> RealInterval:
-        if not (self.is_bounded and other.is_bounded):
+        if inf in (-self.low, self.high, -other.low, other.high):
             return self._times_unbounded(other)
         corners = [
             (a * b, (a_open and b != 0) or (b_open and a != 0) or (a_open and b_open))
-            for a, a_open in self._ends()
-            for b, b_open in other._ends()
+            for a, a_open in self._ends
+            for b, b_open in other._ends
         ]
         low, high = min(at for at, _ in corners), max(at for at, _ in corners)
         reached = {at for at, is_open in corners if not is_open}
@@ -55,10 +54,10 @@ class RealInterval:
     def _times_unbounded(self, other: RealInterval) -> RealInterval:
         """Of what has no ends, only the sign is kept."""
         for one, by in ((self, other), (-self, -other)):
-            if one.low is not None and by.low is not None and one.low >= 0 and by.low >= 0:
-                return RealInterval(ZERO, None, one.is_positive and by.is_positive)
-            if one.low is not None and by.high is not None and one.low >= 0 >= by.high:
-                return RealInterval(None, ZERO, False, one.is_positive and (-by).is_positive)
+            if one.low >= 0 and by.low >= 0:
+                return RealInterval(ZERO, inf, one.is_positive and by.is_positive)
+            if one.low >= 0 >= by.high:
+                return RealInterval(-inf, ZERO, False, one.is_positive and (-by).is_positive)
         return RealInterval()
 
     def power(self, exponent: int) -> RealInterval:
@@ -68,26 +67,16 @@ class RealInterval:
 
     def within(self, other: RealInterval) -> RealInterval:
         """The numbers that are in both."""
-        low, low_open = max(self._lows(other), default=(None, False))
-        high, high_open = min(((-end, is_open) for end, is_open in (-self)._lows(-other)),
-                              key=lambda end: (end[0], not end[1]), default=(None, False))  # fmt: skip
-        return RealInterval(low, high, low_open, high_open)
-
-    def _lows(self, other: RealInterval) -> list[tuple[Fraction, bool]]:
-        return [(each.low, each.low_open) for each in (self, other) if each.low is not None]
+        low, high = zip(self._ends, other._ends, strict=True)
+        least, most = max(low), min(high, key=lambda end: (end[0], not end[1]))
+        return RealInterval(least[0], most[0], least[1], most[1])
 
     @property
-    def is_bounded(self) -> bool:
-        """Whether both of its ends are there."""
-        return self.low is not None and self.high is not None
-
-    def _ends(self) -> Iterator[tuple[Fraction, bool]]:
-        assert self.low is not None
-        assert self.high is not None
-        yield from ((self.low, self.low_open), (self.high, self.high_open))
+    def _ends(self) -> tuple[tuple[Fraction | float, bool], ...]:
+        return (self.low, self.low_open), (self.high, self.high_open)
 
 
-POSITIVE, NOT_NEGATIVE = RealInterval(ZERO, None, True), RealInterval(ZERO)
+POSITIVE, NOT_NEGATIVE = RealInterval(ZERO, inf, True), RealInterval(ZERO)
 
 
 def seen_not_to_vanish(divisor: Node, rules: Mapping[Node, Node]) -> Hypothesis:

@@ -78,15 +78,11 @@ def taylor(name: str, at: Node | None, length: int, node: Node) -> list[Node | N
     for k in range(1, length):
         factorials.append(factorials[-1] / k)
     if name in ("sin", "cos", "exp"):
-        value = {"exp": (0, 0, 0, 0), "sin": (1, 2, -1, -2), "cos": (2, -1, -2, 1)}[name]
-        if at is None:
-            numbers = {"exp": (1, 1, 1, 1), "sin": (0, 1, 0, -1), "cos": (1, 0, -1, 0)}[name]
-            return [_number(factorials[k] * numbers[k % 4]) for k in range(length)]
-        signed = {0: FunctionOf("exp", (at,)), 1: Call("sin", at), 2: Call("cos", at)}
-        if name == "exp":
-            return [scaled(Number(factorials[k]), signed[0]) for k in range(length)]
-        made = [(factorials[k] * (1 if value[k % 4] > 0 else -1), signed[abs(value[k % 4])]) for k in range(length)]
-        return [scaled(Number(factor), function) for factor, function in made]
+        turns = {"exp": (0, 0, 0, 0), "sin": (1, 2, -1, -2), "cos": (2, -1, -2, 1)}[name]
+        one = Number(Fraction(1))
+        values = (one, None, one) if at is None else (FunctionOf("exp", (at,)), Call("sin", at), Call("cos", at))
+        signed = [(factorials[k] * (-1 if turns[k % 4] < 0 else 1), values[abs(turns[k % 4])]) for k in range(length)]
+        return [None if value is None else scaled(Number(factor), value) for factor, value in signed]
     if name == "sqrt" and at is not None:
         root: Node = at if at == Number(Fraction(1)) else FunctionOf("sqrt", (at,))
         found, factor, below = list[Node | None](), Fraction(1), root

@@ -14,7 +14,7 @@ from typing import ClassVar
 from chasles.vocabulary.arguments import Declared, declaring
 from chasles.vocabulary.dimension import NO_DIMENSION, Dimension
 from chasles.vocabulary.fitting import SCALAR, measured, word
-from chasles.vocabulary.layout import Rate
+from chasles.vocabulary.layout import Call, Rate
 from chasles.vocabulary.measure import Measure, Misfit, added, uniform
 from chasles.vocabulary.nodes import Node, Sum, lifted
 from chasles.vocabulary.pieces import Piece, Precedence, Style
@@ -166,6 +166,8 @@ def minimum(*of: Scalar) -> FunctionOf:
 
 
 DERIVATIVES: dict[str, Callable[..., tuple[Node, ...]]] = {
+    "sin": lambda x: (Call("cos", x),),
+    "cos": lambda x: (-Call("sin", x),),
     "sqrt": lambda x: (1 / (2 * sqrt(x)),),
     "abs": lambda x: (sign(x),),
     "exp": lambda x: (exp(x),),

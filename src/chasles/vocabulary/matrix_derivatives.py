@@ -6,7 +6,7 @@ and H. Neudecker, Matrix Differential Calculus with Applications in Statistics a
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
@@ -27,10 +27,6 @@ Weighted = tuple[Node, Node]
 """A part, and a weight of its shape: the sum of the products of their entries is what varies."""
 Between = tuple[Node | None, Node, Node | None]
 """A part between two factors; None for the identity."""
-SLOPES: dict[str, Callable[[Node], Node]] = {
-    "sin": lambda angle: Call("cos", angle),
-    "cos": lambda angle: Negative(Call("sin", angle)),
-}
 
 
 def derivative_by_whole(of: Node, by: Node) -> Node:
@@ -115,11 +111,9 @@ class _Derivative:
                 return ((of, Scale(TWO, Vect(weight))),)
             case Vect(of):
                 return ((of, Skew(weight) / TWO),)
-            case Call(function, angle):
-                return ((angle, _times(SLOPES[function](angle), weight)),)
-            case FunctionOf(function, arguments) if function in DERIVATIVES:
-                slopes = DERIVATIVES[function](*arguments)
-                return ((each, _times(slope, weight)) for each, slope in zip(arguments, slopes, strict=True))
+            case Call(function) | FunctionOf(function) if function in DERIVATIVES:
+                slopes = DERIVATIVES[function](*node.below)
+                return ((each, _times(slope, weight)) for each, slope in zip(node.below, slopes, strict=True))
             case _:
                 raise Misfit(f"the derivative of {plain(node)} by {plain(self.by)} follows no rule")
 

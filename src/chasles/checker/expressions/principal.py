@@ -145,8 +145,8 @@ class PrincipalValues:
 
     def _why_positive(self, factor: Any) -> tuple[str, ...] | None:
         """The texts of the hypotheses by which a factor is positive; None if it is not seen to be."""
-        if factor in self.positive or signs_of(factor) == {1}:
-            return (self.positive[factor],) if factor in self.positive else ()
+        if (visible := signs_of(factor) == {1}) or factor in self.positive:
+            return () if visible else (self.positive[factor],)
         ends = self._ends_of_turn(factor)
         return ends.texts if ends and ends.sign_of_cosine > 0 and not ends.reach_zeros else None
 

@@ -52,8 +52,8 @@ def require_independent(atoms: Iterable[Any]) -> None:
 
 def is_unreal(e: Any) -> bool:
     """Whether SymPy is told that a quantity need not be a real number, or is none."""
-    complex_number = e.is_real is None and (e.is_complex or e.is_antihermitian)
-    return bool(complex_number or e.is_real is False or e.is_commutative is False)
+    unlike = e.is_real is False or e.is_complex or e.is_antihermitian
+    return e.is_commutative is False or bool(unlike and not e.is_real)
 
 
 def require_real(e: Any) -> None:

@@ -54,10 +54,9 @@ class ScalarQuestion:
 def scalar_question(problem: Problem, proving: bool = True) -> ScalarQuestion:
     """The question that a problem asks, entry by entry; raises `Rejected` for a word that has no entries.
 
-    Where a divisor was cancelled, it is named among what is used.
-
-    For proving, bounds of an angle by which an inverse function was said otherwise are left out, if nothing else is
-    assumed of the angle and they leave it room: a proof does without them, and a witness need not be looked for.
+    A divisor that was cancelled is named among what is used. For proving, bounds of an angle by which an inverse
+    function was said otherwise are left out, if nothing else is assumed of the angle and they leave it room: a proof
+    does without them, and a witness need not be looked for.
     """
     entries = EntriesOfWords(problem)
     sides = [[entries(side) for side in goal.sides] for goal in problem.goals]

@@ -62,9 +62,8 @@ class EntriesOfWords:
             difference = self(h.subjects[0])[0]
             if h.nonvanishing:
                 positive[difference] = h.text
-            angles = [*difference.free_symbols]
-            known = [self.bounds.setdefault(angle, Bounds()) for angle in angles[:1]]
-            if len(angles) != 1 or not known[0].narrow(difference, angles[0], bool(h.nonvanishing), h.text):
+            angle = min(difference.free_symbols, key=str, default=sp.S.Zero)
+            if not self.bounds.setdefault(angle, Bounds()).narrow(difference, angle, bool(h.nonvanishing), h.text):
                 self.stated.append((h.subjects[0], h.subjects[0]))
 
     def __call__(self, node: w.Node) -> Any:
