@@ -85,7 +85,7 @@ def _cancelled(product: sympy.Mul) -> Any:
 def _of_roots(total: sympy.Add) -> Any:
     """The sum, in which c (1 + u)^(1/2) - c is c u/(1 + (1 + u)^(1/2)) where u is small, and so for other powers."""
     for term in total.args:
-        for root in sympy.Mul.make_args(term):
+        for root in (factor for factor in sympy.Mul.make_args(term) if factor.is_Pow):
             base, power = root.as_base_exp()
             factor = _cofactor(term, root)
             exact = base.is_Symbol or (base.is_Add and sympy.S.One in base.args)
