@@ -15,7 +15,7 @@ from sympy.codegen.cfunctions import expm1, log1p
 from sympy.integrals.quadrature import gauss_legendre
 
 from chasles.compiling.sums_of_angles import QUOTIENTS, parts_of_kinds, square_of, vanishes
-from chasles.compiling.taylor import Stumpff, TaylorPolynomial, left_of
+from chasles.compiling.taylor import NearZero, Stumpff, TaylorPolynomial, left_of
 from chasles.lowering.refusal import LoweringError
 
 NO_VALUES = (sympy.nan, sympy.zoo, sympy.oo, -sympy.oo)
@@ -35,14 +35,24 @@ class DividedDifferences:
 
     def at_point(self, expression: Any) -> Any:
         """The expression with the point for the symbol."""
-        return expression.xreplace(self._at)
+        try:
+            return expression.xreplace(self._at)
+        except TypeError:
+            # SymPy asks for the sign of what has no value.
+            return sympy.nan
 
     def vanish(self, expression: Any) -> bool:
         """Whether the expression has the symbol and is zero at the point, as is seen of polynomials."""
         if self._symbol not in expression.free_symbols:
             return False
         value = self.at_point(expression)
-        return not value.has(*NO_VALUES) and vanishes(value)
+        if value.has(*NO_VALUES):
+            return False
+        return vanishes(value) or (bool(parts_of_kinds(value, (Stumpff,))) and vanishes(value.expand(func=True)))
+
+    def hold(self, condition: Any) -> bool:
+        """Whether a condition holds at the point, whatever other symbols are."""
+        return bool(self.at_point(condition) == sympy.true)
 
     def conditions_of(self, found: sympy.Expr) -> list[Any]:
         """Where what was found with them is as good as what is stated."""
@@ -63,6 +73,12 @@ class DividedDifferences:
             return sympy.Add(*map(self.of, args))
         if isinstance(expression, sympy.Mul):
             return self._product(args)
+        if isinstance(expression, NearZero):
+            (near, where), (stated, _) = args
+            if not self.hold(where):
+                return self.of(stated)
+            self.conditions[where] = None
+            return self.of(near)
         stated = _in_others(expression)
         if stated is not None:
             return self.of(stated)
@@ -71,7 +87,7 @@ class DividedDifferences:
                 return self.of(sympy.exp(args[1] * sympy.log(args[0])))
             return self.of(args[0]) * self._power(*self._sides(args[0]), args[1])
         if isinstance(expression, Stumpff | TaylorPolynomial):
-            return self._at_zero(expression)
+            return self._of_rest(expression)
         rule = _RULES.get(type(expression))
         if rule is None:
             raise LoweringError(f"no divided difference of {type(expression).__name__} is known")
@@ -88,7 +104,10 @@ class DividedDifferences:
 
     def _sides(self, of: Any) -> tuple[Any, Any, Any]:
         """What it is, what it is at the point, and how far these are apart."""
-        return of, self.at_point(of), self.apart * self.of(of)
+        at = self.at_point(of)
+        if at.has(*NO_VALUES):
+            raise LoweringError("there is no value at the point")
+        return of, at, self.apart * self.of(of)
 
     def _product(self, factors: tuple[Any, ...]) -> Any:
         """One factor after the other is taken to the point; far from it the terms may cancel."""
@@ -111,15 +130,17 @@ class DividedDifferences:
         slope = exponent * _RULES[sympy.log](u, v, d)
         return u ** (exponent / 2) * v ** (exponent / 2) * slope * _left(sympy.sinh, d * slope / 2)
 
-    def _at_zero(self, expression: Any) -> Any:
-        """Of what is left of a function at zero what is left follows in its series."""
+    def _of_rest(self, expression: Any) -> Any:
+        """Of what is left of a function at zero: what follows in its series; elsewhere of what it is."""
         first, *others = expression.args
-        of = others[0] if isinstance(expression, Stumpff) else first
-        if self.at_point(of) != 0:
-            raise LoweringError("no divided difference of the rest of a series is known away from zero")
         if isinstance(expression, Stumpff):
+            [of] = others
+            if self.at_point(of) != 0:
+                return self.of(expression.expand(func=True))
             return -self.of(of) * of * Stumpff(first + 2, of)
-        return self.of(of) * TaylorPolynomial(of, others[0], *others[2:])
+        if self.at_point(first) != 0:
+            raise LoweringError("no divided difference of the rest of a series is known away from zero")
+        return self.of(first) * TaylorPolynomial(first, others[0], *others[2:])
 
 
 def _in_others(function: Any) -> Any:

@@ -89,9 +89,10 @@ def _of_roots(total: sympy.Add) -> Any:
             base, power = root.as_base_exp()
             factor = _cofactor(term, root)
             exact = base.is_Symbol or (base.is_Add and sympy.S.One in base.args)
-            if power in _POWERS and exact and -factor in total.args:
-                small = base - 1
-                left = small * _POWERS[power](sympy.sqrt(base))
+            by_root = power in _POWERS and exact
+            if (by_root or not (power.is_Rational or base.is_number)) and root.is_Pow and -factor in total.args:
+                small = base - 1 if by_root else power * sympy.log(base)
+                left = small * _POWERS[power](sympy.sqrt(base)) if by_root else expm1(small, evaluate=False)
                 near = NearZero((left, sympy.Abs(small) < 1), (root - 1, True), evaluate=False)
                 return sympy.Add(factor * near, *(other for other in total.args if other not in (term, -factor)))
     return total

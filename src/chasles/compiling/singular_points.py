@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from functools import lru_cache
 from operator import is_
 from typing import Any
@@ -10,7 +11,7 @@ from typing import Any
 import sympy
 
 from chasles.compiling.divided_differences import NO_VALUES, DividedDifferences
-from chasles.compiling.sums_of_angles import KEPT, divisors, parts_of_kinds
+from chasles.compiling.sums_of_angles import KEPT, QUOTIENTS, divisors, parts_of_kinds
 from chasles.compiling.taylor import NearZero
 from chasles.lowering.refusal import LoweringError
 
@@ -25,7 +26,9 @@ _ANGLES = tuple(number * sympy.pi / 2 for number in (1, -1, 2, -2))
 def without_singular_points(expression: Any) -> Any:
     """The expression; where it divides by what vanishes as a symbol comes to a point, it has its limit."""
     whole = isinstance(expression, NearZero | sympy.logic.boolalg.Boolean)
-    return expression if whole or not divisors(parts_of_kinds(expression, (sympy.Pow,))) else _without(expression)
+    parts = parts_of_kinds(expression, (sympy.Pow, *QUOTIENTS))
+    divides = divisors(parts) or any(type(part) in QUOTIENTS for part in parts)
+    return _without(expression) if divides and not whole else expression
 
 
 @lru_cache(KEPT)
@@ -39,89 +42,96 @@ def _without(expression: Any) -> Any:
 
 
 def _regular(expression: Any) -> Any:
-    """What it is with a limit; None where none is found."""
-    join, way = (sympy.Add, _of_sum) if expression.is_Add else (sympy.Mul, _of_product)
+    """What it is with its limits; None where none is found."""
+    join = sympy.Add if expression.is_Add else sympy.Mul
     parts = [part for part in join.make_args(expression) if _size(part) <= _MOST_PARTS]
-    below = [base for part in parts for factor in sympy.Mul.make_args(part) for base in divisors([factor])]
-    if not below or len(parts) < 2:
-        return None
-    points = [point for divisor in dict.fromkeys(below) for point in _zeros(divisor)]
-    own: list[Any] = []
-    found, known = None, sympy.false
+    below = dict.fromkeys(base for part in parts for base in _divided(part)) if len(parts) > 1 else {}
+    points = [point for divisor in below for point in _zeros(divisor)]
+    limits: list[tuple[Any, Any, list[Any]]] = []
     for symbol, point in dict.fromkeys(points):
         differences = DividedDifferences(symbol, point)
-        if differences.at_point(known) == sympy.true:
-            continue
-        try:
-            near, singular = way(parts, differences)
-        except LoweringError:
-            continue
-        where = sympy.And(*differences.conditions_of(near))
-        near = without_singular_points(near)
-        if found is None:
-            own, found = singular, join(*singular)
-        if singular == own:
-            found, known = NearZero((near, where), (found, True), evaluate=False), where
-            if where == sympy.true:
-                found = near
-                break
-    if found is None:
+        if not any(differences.hold(where) for _, where, _ in limits):
+            with suppress(LoweringError):
+                near, singular = _near(join, parts, differences)
+                limits.append((near, sympy.And(*differences.conditions_of(near)), singular))
+    if not limits:
         return None
+    own = [part for part in parts if any(part in singular for _, _, singular in limits)]
+    found = join(*own)
+    for near, where, singular in limits:
+        regular = without_singular_points(join(near, *(part for part in own if part not in singular)))
+        # Without a condition it is what is stated, in other words.
+        found = NearZero((regular, where), (found, True), evaluate=False) if where != sympy.true else regular
     rest = join(*(part for part in join.make_args(expression) if part not in own))
     return join(found, without_singular_points(rest))
 
 
-def _of_product(factors: Sequence[Any], differences: DividedDifferences) -> tuple[Any, list[Any]]:
-    """What is left of the factors that vanish, and these. Raises `LoweringError` where there is no limit."""
-    split = {factor: factor.as_base_exp() for factor in factors}
-    own = {factor: powers for factor, powers in split.items() if differences.vanish(powers[0])}
-    if not all(e.is_Integer for _, e in own.values()) or not any(e > 0 for _, e in own.values()):
-        raise LoweringError("there is no limit")
-    found, order = [], 0
-    for base, exponent in own.values():
+def _near(join: Any, parts: Sequence[Any], differences: DividedDifferences) -> tuple[Any, list[Any]]:
+    """What the singular parts are near the point, and these. Raises `LoweringError` where there is no limit."""
+    own = [part for part in parts if _over_one(part, differences)[1]]
+    if join is sympy.Mul:
+        own = [part for part in parts if part in own or differences.vanish(part)]
+    above, below = _over_one(join(*own), differences)
+    if not below or (join is sympy.Add and len(own) < 2):
+        raise LoweringError("nothing is divided that vanishes")
+    near, order = sympy.S.One, 0
+    factors = [factor.as_base_exp() for factor in sympy.Mul.make_args(sympy.factor_terms(above))]
+    for base, exponent in (*factors, *((base, -power) for base, power in below.items())):
         left, times = base, 0
-        if exponent > 0:
-            # What is a factor of all terms is no part of a sum that vanishes.
-            left, *others = sorted(sympy.Mul.make_args(sympy.factor_terms(base)), key=differences.vanish, reverse=True)
-            found.append(sympy.Mul(*others) ** exponent)
-        while times < _MOST_ORDER and differences.vanish(left):
+        while exponent.is_Integer and times < _MOST_ORDER and differences.vanish(left):
             left, times = differences.of(left), times + 1
-        found.append(left**exponent)
+        near *= left**exponent
         order += times * exponent
-    near = sympy.Mul(*found, differences.apart**order)
+    near *= differences.apart ** max(order, 0)
     if order < 0 or differences.at_point(near).has(*NO_VALUES):
         raise LoweringError("there is no limit")
-    return near, list(own)
+    return near, own
 
 
-def _of_sum(terms: Sequence[Any], differences: DividedDifferences) -> tuple[Any, list[Any]]:
-    """What is left of terms without limits, over one denominator, and these. Raises `LoweringError` as above."""
-    common: dict[Any, Any] = {}
-    singular = []
-    for term in terms:
-        if any(map(differences.vanish, divisors(sympy.Mul.make_args(term)))):
-            factors = [each for factor in sympy.Mul.make_args(term) for each in _split(*factor.as_base_exp())]
-            powers = {base: -exponent for base, exponent in factors if differences.vanish(base) and exponent < 0}
-            common |= {base: max(exponent, common.get(base, 0)) for base, exponent in powers.items()}
-            singular.append((term, sympy.Mul(*(b**e for b, e in factors if b not in powers)), powers))
-    if len(singular) < 2:
-        raise LoweringError("there is no sum of them")
-    above = sympy.Add(
-        *(left * sympy.Mul(*(b ** (e - powers.get(b, 0)) for b, e in common.items())) for _, left, powers in singular)
-    )
-    near, _ = _of_product([above, *(base**-exponent for base, exponent in common.items())], differences)
-    return near, [term for term, _, _ in singular]
+def _over_one(expression: Any, differences: DividedDifferences) -> tuple[Any, dict[Any, int]]:
+    """What stands over one denominator of what vanishes at the point, and its powers."""
+    if not any(map(differences.vanish, _divided(expression))):
+        return expression, {}
+    if type(expression) in QUOTIENTS:
+        return _over_one(QUOTIENTS[type(expression)](expression.args[0]), differences)
+    base, exponent = expression.as_base_exp()
+    if expression.is_Pow and exponent.is_Integer:
+        above, below = _over_one(base, differences)
+        if exponent > 0:
+            return above**exponent, {b: e * exponent for b, e in below.items()}
+        split = [each for factor in sympy.Mul.make_args(sympy.factor_terms(above)) for each in _primitive(factor)]
+        found = {factor: -power * exponent for factor, power in split if differences.vanish(factor)}
+        others = [factor ** (power * exponent) for factor, power in split if factor not in found]
+        return sympy.Mul(*others, *(b ** (-e * exponent) for b, e in below.items())), found
+    parts = [_over_one(part, differences) for part in expression.args]
+    common: dict[Any, int] = {}
+    for _, below in parts:
+        for b, e in below.items():
+            common[b] = max(common.get(b, 0), e) if expression.is_Add else common.get(b, 0) + e
+    if not expression.is_Add:
+        return sympy.Mul(*(above for above, _ in parts)), common
+    missing = [sympy.Mul(*(b ** (e - below.get(b, 0)) for b, e in common.items())) for _, below in parts]
+    return sympy.Add(*(above * by for (above, _), by in zip(parts, missing, strict=True))), common
 
 
-def _split(base: Any, exponent: Any) -> Iterator[tuple[Any, Any]]:
-    """The power of a sum as powers of factors, the same of a sum and of its multiples."""
-    if not (base.is_Add and exponent.is_Integer):
-        yield base, exponent
-        return
-    for factor in sympy.Mul.make_args(sympy.factor_terms(base)):
-        number, rest = factor.primitive() if factor.is_Add else (sympy.S.One, factor)
-        sign = -1 if rest.could_extract_minus_sign() and not rest.is_number else 1
-        yield from ((sign * number, exponent), (sign * rest, exponent))
+def _primitive(factor: Any) -> list[tuple[Any, Any]]:
+    """A number and the power of a sum, the same one of a sum and of its multiples."""
+    base, power = factor.as_base_exp()
+    if not (base.is_Add and power.is_Integer):
+        return [(base, power)]
+    number, rest = base.primitive()
+    sign = -1 if rest.could_extract_minus_sign() else 1
+    return [(sign * number, power), (sign * rest, power)]
+
+
+@lru_cache(KEPT)
+def _divided(expression: Any) -> tuple[Any, ...]:
+    """What is divided by in it, outside of functions that are no quotients."""
+    if type(expression) in QUOTIENTS:
+        return _divided(QUOTIENTS[type(expression)](expression.args[0]))
+    inner = expression.args if isinstance(expression, sympy.Add | sympy.Mul | sympy.Pow) else ()
+    own = tuple(divisors([expression]))
+    return tuple(dict.fromkeys((*own, *(base for part in inner for base in _divided(part)))))
 
 
 @lru_cache(KEPT)
@@ -160,10 +170,9 @@ def _tried(divisor: Any) -> Iterator[tuple[Any, Any]]:
             return
     for apart in _sides_apart(divisor):
         yield from (point for factor in sympy.Mul.make_args(sympy.factor_terms(apart)) for point in _tried(factor))
-    if len(symbols) == 1:
-        numbers = _NUMBERS + (_ANGLES if parts_of_kinds(divisor, (sympy.sin, sympy.cos, sympy.tan)) else ())
-        yield from ((symbols[0], number) for number in numbers)
+    numbers = _NUMBERS + (_ANGLES if parts_of_kinds(divisor, (sympy.sin, sympy.cos, sympy.tan)) else ())
     for k, symbol in enumerate(symbols):
+        yield from ((symbol, number) for number in numbers)
         yield from ((symbol, sign * other) for other in symbols[k + 1 :] for sign in (1, -1))
 
 
@@ -172,7 +181,7 @@ def _sides_apart(divisor: Any) -> Iterator[Any]:
     for term in divisor.args if divisor.is_Add and len(divisor.args) == 2 else ():
         number, f = term.as_coeff_Mul()
         value = (term - divisor) / number
-        if isinstance(f, sympy.Function) and len(f.args) == 1:
+        if isinstance(f, sympy.Function) and len(f.args) == 1 and f.free_symbols:
             if type(value) is type(f):
                 yield f.args[0] - value.args[0]
             elif value.is_number and hasattr(f, "inverse"):

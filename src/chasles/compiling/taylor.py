@@ -49,7 +49,17 @@ class Stumpff(sympy.Function):  # type: ignore[misc]
     @classmethod
     def eval(cls, order: Any, a: Any) -> Any:
         """At zero the first coefficient."""
-        return 1 / sympy.factorial(order) if a.is_zero else None
+        return 1 / sympy.factorial(order) if a.is_zero else cls._stated(order, a) if a.is_number else None
+
+    @staticmethod
+    def _stated(order: Any, a: Any) -> Any:
+        """What it is in sine and cosine."""
+        if order < 2:
+            return sympy.sin(a) / a if order else sympy.cos(a)
+        return (1 / sympy.factorial(order - 2) - Stumpff._stated(order - 2, a)) / a**2
+
+    def _eval_expand_func(self, **_: Any) -> Any:
+        return self._stated(*self.args)
 
 
 class TaylorPolynomial(sympy.Function):  # type: ignore[misc]
