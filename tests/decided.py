@@ -13,6 +13,8 @@ from chasles.checker.certificate import check
 from chasles.checker.refutation import check_counterexample
 from chasles.decisions.session import Session
 from chasles.statements import Claim, Hypothesis, Statement, Theorem, load, problem_of
+from chasles.statements.posing import default_sides
+from chasles.statements.premises import with_all_premises
 from chasles.verdict import Fails, Holds, HoldsUnder
 from chasles.vocabulary.nodes import lifted
 
@@ -45,5 +47,5 @@ def refuted(said: Claim | Theorem) -> Fails:
     """The verdict on what fails; its point is accepted."""
     verdict = Session().decide(said).verdict
     assert isinstance(verdict, Fails), verdict
-    check_counterexample(problem_of(said), verdict.counterexample)
+    check_counterexample(problem_of(with_all_premises(said, default_sides)), verdict.counterexample)
     return verdict

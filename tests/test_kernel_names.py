@@ -8,7 +8,7 @@ from pathlib import Path
 
 from chasles import checked, kernels
 from chasles.statements import load
-from chasles.statements.kernel import SIX
+from chasles.statements.arrays import SIX
 
 CONTRACT: dict[str, str] = tomllib.loads((Path(__file__).parent / "kernels.toml").read_text(encoding="utf-8"))
 

@@ -212,7 +212,7 @@ def test_what_is_no_answer_is_none(data: Any) -> None:
 def test_a_forged_repair_is_not_believed(change: str) -> None:
     judge = Session(book=book_of(slip))
     true = judge.decide(slip)
-    key, repairs = judge.search(slip)
+    ((key, repairs),) = judge.search(slip).items()
     (first, *_) = repairs
     forged: Any = {
         "sides": (with_fields(first, right=4 * cross(x, y)),),
@@ -231,7 +231,7 @@ def test_repairs_of_definitions_are_checked_by_the_claims_that_rest_on_them(sear
     found = 0
     for entry in CHAPTER:
         if isinstance(entry.statement, Definition) and entry.statement.fault:
-            _, repairs = judge.search(entry.statement)
+            (repairs,) = judge.search(entry.statement).values()
             for repair in repairs:
                 found += 1
                 other = with_fields(repair, right=Sum((repair.right, repair.right)))

@@ -16,7 +16,7 @@ from chasles.lowering.program import Op
 from chasles.numerics.sampling import draw, moves
 from chasles.numerics.specification import specification_of
 from chasles.statements import Definition, Entry, Kernel, Packed, Section, Stack, load
-from chasles.statements.kernel import SIX
+from chasles.statements.arrays import SIX
 from chasles.targets.commission import kernel_of
 from chasles.targets.kernel import EmissionError
 from chasles.vocabulary import CPM, scalar, square, vector

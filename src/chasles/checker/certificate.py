@@ -19,6 +19,7 @@ from chasles.statements.conditions import freed
 from chasles.statements.goals import AcceptedSides
 from chasles.statements.inversion import problems_of_inverse
 from chasles.statements.posing import default_sides
+from chasles.statements.premises import IN_FULL, with_all_premises
 from chasles.statements.spins import with_spins
 
 
@@ -33,6 +34,8 @@ def check(
     `accepted` gives the sides with which given statements are used; a problem needs neither form nor sides. Raises
     `Rejected` with the reason if the certificate does not prove the statement, and what `problem_of` raises.
     """
+    if isinstance(said, Statement | Theorem) and certificate.get(IN_FULL):
+        said = with_all_premises(said, accepted)
     if isinstance(said, Inverse):
         problems = dict(problems_of_inverse(said, accepted))
     else:

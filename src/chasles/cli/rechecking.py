@@ -15,6 +15,7 @@ from chasles.decisions.processes import spread
 from chasles.decisions.session import Decision
 from chasles.report.decisions import Decided
 from chasles.statements import Entry, Inverse, Problem, problem_of
+from chasles.statements.premises import IN_FULL, with_all_premises
 from chasles.verdict import Contradictory, Fails
 
 A_CHECK = 0.004
@@ -72,7 +73,7 @@ def _prove(decision: Decision) -> None:
 def _refute(decision: Decision) -> None:
     """Raises `Rejected` unless the counterexample refutes the printed equation."""
     assert isinstance(decision.verdict, Fails)
-    check_counterexample(_printed(decision), decision.verdict.counterexample)
+    check_counterexample(_printed(decision, True), decision.verdict.counterexample)
 
 
 def _contradict(decision: Decision) -> None:
@@ -80,9 +81,11 @@ def _contradict(decision: Decision) -> None:
     verdict = decision.verdict
     assert isinstance(verdict, Contradictory)
     assert verdict.certificate is not None
-    check_contradiction(_printed(decision), verdict.hypotheses, verdict.certificate)
+    check_contradiction(_printed(decision, IN_FULL in verdict.certificate), verdict.hypotheses, verdict.certificate)
 
 
-def _printed(decision: Decision) -> Problem:
+def _printed(decision: Decision, in_full: bool) -> Problem:
+    """The printed equation as it is posed, `in_full` given all that it rests on."""
     assert not isinstance(decision.statement, Inverse)
-    return problem_of(decision.statement, "printed", decision.accepted)
+    said = with_all_premises(decision.statement, decision.accepted) if in_full else decision.statement
+    return problem_of(said, "printed", decision.accepted)

@@ -6,6 +6,7 @@ Only the memory of the session is filled: what it decides afterwards, one by one
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from itertools import chain
 from time import perf_counter
 
 from chasles.decisions.decision import Sentence
@@ -37,13 +38,13 @@ def predict(session: Session, sentences: Iterable[Sentence]) -> None:
     if not session.searches:
         return
 
-    def repairs_of(statement: Statement) -> tuple[str, tuple[Repair, ...] | None] | None:
-        """Their key, and the repairs unless they were kept from another time."""
+    def repairs_of(statement: Statement) -> dict[str, tuple[Repair, ...] | None]:
+        """The repairs by their key, unless they were kept from another time."""
         try:
-            key, found = session.search(statement)
+            found = session.search(statement)
         except TypeError:
-            return None
-        return key, None if memory.has_accepted(key) else found
+            return {}
+        return {key: None if memory.has_accepted(key) else repairs for key, repairs in found.items()}
 
     wrong = [
         sentence
@@ -51,7 +52,7 @@ def predict(session: Session, sentences: Iterable[Sentence]) -> None:
         if isinstance(sentence, Statement)
         and (sentence.fault or any(isinstance(memory.recalled(key), Fails) for key in keys))
     ]
-    for key, repairs in filter(None, spread(repairs_of, wrong, A_REPAIR)):
+    for key, repairs in chain.from_iterable(found.items() for found in spread(repairs_of, wrong, A_REPAIR)):
         if repairs is None:
             memory.settle(key, True)
         else:

@@ -33,8 +33,9 @@ from chasles.statements.chapter import bases
 from chasles.statements.elsewhere import chapter_of
 from chasles.statements.inversion import problems_of_inverse
 from chasles.statements.posing import default_form, default_sides
+from chasles.statements.premises import IN_FULL, with_all_premises
 from chasles.statements.statement import Equation
-from chasles.verdict import Assumed, Defined, Holds, HoldsUnder, IllFormed, Undecided, Verdict
+from chasles.verdict import Assumed, Contradictory, Defined, Holds, HoldsUnder, IllFormed, Undecided, Verdict
 from chasles.vocabulary import Misfit
 
 __all__ = ["Correction", "Decision", "Session", "Used"]
@@ -140,25 +141,32 @@ class Session:
 
     def _repairs(self, sentence: Statement) -> tuple[Repair, ...]:
         """What the search finds, if there is a book to search."""
-        return self.search(sentence)[1] if self.searches else ()
+        return [*self.search(sentence).values()][-1] if self.searches else ()
 
-    def search(self, sentence: Statement) -> tuple[str, tuple[Repair, ...]]:
-        """The repairs of a statement, and the key by which they are remembered.
+    def search(self, sentence: Statement) -> dict[str, tuple[Repair, ...]]:
+        """The repairs of a statement, by the key by which they are remembered: the last are what is found.
 
-        A claim is repaired by what comes before it, so that it never waits for itself. Raises DoesNotStand for what
-        it rests on.
+        A claim is repaired by what comes before it, so that it never waits for itself; where what it is given leaves
+        nothing to find, by all that it rests on. Raises DoesNotStand for what it rests on.
         """
         home = chapter_of(sentence)
         if home not in ("", self.package):
             return self._of(home).search(sentence)
         before = self._book[: None if isinstance(sentence, Definition) else self._place.get(id(sentence))]
-        used = [self.accepted(given) for given in sentence.relied_on]
-        key = self.memory.key_of_repairs(sentence, used, before)
+        found: dict[str, tuple[Repair, ...]] = {}
+        for said in dict.fromkeys((sentence, with_all_premises(sentence, self.accepted))):
+            if isinstance(said, Statement) and not any(found.values()):
+                key = self.memory.key_of_repairs(said, [self.accepted(given) for given in said.relied_on], before)
+                stand = partial(self._stand, said, before)
+                found[key] = self.memory.answer(key, stand, partial(self._search, said, before, said is not sentence))
+        return found
 
-        def stand(repairs: Any) -> bool:
-            return repairs_stand(sentence, repairs, self.accepted, before, self.verdict_on)
+    def _stand(self, said: Statement, before: tuple[Statement, ...], repairs: Any) -> bool:
+        return repairs_stand(said, repairs, self.accepted, before, self.verdict_on)
 
-        return key, self.memory.answer(key, stand, lambda: repair(sentence, self.accepted, context=before))
+    def _search(self, said: Statement, before: tuple[Statement, ...], in_full: bool) -> tuple[Repair, ...]:
+        found = repair(said, self.accepted, context=before)
+        return tuple(with_fields(each, verdict=_in_full(each.verdict)) for each in found) if in_full else found
 
     def verdict_on(self, problem: Problem, own: tuple[Hypothesis, ...] = ()) -> Verdict:
         """The verdict on a problem; `own` are the hypotheses whose use it reports."""
@@ -184,7 +192,19 @@ class Session:
             case Condition():
                 return self._posed(sentence, problem)
             case _:
-                return self.verdict_on(problem, sentence.assuming)
+                verdict = self.verdict_on(problem, sentence.assuming)
+                return verdict if verdict.true else self._in_full(sentence, verdict)
+
+    def _in_full(self, sentence: Statement | Theorem, verdict: Verdict) -> Verdict:
+        """The verdict where what is given brings all that it rests on; that without, where nothing refutes it so."""
+        whole = with_all_premises(sentence, self.accepted)
+        if whole is sentence or isinstance(verdict, Contradictory):
+            return verdict
+        try:
+            found = self.verdict_on(problem_of(whole, "printed", self.accepted), sentence.assuming)
+        except (Misfit, TypeError) as error:
+            found = Undecided(str(error))
+        return verdict if isinstance(verdict, Undecided) and isinstance(found, Undecided) else _in_full(found)
 
     def _posed(self, sentence: Condition, problem: Problem) -> Verdict:
         """A condition is posed if a point satisfies it.
@@ -217,3 +237,10 @@ class Session:
         assert isinstance(verdict, Holds | HoldsUnder)
         unused = tuple(h.text for h in sentence.assuming if h.text not in needs)
         return HoldsUnder(tuple(needs), {"branches": certificates}, verdict.witness, unused)
+
+
+def _in_full(verdict: Verdict) -> Verdict:
+    """The verdict on a statement given all that it rests on, as its certificate says."""
+    if not isinstance(verdict, Holds | HoldsUnder | Contradictory) or verdict.certificate is None:
+        return verdict
+    return with_fields(verdict, certificate={**verdict.certificate, IN_FULL: True})

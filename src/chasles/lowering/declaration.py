@@ -11,7 +11,7 @@ from chasles.lowering.refusal import LoweringError
 from chasles.lowering.request import Output, Request, composed
 from chasles.lowering.rewriting import Angle
 from chasles.statements import Condition, Entry, Hypothesis, Inverse, Kernel, Packed, Statement, Theorem
-from chasles.statements.arrays import argument_name, meaning_of
+from chasles.statements.arrays import argument_name, meaning_of, variants
 from chasles.statements.statement import bare, is_rule
 from chasles.verdict import Contradictory, IllFormed, Undecided, Verdict
 from chasles.vocabulary import Block, Group, Node, Symbol, members_of, undotted
@@ -40,7 +40,7 @@ def requested(sentence: Entry | Sentence, decide: Decide, kernel: Kernel | None 
     name = ""
     if isinstance(sentence, Entry):
         name, sentence = sentence.name, sentence.statement
-    kernel = kernel or (sentence.kernel and sentence.kernel.variants(name)[0])
+    kernel = kernel or (sentence.kernel and variants(sentence.kernel, name)[0])
     if kernel is None or isinstance(sentence, Theorem):
         raise LoweringError(f"({sentence.number}) asks for no kernel: give it `kernel=Kernel(of=...)`")
     name = kernel.name or name

@@ -11,7 +11,8 @@ from chasles.lowering.matrices import Rows
 from chasles.lowering.refusal import LoweringError
 from chasles.lowering.request import Request
 from chasles.statements import Packed
-from chasles.statements.kernel import Place, nodes_of, places_of
+from chasles.statements.arrays import Place, places_of
+from chasles.statements.kernel import nodes_of
 from chasles.statements.statement import bare
 from chasles.vocabulary import PI, Group, Node, Rate, Symbol, Zero, plain
 from chasles.vocabulary.differentiation import rate_of

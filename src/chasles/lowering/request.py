@@ -15,8 +15,8 @@ from chasles.lowering.reach import Reach
 from chasles.lowering.refusal import LoweringError
 from chasles.lowering.rewriting import Angle, without_angles
 from chasles.statements import Hypothesis, Packed, Stack, symmetric
-from chasles.statements.arrays import argument_name, core_shape
-from chasles.statements.kernel import Argument, Place, nodes_of, places_of
+from chasles.statements.arrays import Place, argument_name, core_shape, places_of
+from chasles.statements.kernel import Argument, nodes_of
 from chasles.statements.statement import bare
 from chasles.vocabulary import Misfit, Node, Symbol, plain, undotted
 from chasles.vocabulary.fitting import measured

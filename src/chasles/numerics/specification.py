@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from chasles.evaluation.matrices import Matrix
 from chasles.numerics.reference import MissingValue, Singular, Undetermined, evaluate
 from chasles.statements import Hypothesis, Inverse, Kernel, Packed, Statement, problem_of, symmetric
-from chasles.statements.arrays import argument_name, core_shape
+from chasles.statements.arrays import argument_name, core_shape, places_of, variants
 from chasles.statements.goals import AcceptedSides
-from chasles.statements.kernel import Argument, nodes_of, places_of
+from chasles.statements.kernel import Argument, nodes_of
 from chasles.statements.posing import default_sides
 from chasles.statements.statement import bare
 from chasles.vocabulary import Block, Call, Node, Symbol, children, plain
@@ -131,7 +131,7 @@ def specification_of(
             exact = [evaluate(part, values, rules, digits) for part in parts]
         except (ValueError, Undetermined) as error:  # a function is not real here, or is not known to be
             raise Singular(str(error)) from None
-        return tuple([[value[i][j]] for _, i, j in Packed(parts[0]).places] if packed else value for value in exact)
+        return tuple([[value[i][j]] for _, i, j in places_of(Packed(parts[0]))] if packed else value for value in exact)
 
     return Specification(
         name,
@@ -149,7 +149,7 @@ def kernel_asked_by(sentence: Statement | Inverse, name: str) -> Kernel:
     """The kernel of that name that the sentence asks for. Raises TypeError if it asks for none."""
     if sentence.kernel is None:
         raise TypeError(f"({sentence.number}) asks for no kernel: give it one, or leave it out")
-    return sentence.kernel.variants(name)[0]
+    return variants(sentence.kernel, name)[0]
 
 
 def _parts(statement: Statement, kernel: Kernel, right: Node) -> tuple[Node, ...]:

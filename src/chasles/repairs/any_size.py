@@ -20,7 +20,7 @@ from chasles.rewriting.term_basis import fit
 from chasles.statements import Claim, problem_of
 from chasles.statements.goals import AcceptedSides
 from chasles.statements.matrices import with_sizes
-from chasles.statements.statement import Equation, with_their_definitions
+from chasles.statements.statement import Equation
 from chasles.vocabulary import Node
 from chasles.vocabulary.measure import Extent
 from chasles.vocabulary.sizes import at_sizes, sizes_of
@@ -48,7 +48,7 @@ def nearest_at_numbers(claim: Claim, accepted: AcceptedSides) -> NearestAtNumber
 
 def _at_numbers(claim: Claim, accepted: AcceptedSides, numbers: dict[str, int]) -> NearestAtNumbers:
     known: dict[tuple[str, int], Equation] = {}
-    for given in with_their_definitions(claim.given):
+    for given in claim.given:
         left, right = accepted(given)
         known[given.number, given.part] = at_sizes(left, numbers), at_sizes(right, numbers)
     return NearestAtNumbers(

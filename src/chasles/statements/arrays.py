@@ -3,9 +3,38 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace as with_fields
 
-from chasles.statements.kernel import Argument, Packed, Stack, places_of
-from chasles.vocabulary import Rate, Symbol, plain
+from chasles.statements.kernel import Argument, Kernel, Packed, Stack
+from chasles.vocabulary import Node, Rate, Symbol, plain
+
+SIX = "_sym6"
+"""What the name of a kernel ends in that takes or gives symmetric matrices as six numbers."""
+
+Place = tuple[Node, int, int]
+"""An entry of a symbol, or of its rate: its row and its column, counted from zero."""
+
+
+def variants(kernel: Kernel, name: str) -> tuple[Kernel, ...]:
+    """What is emitted: a kernel of the name with all entries, and one that packs what is symmetric, if any is."""
+    name = kernel.name or name
+    whole = with_fields(kernel, name=name, symmetric=())
+    if not kernel.symmetric:
+        return (whole,)
+    of = tuple(Packed(of) if isinstance(of, Node) and of in kernel.symmetric else of for of in kernel.of)
+    return whole, with_fields(kernel, name=f"{name}{SIX}", of=of)
+
+
+def places_of(argument: Argument) -> tuple[Place, ...]:
+    """The entries that an argument holds, in their order: row by row."""
+    match argument:
+        case Stack(parts=parts):
+            return tuple((part, 0, 0) for part in parts)
+        case Packed(matrix):
+            return tuple((matrix, i, j) for i in range(3) for j in range(i, 3))
+        case _:
+            rows, columns = argument.shape
+            return tuple((argument, i, j) for i in range(rows) for j in range(columns))
 
 
 def argument_name(argument: Argument) -> str:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from chasles.display import Displayed
+from chasles.statements.arrays import variants
 from chasles.statements.inversion import Inverse
 from chasles.statements.kernel import Kernel
 from chasles.statements.packages import BOOK, DeclarationError
@@ -55,7 +56,7 @@ class Entry(Displayed):
     def kernels(self) -> tuple[Kernel, ...]:
         """The kernels that the statement asks for, each with its name."""
         kernel = self.statement.kernel
-        return kernel.variants(self.name) if kernel else ()
+        return variants(kernel, self.name) if kernel else ()
 
 
 @dataclass(frozen=True, repr=False)

@@ -7,9 +7,10 @@ from dataclasses import replace as with_fields
 from math import prod
 
 from chasles import vocabulary as w
+from chasles.statements.angles import linear_terms
 from chasles.statements.hypotheses import Hypothesis
 from chasles.statements.problem import Goal, Problem
-from chasles.statements.rules import refuse_circles
+from chasles.statements.rules import fit_together
 from chasles.statements.statement import Equation
 from chasles.statements.varied import opened_parts
 from chasles.vocabulary import Node
@@ -55,8 +56,8 @@ def as_rules(
     left = [symbol for symbol in unknowns if symbol not in bound]
     for goal in conditions:
         for symbol in left:
-            rest = _rest(symbol, [*_terms(goal.left, 1), *_terms(goal.right, -1)])
-            if rest is not None and _fits([*found, (symbol, rest)]):
+            rest = _rest(symbol, goal)
+            if rest is not None and fit_together([*found, (symbol, rest)]):
                 found.append((symbol, rest))
                 left.remove(symbol)
                 break
@@ -65,35 +66,16 @@ def as_rules(
     return tuple(found)
 
 
-def _fits(rules: Sequence[Equation]) -> bool:
-    try:
-        refuse_circles("", rules, ())
-    except TypeError:
-        return False
-    return True
-
-
-def _rest(symbol: w.Symbol, terms: list[tuple[int, Node]]) -> Node | None:
-    """What a symbol is if the terms add up to zero; None if it does not stand alone in one of them."""
-    alone = [sign for sign, term in terms if term == symbol]
-    others = [(sign, term) for sign, term in terms if term != symbol]
-    if len(alone) != 1 or any(symbol in opened_parts(term) for _, term in others):
+def _rest(symbol: w.Symbol, goal: Goal) -> Node | None:
+    """What a symbol is if both sides are equal; None if it is no term, times a number, that alone has it."""
+    terms = [*linear_terms(w.Sum((goal.left, w.Negative(goal.right))), {})]
+    alone = [multiple for term, multiple in terms if term == symbol]
+    others = [(term, multiple) for term, multiple in terms if term != symbol]
+    if len(alone) != 1 or not alone[0] or any(symbol in opened_parts(term) for term, _ in others):
         return None
-    signed = tuple(term if sign != alone[0] else w.Negative(term) for sign, term in others)
+    scaled = [(term, -multiple / alone[0]) for term, multiple in others]
+    signed = tuple(term if by == 1 else w.Scale(w.Number(by), term) for term, by in scaled)
     return w.Sum(signed) if signed else w.Zero(*symbol.shape)
-
-
-def _terms(node: Node, sign: int) -> Iterator[tuple[int, Node]]:
-    match node:
-        case w.Sum(terms):
-            for term in terms:
-                yield from _terms(term, sign)
-        case w.Negative(term):
-            yield from _terms(term, -sign)
-        case w.Group(of):
-            yield from _terms(of, sign)
-        case _:
-            yield sign, node
 
 
 def degree(node: Node, unknowns: Collection[Node], rules: Mapping[Node, Node]) -> int:

@@ -32,8 +32,9 @@ def _times(matrix: Node, vector: Node) -> Node:
     return w.Scale(matrix, vector) if matrix.is_scalar else w.Contract((matrix, vector))
 
 
-def _total(squares: tuple[Node, ...]) -> Node:
-    return squares[0] if len(squares) == 1 else w.Sum(squares)
+def total(terms: tuple[Node, ...]) -> Node:
+    """The sum of the terms; the term itself where there is one."""
+    return terms[0] if len(terms) == 1 else w.Sum(terms)
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,8 +66,8 @@ class Minimum(Declared):
             raise TypeError("a minimum needs the squares that make up the excess: with none, state it with Always")
 
     def equations(self) -> tuple[tuple[str, Node, Node], ...]:
-        total = _total(tuple(w.Dot(square, square) for square in self.squares))
-        excess = ("the excess over the least value is a sum of squares", _minus(self.of, self.value), total)
+        squares = total(tuple(w.Dot(square, square) for square in self.squares))
+        excess = ("the excess over the least value is a sum of squares", _minus(self.of, self.value), squares)
         there: dict[Node, Node] = {self.over: self.at}
         vanish = [("the square vanishes there", w.replace(s, there), w.Zero(*s.shape)) for s in self.squares]
         return (excess, *vanish)
@@ -86,11 +87,11 @@ class Definite(Declared):
     by: Node | None = None
 
     def equations(self) -> tuple[tuple[str, Node, Node], ...]:
-        total = ("it is a sum of squares", self.of, _total(self.squares))
+        is_sum = ("it is a sum of squares", self.of, total(self.squares))
         if self.by is None:
-            return (total,)
+            return (is_sum,)
         vanishing = w.column(*(vector for square in self.squares for vector in squared(square)))
-        return (total, ("it vanishes only where they do", w.column(*self.over), _times(self.by, vanishing)))
+        return (is_sum, ("it vanishes only where they do", w.column(*self.over), _times(self.by, vanishing)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,7 +108,7 @@ class OnlyWhere(Declared):
 
     def equations(self) -> tuple[tuple[str, Node, Node], ...]:
         probed = w.Trace(w.Contract((w.Transpose(self.by), _minus(self.left, self.right), self.by)))
-        return (("their difference is less than zero by squares", probed, w.Negative(_total(self.squares))),)
+        return (("their difference is less than zero by squares", probed, w.Negative(total(self.squares))),)
 
 
 @dataclass(frozen=True, slots=True)

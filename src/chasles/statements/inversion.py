@@ -16,10 +16,11 @@ from typing import ClassVar
 
 from chasles import vocabulary as w
 from chasles.display import Displayed
+from chasles.statements.forms import total
 from chasles.statements.goals import AcceptedSides
 from chasles.statements.hypotheses import Hypothesis, nonzero
 from chasles.statements.kernel import Kernel
-from chasles.statements.posing import default_sides
+from chasles.statements.posing import default_sides, hypotheses_of
 from chasles.statements.problem import Goal, Problem
 from chasles.statements.statement import Statement
 from chasles.vocabulary import Node
@@ -135,8 +136,7 @@ def problems_of_inverse(sentence: Inverse, accepted: AcceptedSides = default_sid
 
 def _cover(sentence: Inverse) -> Goal:
     """Where all `where` vanished, zero would be one."""
-    terms = tuple(w.Scale(branch.by, branch.where) for branch in sentence.branches)
-    return Goal(COVER, w.Sum(terms) if len(terms) > 1 else terms[0] if terms else NOTHING, ONE)
+    return Goal(COVER, total(tuple(w.Scale(branch.by, branch.where) for branch in sentence.branches)), ONE)
 
 
 def _circles(values: dict[Node, Node]) -> Iterator[Goal]:
@@ -161,16 +161,10 @@ def _fitting(sentence: Inverse, branch: Branch, values: dict[Node, Node], accept
 def _asked(sentence: Inverse, values: dict[Node, Node]) -> Iterator[Hypothesis]:
     """What the formula, and all it rests on, assumes of the symbols that occur in it or that the values stand for."""
     symbols = {symbol for node in (sentence.of.right, *values) for symbol in w.symbols_of(node)}
-    for hypothesis in dict.fromkeys(_hypotheses(sentence.of)):
+    for hypothesis in dict.fromkeys(hypotheses_of(sentence.of)):
         concerned = {symbol for node in hypothesis.subjects for symbol in w.symbols_of(node)}
         if concerned & symbols and hypothesis not in sentence.assuming:
             yield hypothesis
-
-
-def _hypotheses(statement: Statement) -> Iterator[Hypothesis]:
-    yield from statement.assuming
-    for given in statement.given:
-        yield from _hypotheses(given)
 
 
 def _following(sentence: Inverse, branch: Branch, hypothesis: Hypothesis) -> Iterator[Goal]:
@@ -199,7 +193,7 @@ def _vanishing(where: Node) -> Hypothesis:
 def _turned(sentence: Inverse, right: Node) -> Problem:
     """The formula, and what it asks for, are the same when the values in `sign` change their sign together."""
     turn: dict[Node, Node] = {key: w.Negative(key) for key in sentence.sign}
-    hypotheses = tuple(dict.fromkeys(_hypotheses(sentence.of)))
+    hypotheses = tuple(dict.fromkeys(hypotheses_of(sentence.of)))
     goals = [Goal("the formula returns the same", w.replace(right, turn), right)]
     for hypothesis in hypotheses:
         goals += [

@@ -3,17 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from dataclasses import replace as with_fields
 
 from chasles.statements.hypotheses import Hypothesis
 from chasles.vocabulary import Node, plain
 from chasles.vocabulary.arguments import Declared
-
-SIX = "_sym6"
-"""What the name of a kernel ends in that takes or gives symmetric matrices as six numbers."""
-
-Place = tuple[Node, int, int]
-"""An entry of a symbol, or of its rate: its row and its column, counted from zero."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,11 +33,6 @@ class Packed(Declared):
         if self.matrix.shape != (3, 3):
             raise TypeError(f"six numbers stand for a 3 x 3 matrix, and {plain(self.matrix)} is no such")
 
-    @property
-    def places(self) -> tuple[Place, ...]:
-        """The entries that are kept: those on and above the diagonal, row by row."""
-        return tuple((self.matrix, i, j) for i in range(3) for j in range(i, 3))
-
 
 Argument = Node | Stack | Packed
 
@@ -67,15 +55,6 @@ class Kernel(Declared):
     expected: tuple[Hypothesis, ...] = ()
     form: Node | None = None
 
-    def variants(self, name: str) -> tuple[Kernel, ...]:
-        """What is emitted: a kernel of the name with all entries, and one that packs what is symmetric, if any is."""
-        name = self.name or name
-        whole = with_fields(self, name=name, symmetric=())
-        if not self.symmetric:
-            return (whole,)
-        of = tuple(Packed(of) if isinstance(of, Node) and of in self.symmetric else of for of in self.of)
-        return whole, with_fields(self, name=f"{name}{SIX}", of=of)
-
 
 def nodes_of(argument: Argument) -> tuple[Node, ...]:
     """The symbols whose entries an argument holds."""
@@ -86,15 +65,3 @@ def nodes_of(argument: Argument) -> tuple[Node, ...]:
             return (matrix,)
         case _:
             return (argument,)
-
-
-def places_of(argument: Argument) -> tuple[Place, ...]:
-    """The entries that an argument holds, in their order: row by row."""
-    match argument:
-        case Stack(parts=parts):
-            return tuple((part, 0, 0) for part in parts)
-        case Packed():
-            return argument.places
-        case _:
-            rows, columns = argument.shape
-            return tuple((argument, i, j) for i in range(rows) for j in range(columns))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace as with_fields
 from weakref import WeakKeyDictionary
 
@@ -29,7 +29,6 @@ from chasles.statements.statement import (
     Theorem,
     bare,
     is_rule,
-    with_their_definitions,
 )
 from chasles.statements.varied import opened_parts
 from chasles.vocabulary import Determinant, Inverse, Negative, Node, Rate, Sum, Symbol, members_of, plain, undotted
@@ -62,7 +61,7 @@ def problem_of(statement: Decidable, form: str = "printed", standing: AcceptedSi
     Raises `Misfit` if that form does not fit together, and TypeError if a given statement cannot be used.
     """
     relied_on = statement.relied_on if isinstance(statement, Statement) else ()
-    sides = [standing(each) for each in dict.fromkeys((*with_their_definitions(statement.given), *relied_on))]
+    sides = [standing(each) for each in dict.fromkeys((*statement.given, *relied_on))]
     known = _posed.setdefault(statement, {})
     if form not in known or known[form][0] != sides:
         known[form] = sides, _problem_of(statement, form, standing)
@@ -77,19 +76,19 @@ def _problem_of(statement: Decidable, form: str, standing: AcceptedSides) -> Pro
     rules, conditions, unknowns = _given(statement, standing)
     rules = passed_on([*rules, *_angle_rules(statement, form, rules, conditions, unknowns)])
     refuse_circles(statement.number, rules, unknowns)
-    rules += _counted(_said(statement, form, rules), rules)
-    said = [*_said(statement, form, rules), *(side for goal in conditions for side in goal.sides)]
+    rules += _counted(said_by(statement, form, rules), rules)
+    said = [*said_by(statement, form, rules), *(side for goal in conditions for side in goal.sides)]
     if any(part.is_field for side in said for part in opened_parts(side)):
         from chasles.statements.field_equations import moving  # few chapters have fields
 
         rules += moving(said, rules)
-    inverted = (nonzero(Determinant(side.of)) for side in _said(statement, form, []) if isinstance(side, Inverse))
-    hypotheses = tuple(dict.fromkeys((*_hypotheses(statement), *_agreeing(dict(rules)), *inverted)))
+    inverted = (nonzero(Determinant(side.of)) for side in said_by(statement, form, []) if isinstance(side, Inverse))
+    hypotheses = tuple(dict.fromkeys((*hypotheses_of(statement), *_agreeing(dict(rules)), *inverted)))
     free = conditions and (any(each.is_field for each in unknowns) or not solvable(conditions, unknowns, dict(rules)))
     if free:
         from chasles.statements.field_equations import freely_assumed  # of no use to most claims
 
-        if told := freely_assumed(conditions, unknowns, _said(statement, form, rules), dict(rules)):
+        if told := freely_assumed(conditions, unknowns, said_by(statement, form, rules), dict(rules)):
             hypotheses, conditions, unknowns = (*hypotheses, *told), [], {}
     problem = Problem((), tuple(rules), tuple(conditions), tuple(unknowns), hypotheses)
     if isinstance(statement, Theorem):
@@ -109,9 +108,8 @@ def _given(statement: Decidable, accepted: AcceptedSides) -> tuple[list[Equation
     rules: list[Equation] = []
     conditions: list[Goal] = []
     unknowns: dict[Symbol, None] = {}
-    known = with_their_definitions(statement.given)
-    posed = [each.on for each in known if isinstance(each, Condition)]
-    for given in known:
+    posed = [each.on for each in statement.given if isinstance(each, Condition)]
+    for given in statement.given:
         left, right = accepted(given)
         if isinstance(given, Condition) and given.solution is not None:
             raise TypeError(
@@ -145,7 +143,7 @@ def _angle_rules(
     """What conditions say that angles are, whose cosines and sines are taken; these conditions are left out."""
     if not conditions:
         return
-    angles = turning(_said(statement, form, rules))
+    angles = turning(said_by(statement, form, rules))
     for goal in tuple(conditions):
         found = determined_angle(goal.left, goal.right, unknowns)
         if found is not None and found[0] in angles:
@@ -154,8 +152,8 @@ def _angle_rules(
             yield found
 
 
-def _said(statement: Decidable, form: str, rules: list[Equation]) -> list[Node]:
-    """The sides of what is claimed and of the rules."""
+def said_by(statement: Decidable, form: str, rules: Iterable[Equation]) -> list[Node]:
+    """The sides of what is claimed in one of its forms, and of the rules."""
     if isinstance(statement, Theorem):
         sides = [side for part in statement.forms for each in part.equations() for side in each[1:]]
     else:
@@ -180,7 +178,7 @@ def _agreeing(rules: Mapping[Node, Node]) -> Iterator[Hypothesis]:
             yield Hypothesis("given", (Sum((rate, Negative(right))),), ((rate, right),), (), "", text)
 
 
-def _hypotheses(statement: Decidable) -> Iterator[Hypothesis]:
+def hypotheses_of(statement: Decidable) -> Iterator[Hypothesis]:
     """What the statement and all that it rests on assume, its own first."""
     yield from statement.assuming
     if isinstance(statement, Condition) and not statement.on:
@@ -190,4 +188,4 @@ def _hypotheses(statement: Decidable) -> Iterator[Hypothesis]:
 
         yield from presupposed(statement.left, statement.right, statement.assuming)
     for given in statement.given:
-        yield from _hypotheses(given)
+        yield from hypotheses_of(given)

@@ -56,17 +56,23 @@ def refuse_circles(number: str, rules: Sequence[Equation], unknowns: Collection[
             )
 
 
+def fit_together(rules: Sequence[Equation]) -> bool:
+    """Whether no symbol is said twice to be something, and none is said by itself."""
+    try:
+        refuse_circles("", rules, ())
+    except TypeError:
+        return False
+    return True
+
+
 def _refuse_second_rule(number: str, left: Node, right: Node, unknowns: Collection[Symbol]) -> None:
     """Raise TypeError if what a rule replaces is known otherwise too: by a condition, or as a constant."""
     base, _ = undotted(left)
     if base in unknowns:
         raise TypeError(f"({number}) is given what {left} is, and a condition on {base}: name one of them")
-    if isinstance(base, Symbol) and base.constant and any(not _is_constant(part) for part in walk(right)):
+    varying = any(isinstance(part, Symbol) and not part.constant for part in walk(right))
+    if isinstance(base, Symbol) and base.constant and varying:
         raise TypeError(f"({number}) is given that {left}, a constant, is {right}, which may vary")
-
-
-def _is_constant(part: Node) -> bool:
-    return not isinstance(part, Symbol) or part.constant
 
 
 def _rules_read(node: Node, table: Mapping[Node, Node]) -> Iterator[Node]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from dataclasses import replace as with_fields
 from typing import ClassVar, Self
@@ -192,22 +192,3 @@ def is_rule(statement: Statement) -> bool:
     """Whether the left side is a symbol, or the rate of one, that the right side can stand for."""
     left = bare(statement.left)
     return isinstance(undotted(left)[0], Symbol) and not (isinstance(left, Symbol) and left.stands_for)
-
-
-def with_their_definitions(given: Iterable[Statement]) -> tuple[Statement, ...]:
-    """What is given, and that by which definitions and conditions among it, given it themselves, say what letters are.
-
-    What is given itself comes first: of a letter that it says what it is, or is posed on, nothing else is added.
-    """
-    found = dict.fromkeys(given)
-    known = {s for each in found for s in (each.on if isinstance(each, Condition) else undotted(bare(each.left))[:1])}
-    waiting: list[Statement] = [each for each in found if isinstance(each, Definition | Condition)]
-    while waiting:
-        for each in waiting.pop(0).given:
-            letter = undotted(bare(each.left))[0]
-            says = isinstance(each, Definition | Claim) and is_rule(each) and not each.right.expands
-            if says and letter not in known:
-                known.add(letter)
-                found[each] = None
-                waiting.append(each)
-    return tuple(found)

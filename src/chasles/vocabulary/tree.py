@@ -70,5 +70,4 @@ def walk(node: Node) -> Iterator[Node]:
 
 def symbols_of(node: Node) -> tuple[Symbol, ...]:
     """The symbols that occur, in the order of their first occurrence, abbreviations as themselves."""
-    found = dict.fromkeys(part for part in walk(node) if isinstance(part, Symbol))
-    return tuple(found)
+    return tuple(dict.fromkeys(part for part in walk(node) if isinstance(part, Symbol)))

@@ -15,8 +15,7 @@ from chasles.lowering.program import Program
 from chasles.lowering.request import Output, Request
 from chasles.problems.divisors import UndeclaredDivisor
 from chasles.problems.variables import Untreatable
-from chasles.statements.arrays import argument_name
-from chasles.statements.kernel import places_of
+from chasles.statements.arrays import argument_name, places_of
 from chasles.vocabulary import Node, Symbol
 
 
