@@ -14,6 +14,7 @@ from chasles.decisions.session import Session
 from chasles.lowering.declaration import requested
 from chasles.statements import Chapter, Entry, load, problem_of
 from chasles.statements.arrays import argument_name
+from chasles.statements.premises import with_all_premises
 from chasles.verdict import Fails, Holds, HoldsUnder
 from chasles.vocabulary import Negative, number, replace
 
@@ -98,7 +99,8 @@ def test_steiner_by_dyads_fails_in_a_block_without_p(chapter: Chapter, judge: Se
     row, column_ = decision.verdict.counterexample.entry
     assert (row <= 3) != (column_ <= 3)
     assert decision.verdict.counterexample.at["m"] > 0
-    check_counterexample(problem_of(statement, "printed", judge.accepted), decision.verdict.counterexample)
+    asked = problem_of(with_all_premises(statement, judge.accepted), "printed", judge.accepted)
+    check_counterexample(asked, decision.verdict.counterexample)
     assert decision.correction is not None
     assert isinstance(decision.correction.verdict, Holds | HoldsUnder)
 

@@ -20,8 +20,7 @@ from chasles.lowering.program import Argument, Op, Program, Result
 from chasles.lowering.request import Request
 from chasles.lowering.rounding import ANGLES, angular_entries, generic_numbers, steady
 from chasles.statements import Entry, Kernel
-from chasles.statements.arrays import argument_name, core_shape, meaning_of
-from chasles.statements.kernel import places_of
+from chasles.statements.arrays import argument_name, core_shape, meaning_of, places_of
 from chasles.vocabulary import Node
 
 LAST: tuple[Callable[[Program], Program], ...] = (guarded,)

@@ -73,9 +73,8 @@ def _rest(symbol: w.Symbol, goal: Goal) -> Node | None:
     others = [(term, multiple) for term, multiple in terms if term != symbol]
     if len(alone) != 1 or not alone[0] or any(symbol in opened_parts(term) for term, _ in others):
         return None
-    scaled = [(term, -multiple / alone[0]) for term, multiple in others]
-    signed = tuple(term if by == 1 else w.Scale(w.Number(by), term) for term, by in scaled)
-    return w.Sum(signed) if signed else w.Zero(*symbol.shape)
+    rest = tuple(term if by == -alone[0] else w.Scale(w.Number(-by / alone[0]), term) for term, by in others)
+    return w.Sum(rest) if rest else w.Zero(*symbol.shape)
 
 
 def degree(node: Node, unknowns: Collection[Node], rules: Mapping[Node, Node]) -> int:

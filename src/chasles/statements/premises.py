@@ -5,7 +5,7 @@ What proves a statement may use less, but nothing refutes it that does not satis
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable
 from dataclasses import replace as with_fields
 from itertools import chain
 
@@ -48,15 +48,12 @@ def with_all_premises(statement: Decidable, accepted: AcceptedSides) -> Decidabl
     return with_fields(statement, given=tuple(given))
 
 
-def _rested_on(given: Iterable[Statement]) -> Iterator[Statement]:
+def _rested_on(given: Iterable[Statement]) -> list[Statement]:
     """What is given, and of that on which it rests, all but claims and expansions; each once, the first first."""
-    waiting, seen = [*given], set[Statement]()
-    while waiting:
-        if (each := waiting.pop(0)) not in seen:
-            seen.add(each)
-            waiting += each.relied_on
-            if not isinstance(each, Claim) and not each.right.expands:
-                yield each
+    found = [*dict.fromkeys(given)]
+    for each in found:
+        found += [other for other in dict.fromkeys(each.relied_on) if other not in found]
+    return [each for each in found if not isinstance(each, Claim) and not each.right.expands]
 
 
 def _about(statement: Statement) -> Collection[Node]:
