@@ -28,7 +28,7 @@ def with_directions(problem: Problem) -> Problem:
 
 def _rotation_vectors(problem: Problem) -> Iterator[Symbol]:
     """The vectors of whose norms cosines and sines are taken."""
-    for node in _sides(problem):
+    for node in problem.all_sides:
         for call in (part for part in opened_parts(node) if isinstance(part, Call)):
             norms = (part.of for part in opened_parts(call.argument) if isinstance(part, Norm))
             yield from (of for of in norms if isinstance(of, Symbol) and of.shape == (3, 1))
@@ -37,7 +37,7 @@ def _rotation_vectors(problem: Problem) -> Iterator[Symbol]:
 def _is_free(vector: Symbol, problem: Problem) -> bool:
     """Whether nothing else is known of a vector than that it is not zero, or at right angles to another."""
     known = {undotted(left)[0] for left, _ in problem.rules} | {*problem.unknowns}
-    running = {symbol for node in _sides(problem) for part in opened_parts(node) if isinstance(part, Integral)
+    running = {symbol for node in problem.all_sides for part in opened_parts(node) if isinstance(part, Integral)
                for symbol in part.running}  # fmt: skip
     spoken_of = (h for h in problem.hypotheses if any(vector in opened_parts(subject) for subject in h.subjects))
     return vector not in known | running and all(
@@ -66,7 +66,7 @@ def _with_direction(problem: Problem, vector: Symbol) -> Problem:
 
     unit = (Dot(direction, direction), Number(Fraction(1)))
     hypotheses = [Hypothesis("direction", (direction,), (unit,), (), "", f"{direction.name} is a direction")]
-    moves = any(isinstance(part, Rate) for node in _sides(problem) for part in opened_parts(node))
+    moves = any(isinstance(part, Rate) for node in problem.all_sides for part in opened_parts(node))
     if moves and not vector.constant and not any(Norm(vector) in h.nonvanishing for h in problem.hypotheses):
         hypotheses.append(said(nonzero(Norm(vector))))
     found = problem.said_otherwise(lambda side: replace(side, values), said)
@@ -76,10 +76,3 @@ def _with_direction(problem: Problem, vector: Symbol) -> Problem:
         presupposed=(*map(said, problem.presupposed), *hypotheses[1:]),
         nonnegative=(*problem.nonnegative, angle),
     )
-
-
-def _sides(problem: Problem) -> Iterator[Node]:
-    """All that is said to be equal."""
-    yield from problem.sides_and_rules
-    yield from (side for goal in problem.cases for side in goal.sides)
-    yield from problem.assumed_sides

@@ -60,6 +60,11 @@ class Problem:
         return [side for hypothesis in self.hypotheses for side in hypothesis.sides]
 
     @property
+    def all_sides(self) -> list[Node]:
+        """The sides of all that is said to be equal."""
+        return [*self.sides_and_rules, *(side for goal in self.cases for side in goal.sides), *self.assumed_sides]
+
+    @property
     def has_functions(self) -> bool:
         """Whether functions of scalars occur that have no polynomial form."""
         sides = (*self.sides_and_rules, *self.assumed_sides)

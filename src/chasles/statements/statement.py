@@ -120,8 +120,7 @@ class Definition(Statement):
 class Condition(Statement):
     """Restricts the symbols `on` which it is posed; together with others it may determine them.
 
-    One that is `on` nothing is used as it stands, unless it names in `assuming` a hypothesis on all of its letters, of
-    which it says no more. One that leaves its symbol some freedom gives a `solution` with that freedom in it.
+    One that is `on` nothing is used as it stands. One that leaves its symbol some freedom gives a `solution` with it.
     """
 
     role: ClassVar[str] = "condition"
