@@ -73,20 +73,9 @@ def command(
     from chasles.pages.folder import QUESTIONS
     from chasles.pages.known_answers import recalled, retained
 
-    if html and len(pages) > 1:
-        raise Failure("--html writes the findings on one page: name one page", BAD_INPUT)
     if propose:
-        _propose([printed_on(page, macros, inline, follow) for page in pages])
-        return 0
-    if notation is None:
-        for page in pages:
-            if str(page) != "-":
-                text_of_file(page)  # A page that is not there is told before what is missing besides.
-        raise click.UsageError("say what the letters are with --notation; --propose prints a first notation")
-    if out is not None and len(pages) > 1:
-        raise click.UsageError("--out takes one page at a time")
-    if watch and Path("-") in pages:
-        raise click.UsageError("--watch takes files: what is piped in is read once")
+        return _propose([printed_on(page, macros, inline, follow) for page in pages])
+    notation = _required(notation, pages, html, out, watch)
     known = recalled()
 
     def once() -> int:
@@ -96,10 +85,29 @@ def command(
         equations = [each for one in found for each in one.page.equations]
         return 0 if all(is_fine(each) if strict else each.is_decided for each in equations) else FAILED
 
-    if not watch:
-        return once()
-    asked = [] if out is None else [out / QUESTIONS]
-    for _ in changes([*pages, *filter(None, [macros]), Path(notation), *asked], sleep):
+    files = [*pages, *filter(None, [macros, Path(notation), out and out / QUESTIONS])]
+    return _watched(files, once) if watch else once()
+
+
+def _required(notation: str | None, pages: Sequence[Path], html: Path | None, out: Path | None, watch: bool) -> str:
+    """The notation that was given. A page that is not there is told before what is missing besides."""
+    if html and len(pages) > 1:
+        raise Failure("--html writes the findings on one page: name one page", BAD_INPUT)
+    if notation is None:
+        for page in pages:
+            if str(page) != "-":
+                text_of_file(page)
+        raise click.UsageError("say what the letters are with --notation; --propose prints a first notation")
+    if out is not None and len(pages) > 1:
+        raise click.UsageError("--out takes one page at a time")
+    if watch and Path("-") in pages:
+        raise click.UsageError("--watch takes files: what is piped in is read once")
+    return notation
+
+
+def _watched(files: Sequence[Path], once: Callable[[], int]) -> int:
+    """Do it whenever one of the files changes, until interrupted; what fails is told."""
+    for _ in changes(files, sleep):
         try:
             once()
         except Failure as failure:
@@ -160,8 +168,9 @@ def _show(found: Sequence[ReadPage], is_short: bool, github: bool, json: bool) -
             click.echo(page.summary)
 
 
-def _propose(printed: Sequence[PrintedPage]) -> None:
+def _propose(printed: Sequence[PrintedPage]) -> int:
     from chasles.reading.proposal import proposed
 
     equations = [each for page in printed for each in page.equations]
     click.echo(proposed(equations, [each for page in printed for each in page.remarks]), nl=False)
+    return 0
