@@ -7,25 +7,30 @@ from dataclasses import dataclass, field
 from itertools import groupby
 from typing import Any
 
+from markupsafe import Markup
+
 from chasles import __version__
+from chasles.bounds.bound import Bound
 from chasles.decisions.decision import WORST_FIRST
 from chasles.decisions.session import Decision
 from chasles.report.details import number_in_words
+from chasles.report.emission_records import emitted_kernels
+from chasles.report.equations import labelled_equations
 from chasles.report.findings import SLIPS, DecisionsByName, Pairs, ordered, slips
-from chasles.report.html.citing import Book, place_of_number, slug
+from chasles.report.html.citing import Book, Link, place_of_number, slug
 from chasles.report.html.error_plots import plotted
 from chasles.report.html.exercises import WorkedView
 from chasles.report.html.filling import filled
+from chasles.report.html.formulas import math
 from chasles.report.html.graph import graph_of
-from chasles.report.html.kernels import kernel_rows
 from chasles.report.html.measured import measured
-from chasles.report.html.notation import notation_of
 from chasles.report.html.overview import Trusted, overview
 from chasles.report.html.palette import DARK, LIGHT
 from chasles.report.html.shown import DerivationView, KernelRow, NumberShown, StatementShown, badge_of
 from chasles.report.html.statements import part_of, place_of_part
 from chasles.report.words import VERDICTS
 from chasles.statements import Chapter, Entry, Section
+from chasles.vocabulary import Symbol, latex, walk
 
 Pair = tuple[Entry, Decision]
 
@@ -168,3 +173,54 @@ def _verdict_filters(numbers: Sequence[NumberShown]) -> Iterator[Chosen]:
 def _section_filters(sections: Sequence[SectionView]) -> Iterator[Chosen]:
     for outermost in dict.fromkeys(section.classes.split()[0] for section in sections):
         yield Chosen(f"only-{outermost}", outermost, outermost.removeprefix("within-").replace("-", "."))
+
+
+FORMS = {"stated": "as stated", "offered": "in a form proved equal"}
+
+
+def kernel_rows(book: Book, manifest: str) -> dict[str, KernelRow]:
+    """The kernels of the chapter by name, in the manifest's order; those that are not of this chapter are left out."""
+    known = {kernel.name for entry in book.chapter for kernel in entry.kernels}
+    return {name: _row(book, name, kernel) for name, kernel in emitted_kernels(manifest).items() if name in known}
+
+
+def _row(book: Book, name: str, kernel: Mapping[str, Any]) -> KernelRow:
+    counts: Mapping[str, int] = kernel["operations"]
+    number = kernel["number"]
+    return KernelRow(
+        name=name,
+        place=f"kernel-{slug(name)}",
+        number=Link(f"#{place_of_number(number)}", number_in_words(number)),
+        says=kernel["says"],
+        signature=kernel["signature"],
+        needs=tuple(book.condition(text) for text in kernel["hypotheses"]),
+        total=sum(counts.values()),
+        operations=", ".join(f"{count} {kind.replace('_', ' ')}" for kind, count in counts.items()) or "none",
+        bound=Bound.from_data(kernel["bound"]).in_words if kernel.get("bound") else (),
+        form=FORMS.get(kernel["form"], kernel["form"]),
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class Letter:
+    """A letter as the book prints it, its name in plain text, what it means, its shape and its unit."""
+
+    math: Markup
+    name: str
+    means: str
+    kind: str
+
+
+def notation_of(chapter: Chapter) -> tuple[Letter, ...]:
+    """The letters that mean something by themselves, each once."""
+    sides = (side for entry in chapter for _, *both in labelled_equations(entry.statement) for side in both)
+    found = dict.fromkeys(part for side in sides for part in walk(side) if isinstance(part, Symbol))
+    return tuple(_letter(symbol) for symbol in found if symbol.meaning)
+
+
+def _letter(symbol: Symbol) -> Letter:
+    rows, columns = symbol.size.shape
+    shape = "" if rows == columns == 1 else f"{rows} x {columns}" if columns != 1 else f"vector of {rows}"
+    units = dict.fromkeys(str(dimension) for row in symbol.size.grid for dimension in row if dimension is not None)
+    kind = ", ".join(filter(None, (shape, *(unit for unit in units if unit != "no dimension"))))
+    return Letter(math(latex(symbol)), symbol.name, symbol.meaning, kind)
