@@ -86,7 +86,7 @@ def command(
         return 0 if all(is_fine(each) if strict else each.is_decided for each in equations) else FAILED
 
     files = [*pages, *filter(None, [macros, Path(notation), out and out / QUESTIONS])]
-    return _watched(files, once) if watch else once()
+    return _whenever_changed(files, once) if watch else once()
 
 
 def _required(notation: str | None, pages: Sequence[Path], html: Path | None, out: Path | None, watch: bool) -> str:
@@ -105,7 +105,7 @@ def _required(notation: str | None, pages: Sequence[Path], html: Path | None, ou
     return notation
 
 
-def _watched(files: Sequence[Path], once: Callable[[], int]) -> int:
+def _whenever_changed(files: Sequence[Path], once: Callable[[], int]) -> int:
     """Do it whenever one of the files changes, until interrupted; what fails is told."""
     for _ in changes(files, sleep):
         try:
