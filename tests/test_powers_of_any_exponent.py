@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from chasles.checker.any_size.induction import first_and_next
+from chasles.checker.any_size.proof import first_and_next
 from chasles.checker.certificate import check
 from chasles.checker.sparse import Rejected
 from chasles.decisions.session import Session

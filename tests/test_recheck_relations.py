@@ -6,8 +6,8 @@ from fractions import Fraction
 
 import pytest
 
+from chasles.checker.motion import independent
 from chasles.checker.refutation import check_counterexample
-from chasles.checker.relations import independent
 from chasles.checker.sparse import Polynomial, number, variable
 from chasles.prover.decide import decide_problem
 from chasles.statements import Claim, Condition, Statement, nonzero, problem_of, unit

@@ -10,8 +10,7 @@ from operator import add, mul
 from typing import Any
 
 from chasles import vocabulary as w
-from chasles.checker.determinants import Matrix, cofactor, determinant
-from chasles.checker.sparse import Rejected, number
+from chasles.checker.sparse import Matrix, Rejected, cofactor, determinant, number
 
 
 class Formless(Rejected):

@@ -11,10 +11,9 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 
 from chasles import vocabulary as w
-from chasles.checker.determinants import determinant
 from chasles.checker.division import Division, divided, solved_for
 from chasles.checker.quantities import Quantities
-from chasles.checker.sparse import ZERO, Polynomial, Rejected, cleared, product
+from chasles.checker.sparse import ZERO, Polynomial, Rejected, cleared, determinant, product
 from chasles.statements import Hypothesis, Problem
 
 MOST_ORDERS = 8

@@ -10,9 +10,8 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from chasles.checker.elimination import eliminated
 from chasles.checker.expansion import Formless
-from chasles.checker.motion import require_motion
+from chasles.checker.motion import eliminated, require_motion
 from chasles.checker.quantities import squeezed
 from chasles.checker.reading import PolynomialProblem
 from chasles.checker.sparse import ZERO, Polynomial, Rejected, cleared, product, well_formed

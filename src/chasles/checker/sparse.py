@@ -1,4 +1,4 @@
-"""Polynomials for the checker of certificates: exact, sparse, and nobody else's."""
+"""Polynomials for the checker: exact, sparse, and nobody else's; and determinants of any numbers."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from functools import reduce
 from math import lcm
 from operator import add, mul, or_
 from struct import unpack
+from typing import Any
 
 MALFORMED = (
     ArithmeticError, AssertionError, AttributeError, LookupError, RuntimeError, SyntaxError, TypeError, ValueError,
@@ -177,3 +178,18 @@ def powered(place: int, power: str | int) -> Polynomial:
     if not 1 <= int(power) <= MOST_POWER:
         raise Rejected(f"the certificate has {power!r} where an exponent from 1 to {MOST_POWER} is due")
     return variable(place, int(power))
+
+
+Matrix = list[list[Any]]
+
+
+def determinant(m: Matrix, one: Any = ONE) -> Any:
+    """The determinant, by expansion along the first row; `one` is that of nothing."""
+    terms = [entry * cofactor(m, 0, j, one) for j, entry in enumerate(m[0] if m else []) if entry]
+    return reduce(add, terms) if terms else m[0][0] if m else one
+
+
+def cofactor(m: Matrix, i: int, j: int, one: Any = ONE) -> Any:
+    """What multiplies an entry in the determinant."""
+    minor = determinant([row[:j] + row[j + 1 :] for row in (*m[:i], *m[i + 1 :])], one)
+    return -minor if (i + j) % 2 else minor

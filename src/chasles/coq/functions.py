@@ -12,10 +12,9 @@ from math import factorial
 from operator import add
 
 from chasles import vocabulary as w
-from chasles.checker.determinants import Matrix
 from chasles.checker.reading import PolynomialProblem
 from chasles.checker.refutation import Value, quotient_at
-from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, exponents, number, packed, variable
+from chasles.checker.sparse import ONE, ZERO, Matrix, Polynomial, Rejected, exponents, number, packed, variable
 from chasles.checker.witness import Point
 from chasles.coq.expressions import Unsaid
 from chasles.statements.rules import rated

@@ -13,8 +13,7 @@ from typing import Any
 import sympy
 from sympy.core.function import AppliedUndef
 
-from chasles.checker.expressions.assumptions import NUMBERS, SIGNS
-from chasles.checker.expressions.quantities import is_atom, is_unreal
+from chasles.checker.expressions.quantities import NUMBERS, SIGNS, is_atom, is_unreal
 from chasles.from_sympy.opening import excerpt
 from chasles.from_sympy.positivity import is_definite
 from chasles.problems.variables import Untreatable

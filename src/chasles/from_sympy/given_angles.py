@@ -7,9 +7,8 @@ from typing import Any
 
 import sympy
 
-from chasles.checker.expressions.elementary import FUNCTIONS
 from chasles.checker.expressions.quantities import is_atom
-from chasles.checker.expressions.readings import CIRCULAR
+from chasles.checker.expressions.readings import CIRCULAR, FUNCTIONS
 from chasles.from_sympy.given_equations import SideConditions
 from chasles.from_sympy.opening import parts_of
 

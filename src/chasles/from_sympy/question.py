@@ -13,7 +13,7 @@ import sympy
 from chasles.algebra.surds import SurdSum
 from chasles.checker.expressions.asked import Asked
 from chasles.checker.expressions.at_point import AtPoint
-from chasles.checker.expressions.given import require_given
+from chasles.checker.expressions.motion import require_given
 from chasles.checker.expressions.symbolic import Symbolic
 from chasles.checker.sparse import Rejected, well_formed
 from chasles.from_sympy.naming import angle_of, number_of, spelled

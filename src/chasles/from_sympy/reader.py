@@ -13,8 +13,8 @@ import sympy
 from chasles.algebra.squarefree import primes_of, squarefree
 from chasles.algebra.work_limit import check
 from chasles.checker.expressions.defined_functions import BY_OTHERS, VALUED
-from chasles.checker.expressions.elementary import FUNCTIONS
 from chasles.checker.expressions.quantities import is_atom
+from chasles.checker.expressions.readings import FUNCTIONS
 from chasles.from_sympy.angles import Angles
 from chasles.from_sympy.atoms import QuantityNames
 from chasles.from_sympy.divisors import DivisorText, divides, divisor_of, in_sines, is_reciprocal

@@ -16,7 +16,7 @@ from typing import Any
 import sympy
 
 from chasles.algebra.work_limit import afford, check
-from chasles.checker.expressions.assumptions import SIGNS
+from chasles.checker.expressions.quantities import SIGNS
 from chasles.checker.sparse import Rejected
 from chasles.from_sympy.atoms import assumed_of
 from chasles.from_sympy.enclosures import Enclosures

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from chasles.statements.evident import factors_of
+from chasles.statements.simpler_words import factors_of
 from chasles.statements.statement import bare
 from chasles.vocabulary import Node, Quotient, Symbol, children
 from chasles.vocabulary.shorthand import opened

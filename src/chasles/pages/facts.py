@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from chasles.statements import Hypothesis, definite, nonzero, positive, rotation, symmetric, unit
-from chasles.statements.evident import factors_of
+from chasles.statements.simpler_words import factors_of
 from chasles.statements.varied import opened_parts
 from chasles.vocabulary import Misfit, Node, Quotient, Symbol
 

@@ -12,7 +12,7 @@ from fractions import Fraction
 
 from chasles.algebra.rings import Polynomial
 from chasles.algebra.values import is_zero
-from chasles.checker.elimination import eliminated
+from chasles.checker.motion import eliminated
 from chasles.points.evaluation import Point, evaluate, satisfies
 from chasles.problems.context import Context
 from chasles.vocabulary import PI

@@ -13,10 +13,8 @@ from typing import Any
 
 from chasles.checker.any_size.at_sizes import PointAtSizes, sizes_in
 from chasles.checker.any_size.free_algebra import Letters, added
-from chasles.checker.any_size.free_squares import PROJECTION, nonnegative, square
-from chasles.checker.any_size.induction import first_and_next
 from chasles.checker.any_size.known_relations import Known
-from chasles.checker.any_size.proof import check_words
+from chasles.checker.any_size.proof import PROJECTION, check_words, first_and_next, nonnegative, square
 from chasles.checker.any_size.words import SymbolicReading
 from chasles.checker.sparse import Rejected
 from chasles.points.at_sizes import points_at_sizes

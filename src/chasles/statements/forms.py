@@ -11,7 +11,7 @@ from dataclasses import replace as with_fields
 from typing import Protocol
 
 from chasles import vocabulary as w
-from chasles.statements.squares import squared
+from chasles.statements.lengths import squared
 from chasles.vocabulary import Node
 from chasles.vocabulary.arguments import Declared
 

@@ -8,8 +8,8 @@ from fractions import Fraction
 from chasles import vocabulary as w
 from chasles.statements.forms import Definite, Iff, OnlyWhere
 from chasles.statements.hypotheses import Hypothesis
+from chasles.statements.lengths import relied_on
 from chasles.statements.problem import Goal, Problem
-from chasles.statements.squares import relied_on
 from chasles.statements.statement import Claim, Condition, Definition, Equation, Statement, Theorem
 from chasles.statements.varied import demands, visible
 from chasles.vocabulary import Node

@@ -4,7 +4,6 @@ Nodes keep the author's order and spelling and never simplify. Shapes and physic
 is made. `@` contracts matrices, `*` scales by a scalar, `.T` transposes, `/` divides by a scalar.
 """
 
-from chasles.vocabulary.body import Integral
 from chasles.vocabulary.dimension import (
     ACCELERATION,
     FORCE,
@@ -19,7 +18,7 @@ from chasles.vocabulary.dimension import (
 )
 from chasles.vocabulary.families import Entry, Family, Index, Kronecker, Member, members_of
 from chasles.vocabulary.fitting import printed
-from chasles.vocabulary.layout import At, Block, Call, Group, Rate
+from chasles.vocabulary.layout import At, Block, Call, Group, Integral, Rate
 from chasles.vocabulary.letters import Identity, Symbol, Zero
 from chasles.vocabulary.measure import Measure, Misfit, uniform
 from chasles.vocabulary.nodes import Contract, Negative, Node, Number, Power, Quotient, Scale, Sum, Transpose

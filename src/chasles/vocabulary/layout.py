@@ -2,11 +2,33 @@
 
 from __future__ import annotations
 
-from chasles.vocabulary.dimension import NO_DIMENSION, Dimension
+from chasles.vocabulary.dimension import LENGTH, NO_DIMENSION, Dimension
 from chasles.vocabulary.fitting import SCALAR, measured, word
-from chasles.vocabulary.letters import has_no_letter, is_measured
+from chasles.vocabulary.letters import Symbol, has_no_letter, is_measured
 from chasles.vocabulary.measure import Measure, Misfit, entrywise, scaled, stacked, uniform
 from chasles.vocabulary.nodes import Node, OfOne
+
+
+@word
+class Integral(OfOne):
+    """The integral over the volume of a body.
+
+    The `density`, and the quantities `over` which the integral is taken, differ from element to element; so does what
+    a rule makes of them. Everything else is the same for all elements. An element's mass, density times volume, does
+    not change with time. Without a `body` it is a sum over members, which have no volume.
+    """
+
+    density: Symbol
+    over: tuple[Symbol, ...]
+    body: str = r"\mathcal{B}"
+
+    def _measured(self) -> Measure:
+        return scaled(measured(self.of), LENGTH**3 if self.body and is_measured(self.density) else NO_DIMENSION)
+
+    @property
+    def running(self) -> frozenset[Symbol]:
+        """The symbols that differ from element to element."""
+        return frozenset((self.density, *self.over))
 
 
 @word

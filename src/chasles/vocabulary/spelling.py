@@ -12,9 +12,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
 
-from chasles.vocabulary.body import Integral
 from chasles.vocabulary.families import Entry, Kronecker, Member
-from chasles.vocabulary.layout import At, Block, Call, Group, Rate
+from chasles.vocabulary.layout import At, Block, Call, Group, Integral, Rate
 from chasles.vocabulary.letters import Identity, Symbol, Zero
 from chasles.vocabulary.nodes import Contract, Negative, Node, Number, Power, Quotient, Scale, Sum, Transpose
 from chasles.vocabulary.pieces import Piece, Precedence, Style

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from chasles.vocabulary.arguments import Declared, WrongArgument, declaring
-from chasles.vocabulary.body import Integral
 from chasles.vocabulary.fitting import word
+from chasles.vocabulary.layout import Integral
 from chasles.vocabulary.letters import Symbol
 from chasles.vocabulary.measure import uniform
 from chasles.vocabulary.nodes import Node, Number, lifted

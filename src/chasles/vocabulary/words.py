@@ -8,9 +8,8 @@ from fractions import Fraction
 from math import inf
 
 from chasles.vocabulary.arguments import WrongArgument, declaring, declaring_module, making
-from chasles.vocabulary.body import Integral
 from chasles.vocabulary.dimension import NO_DIMENSION, Dimension, has_units
-from chasles.vocabulary.layout import At, Block, Call, Group, Rate
+from chasles.vocabulary.layout import At, Block, Call, Group, Integral, Rate
 from chasles.vocabulary.letters import Symbol, Zero
 from chasles.vocabulary.measure import Extent, Measure, uniform
 from chasles.vocabulary.nodes import Node, Quotient, lifted

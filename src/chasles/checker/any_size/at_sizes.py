@@ -10,9 +10,8 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from chasles import vocabulary as w
-from chasles.checker.determinants import Matrix, cofactor, determinant
 from chasles.checker.expansion import expanded, scaled
-from chasles.checker.sparse import Rejected
+from chasles.checker.sparse import Matrix, Rejected, cofactor, determinant
 from chasles.checker.witness import root_of
 from chasles.statements import Hypothesis, Problem
 from chasles.vocabulary.functions import FunctionOf

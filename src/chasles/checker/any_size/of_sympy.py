@@ -14,8 +14,7 @@ from sympy.matrices import MatrixExpr
 from chasles import vocabulary as w
 from chasles.checker.certificate import check
 from chasles.checker.expressions.asked import listed
-from chasles.checker.expressions.assumptions import NUMBERS, SIGNS
-from chasles.checker.expressions.quantities import require_real
+from chasles.checker.expressions.quantities import NUMBERS, SIGNS, require_real
 from chasles.checker.refutation import check_counterexample
 from chasles.checker.sparse import Rejected
 from chasles.statements import Claim, Condition, Definition, Hypothesis, Problem, positive, problem_of

@@ -13,8 +13,7 @@ from itertools import chain
 
 from chasles import vocabulary as w
 from chasles.checker.any_size.free_algebra import Words, added
-from chasles.checker.any_size.free_blocks import Blocks, differences, key_of, multiplied, plus, stacked
-from chasles.checker.any_size.free_determinants import Determinants
+from chasles.checker.any_size.free_blocks import Blocks, Determinants, differences, key_of, multiplied, plus, stacked
 from chasles.checker.any_size.known_relations import KnownRelations
 from chasles.checker.sparse import Rejected
 from chasles.statements import Goal, Problem

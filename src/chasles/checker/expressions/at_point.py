@@ -10,13 +10,11 @@ from typing import Any
 import sympy
 
 from chasles.checker.expressions.algebra import constant
-from chasles.checker.expressions.assumptions import NUMBERS, SIGNS, is_so
 from chasles.checker.expressions.expressions import Circle, Expressions
-from chasles.checker.expressions.quantities import is_atom
+from chasles.checker.expressions.quantities import NUMBERS, SIGNS, is_atom, is_so
 from chasles.checker.expressions.reals import Reals
-from chasles.checker.expressions.symbolic import Symbolic
+from chasles.checker.expressions.symbolic import Symbolic, UnknownValue, Valuation
 from chasles.checker.expressions.turns import turned
-from chasles.checker.expressions.valuation import UnknownValue, Valuation
 from chasles.checker.expressions.visible import is_running
 from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, exponents, number
 

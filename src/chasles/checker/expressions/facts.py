@@ -9,7 +9,6 @@ from itertools import combinations_with_replacement
 from operator import add
 from typing import Any
 
-from chasles.checker.determinants import cofactor, determinant
 from chasles.checker.expressions.algebra import primitive
 from chasles.checker.expressions.asked import Asked, GivenEquation
 from chasles.checker.expressions.complexes import differences
@@ -17,7 +16,7 @@ from chasles.checker.expressions.motion import time_of
 from chasles.checker.expressions.rates import MOST_RATES
 from chasles.checker.expressions.reading_of_proof import Proven
 from chasles.checker.expressions.signs import is_nonnegative, is_positive
-from chasles.checker.sparse import ONE, Polynomial, Rejected, number, parsed, variable
+from chasles.checker.sparse import ONE, Polynomial, Rejected, cofactor, determinant, number, parsed, variable
 
 LABEL = re.compile(r"(exp given|log given|given|frame|equal|zero|root|square) (\S+)(?: (\d+),(\d+))?(?: d(\d+))?")
 MOVING = ("given", "frame", "square")

@@ -12,9 +12,9 @@ from functools import reduce
 from operator import and_
 
 from chasles.checker.expressions.algebra import constant, primitive
-from chasles.checker.expressions.elementary import FUNCTIONS
 from chasles.checker.expressions.factoring import Terms, quotient, terms_of
 from chasles.checker.expressions.known_roots import KnownRoots
+from chasles.checker.expressions.readings import FUNCTIONS
 from chasles.checker.expressions.signs import is_positive
 from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, exponents, number, packed, variable
 

@@ -14,7 +14,7 @@ from chasles.checker.expressions.asked import Asked
 from chasles.checker.expressions.at_point import AtPoint
 from chasles.checker.expressions.complexes import differences, parts
 from chasles.checker.expressions.facts import Facts
-from chasles.checker.expressions.given import require_given
+from chasles.checker.expressions.motion import require_given
 from chasles.checker.expressions.needs import require_needs
 from chasles.checker.expressions.reading_of_proof import Proven
 from chasles.checker.expressions.signs import may_vanish

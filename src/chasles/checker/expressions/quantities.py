@@ -1,4 +1,7 @@
-"""Which SymPy expressions are real quantities by themselves, the variables of a question, and values of them."""
+"""Which SymPy expressions are real quantities by themselves, the variables of a question, and values of them.
+
+What SymPy assumes of a quantity is its sign and what kind of number it is.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +13,9 @@ from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 from sympy.matrices.expressions.matexpr import MatrixElement
 
-from chasles.checker.sparse import Rejected
+from chasles.checker.expressions.algebra import constant
+from chasles.checker.expressions.reals import Reals
+from chasles.checker.sparse import Polynomial, Rejected
 
 COMPARING = (sympy.Piecewise, Relational, sympy.sign, sympy.Heaviside, sympy.atan2, sympy.arg)
 
@@ -78,3 +83,33 @@ def rebuilt(e: Any, parts: Sequence[Any]) -> Any:
     """The same of other parts, its comparisons as they stand: SymPy (1.14) takes atan(n) for positive if n >= 0."""
     compared = isinstance(e, COMPARING) and any(part.free_symbols for part in parts)
     return e.func(*parts, evaluate=False) if compared or isinstance(e, sympy.Piecewise) else e.func(*parts)
+
+
+SIGNS = {
+    "positive": (1,), "negative": (-1,), "nonnegative": (0, 1), "nonpositive": (-1, 0),
+    "zero": (0,), "nonzero": (-1, 1),
+}  # fmt: skip
+NUMBERS = (
+    "integer", "noninteger", "even", "odd", "prime", "composite", "rational", "irrational", "algebraic",
+    "transcendental",
+)  # fmt: skip
+"""What SymPy may assume of a quantity: its sign, and what kind of number it is."""
+
+
+def is_so(point: Reals, value: Polynomial, assumption: str) -> bool | None:
+    """Whether a number is what SymPy assumes; None where that is not known."""
+    if assumption in SIGNS:
+        return point.sign(value) in SIGNS[assumption]
+    numerator, below = point.cleared(value)
+    known = constant(numerator)
+    if known is not None and not below:
+        return bool(getattr(sympy.Rational(known.numerator, known.denominator), f"is_{assumption}"))
+    if point.sign(value) < 0 and assumption in ("prime", "composite"):
+        return False
+    if len(numerator.places) > 1 or below:
+        return None
+    # A multiple of pi, or of another arctangent of a rational number, is transcendental (Lindemann).
+    transcendental = not numerator.places & point.squares.keys()
+    if transcendental or len(numerator.terms) == 1:
+        return assumption in ("irrational", "noninteger", "transcendental" if transcendental else "algebraic")
+    return {"algebraic": True, "transcendental": False}.get(assumption)

@@ -16,8 +16,8 @@ from chasles.checker.expressions.algebra import constant
 from chasles.checker.expressions.arcs import Arcs
 from chasles.checker.expressions.asked import Asked
 from chasles.checker.expressions.functions import Functions
-from chasles.checker.expressions.given import eliminate_angle
 from chasles.checker.expressions.known_roots import KnownRoots
+from chasles.checker.expressions.motion import eliminate_angle
 from chasles.checker.expressions.quantities import atoms_of
 from chasles.checker.expressions.rates import MOST_RATES
 from chasles.checker.expressions.spoken import Spoken

@@ -9,9 +9,8 @@ from collections.abc import Mapping
 import sympy
 
 from chasles.checker.expressions.algebra import constant
-from chasles.checker.expressions.elementary import FUNCTIONS
 from chasles.checker.expressions.expressions import Expressions
-from chasles.checker.expressions.readings import CIRCULAR
+from chasles.checker.expressions.readings import CIRCULAR, FUNCTIONS
 from chasles.checker.sparse import ONE, Polynomial, Rejected, number
 
 

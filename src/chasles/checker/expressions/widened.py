@@ -19,14 +19,13 @@ from typing import Any
 import sympy
 from sympy.core.function import AppliedUndef
 
-from chasles.checker.expressions.assumptions import NUMBERS, SIGNS
 from chasles.checker.expressions.cases import CheckedCase
 from chasles.checker.expressions.complexes import Parts
 from chasles.checker.expressions.enclosed import BITS, HOLDING, LARGEST_EXPONENT, EnclosedValues, vanishes
 from chasles.checker.expressions.generalised import Generalised
 from chasles.checker.expressions.intervals import Enclosure
 from chasles.checker.expressions.needs import RELATIONS
-from chasles.checker.expressions.quantities import atoms_of, require_independent
+from chasles.checker.expressions.quantities import NUMBERS, SIGNS, atoms_of, require_independent
 from chasles.checker.expressions.remainders import Floor, at_integer
 from chasles.checker.sparse import Rejected
 
