@@ -21,7 +21,8 @@ from typing import Any
 import pytest
 
 from chasles.checker.certificate import Rejected, check
-from chasles.checker.reading import MOST_REPLACED, PolynomialProblem
+from chasles.checker.division import MOST_REPLACED
+from chasles.checker.reading import PolynomialProblem
 from chasles.checker.refutation import check_counterexample
 from chasles.checker.sparse import Polynomial, exponents, limited, parsed, variable
 from chasles.decisions.session import Session

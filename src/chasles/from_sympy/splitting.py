@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import partial
@@ -27,6 +27,7 @@ from chasles.from_sympy.opening import Entries, atoms_of, opened, sides
 from chasles.from_sympy.remainders import modulus_of
 from chasles.from_sympy.sampling import Sampling, exactly
 from chasles.from_sympy.side_conditions import listed, nonvanishing
+from chasles.from_sympy.thresholds import thresholds
 from chasles.problems.variables import Untreatable
 from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, Undecided, Verdict
 
@@ -99,13 +100,16 @@ class Splitting:
         sampling = Sampling(self._left, self._right, self._rows, whole.pairs, whole.nonzero, self._met, still)
         self.needs |= dict.fromkeys(taken_as_real((self.lhs, self.rhs, self.given, self.nonzero)))
         self.needs |= dict.fromkeys(ways[0] for ways in whole.required())
-        whole = whole.each(partial(at_integer, put={}))
+        whole, before = whole.each(partial(at_integer, put={})), {**self.needs}
         switched = self._switched()
         tree = self._proved(whole) if switched else self._decided(whole)
         if tree is None and not switched and whole.switches():
             tree = self._proved(whole)
+        found = None if tree else sampling.counterexample() or self._refuted()
+        if tree is None and found is None:
+            self.needs, factors = before, thresholds(whole)
+            tree = self._proved(whole, factors) if factors else None
         if tree is None:
-            found = sampling.counterexample() or self._refuted()
             if found is None and self._refused is not None:
                 raise self._refused
             return Fails(found) if found else Undecided("a remainder is left, and no counterexample was found")
@@ -121,8 +125,11 @@ class Splitting:
         certificate = {**tree, "witness": said}
         return HoldsUnder(tuple(needs), certificate, witness) if needs else Holds(certificate, witness)
 
-    def _proved(self, case: CheckedCase) -> Mapping[str, Any] | None:
-        """The certificates of a case's cases; None if one is not proved."""
+    def _proved(self, case: CheckedCase, factors: Sequence[Any] | None = None) -> Mapping[str, Any] | None:
+        """The certificates of a case's cases; None if one is not proved.
+
+        The cases are those of the signs of some factors, one after the other, or of what decides the forms.
+        """
         if case.lost:
             self.needs[case.lost] = None
         if case.lost or case.impossible:
@@ -137,24 +144,27 @@ class Splitting:
             return {"impossible": True}
         turning = modulus_of(case.spoken)
         if turning:
-            said = str(turning[0]), turning[1], self._fresh("k")
-            by_remainder = self._each(case.split_by_remainder(*said))
-            return by_remainder and {"remainders": [*said], **by_remainder}
-        factor = next((e for e in deciding(case.switches()) if case.sign(e) is None), None)
+            by = str(turning[0]), turning[1], self._fresh("k")
+            by_remainder = self._each(case.split_by_remainder(*by), factors)
+            return by_remainder and {"remainders": [*by], **by_remainder}
+        open_ = case.switches()
+        here = sorted((sympy.expand(case.here(e)) for e in factors or ()), key=lambda e: len(e.free_symbols))
+        said = deciding(open_) if factors is None else here
+        factor = next((e for e in said if case.sign(e) is None), None) if open_ else None
         if factor is None:
-            return self._decided(case)
+            return self._decided(case) if factors is None or not open_ else None
         on = {"on": str(factor), "size": self._fresh("d")}
-        by_sign = self._each(case.split(on["on"], on["size"]))
+        by_sign = self._each(case.split(factor, on["size"]), factors)
         return by_sign and {**on, **by_sign}
 
-    def _each(self, cases: Mapping[str, CheckedCase]) -> dict[str, Any] | None:
+    def _each(self, cases: Mapping[str, CheckedCase], factors: Sequence[Any] | None) -> dict[str, Any] | None:
         """The certificates of some cases by their names; None if one is not proved, or there are too many."""
         self._cases += len(cases) - 1
         if self._cases > MOST:
             return None
         parts: dict[str, Any] = {}
         for name, case in cases.items():
-            found = self._proved(case)
+            found = self._proved(case, factors)
             if found is None:
                 return None
             parts[name] = found

@@ -14,6 +14,7 @@ ON_DEMAND = (
     "chasles.checker.any_size.at_sizes",
     "chasles.checker.expressions.induction",
     "chasles.checker.expressions.scalars",
+    "chasles.checker.expressions.slopes",
     "chasles.checker.inequalities.squares",
     "chasles.statements.bounds",
     "chasles.statements.expanding",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import partial, reduce
 from itertools import combinations
@@ -19,6 +19,7 @@ from chasles.checker.expressions.remainders import MOST_PARTS, at_integer
 from chasles.checker.expressions.switches import SWITCHES, deciding, factored, visible_signs
 from chasles.checker.sparse import Rejected
 
+MOST_SLOPES = 5
 Pairs = tuple[tuple[Any, Any], ...]
 
 
@@ -82,7 +83,7 @@ class CheckedCase:
         """The case with everything written out whose form is decided by known signs."""
         case = self
         while True:
-            values = ((part, written(part, case.sign)) for part in case.switches())
+            values = ((part, written(part, partial(case._deciding_sign, part))) for part in case.switches())
             if (put := next(({part: value} for part, value in values if value is not None), None)) is None:
                 return case
             case = replace(case.each(partial(with_values, put=put)), equations=case.equations, facts=case.facts)
@@ -112,11 +113,27 @@ class CheckedCase:
         signs = [sign_of_number(constant), *(self.sign(factor) for factor, power in factors for _ in range(int(power)))]
         return None if None in signs else prod(sign for sign in signs if sign is not None)
 
-    def split(self, text: str, size: str) -> dict[str, CheckedCase]:
-        """The cases in which a factor of what decides some form is positive, zero and negative."""
-        factor = next((f for f in deciding(self.switches()) if str(f) == text), None)
-        if factor is None:
-            raise Rejected(f"the sign of {text} decides nothing")
+    def signs(self, e: Any, slopes: int = MOST_SLOPES) -> frozenset[int]:
+        """The signs that an expression may have, at most so many derivatives being taken one of the other."""
+        sign = self.sign(e)
+        found = visible_signs(sympy.expand(e)) if sign is None else frozenset((sign,))
+        if len(found) < 3 or e.is_rational_function():
+            return found
+        from chasles.checker.expressions.slopes import by_slope  # few questions are of inequalities between functions
+
+        return by_slope(self, e, slopes)
+
+    def _deciding_sign(self, part: Any, e: Any) -> int | None:
+        """The sign by which a part is written out; one of two, where it is the same if something vanishes."""
+        signs, either = self.signs(e), isinstance(part, sympy.Abs | sympy.Max | sympy.Min)
+        return next((side for side in (1, -1, 0) if signs <= {side, 0 if either else side}), None)
+
+    def split(self, factor: Any, size: str) -> dict[str, CheckedCase]:
+        """The cases in which something is positive, zero and negative: what decides some form, or a polynomial."""
+        symbols = factor.free_symbols & {*self.named.values()}
+        terms = sympy.Poly(factor, *symbols).coeffs() if symbols and factor.is_polynomial(*symbols) else [factor]
+        if None in map(sign_of_number, terms) and factor not in deciding(self.switches()):
+            raise Rejected(f"the sign of {factor} decides nothing")
         if not isinstance(size, str) or size in self.names:
             raise Rejected(f"the symbol {size} is not new")
         positive = sympy.Symbol(size, positive=True)
@@ -144,11 +161,12 @@ class CheckedCase:
 
     def _with(self, factor: Any, sign: int, positive: Any) -> CheckedCase:
         zeros = self.zeros if sign else (*self.zeros, self.back(factor))
-        atom = self._free(factor)
-        if atom is None or sign not in visible_signs(factor):
+        values = {e: sympy.expand(e + (sign * positive - factor) / sympy.diff(factor, e)) for e in self._free(factor)}
+        if not values or sign not in visible_signs(factor):
             equations = self.equations if sign else (*self.equations, factor)
             return replace(self, equations=equations, facts=(*self.facts, (factor, sign)), zeros=zeros)
-        value = sympy.expand(atom + (sign * positive - factor) / sympy.diff(factor, atom))
+        seen = ((e, value) for e, value in values.items() if not e.is_positive or visible_signs(value) == {1})
+        atom, value = next(seen, next(iter(values.items())))
         put = {atom: value}
         if sympy.expand(factor.xreplace(put) - sign * positive) != 0:
             raise Rejected(f"{factor} is not solved for {atom}")
@@ -159,15 +177,14 @@ class CheckedCase:
         case = replace(case, values=(*self.values, (atom, value)), inside=self.within())
         return replace(case, meant=meant, lost=self._lost(case, put))
 
-    def _free(self, factor: Any) -> Any:
-        """A symbol in which the factor is linear with a rational coefficient, and which may have any value."""
+    def _free(self, factor: Any) -> Iterator[Any]:
+        """The symbols in which the factor is linear with a rational coefficient, and which may have any value."""
         inside = {s for e in (*self.spoken, *self.equations) for f in e.atoms(AppliedUndef, sympy.Derivative)
                   for s in f.free_symbols}  # fmt: skip
         for symbol in sorted(factor.free_symbols - inside, key=str):
             slope = sympy.diff(factor, symbol) if factor.is_polynomial(symbol) else sympy.nan
             if slope.is_Rational and slope != 0 and all(getattr(symbol, f"is_{kind}") is None for kind in NUMBERS):
-                return symbol
-        return None
+                yield symbol
 
     def _lost(self, case: CheckedCase, put: Mapping[Any, Any]) -> str:
         """A divisor that vanishes in a case, or a radicand that is negative, outside of conditions; "" if none does."""

@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from fractions import Fraction
 from itertools import chain, islice
-from math import gcd
+from math import comb, gcd
 
 from chasles.checker.expressions.algebra import primitive
 from chasles.checker.expressions.factoring import Terms, divides
 from chasles.checker.expressions.symbolic import Symbolic
 from chasles.checker.sparse import ZERO, Polynomial, exponents, number, packed, variable
 
-MOST_SQUARES, MOST_TERMS, MOST_BOUNDS = 6, 8, 2
-"""So many squares are completed, each with fewer terms; and so often a bound of roots or of an angle is taken."""
+MOST_SQUARES, MOST_TERMS, MOST_BOUNDS, MOST_PARTS, LARGEST_DEGREE = 6, 8, 2, 32, 60
+"""So many squares are completed, each with fewer terms; so often a bound of roots or of an angle is taken; and so often
+a half line is divided, for polynomials in one variable up to this degree."""
 Sign = tuple[int, bool]
 """1 or -1, and whether it cannot be zero."""
 
@@ -74,7 +75,7 @@ def _strictly(
 
     It is more by a square than what is left when that is completed; after the first one they are taken in order.
     """
-    if (strict := _by_terms(reading, polynomial)) is not None:
+    if (strict := _by_terms(reading, polynomial)) is not None or (strict := _in_one(reading, polynomial)) is not None:
         return strict
     for rest in islice(_completed(polynomial), None if squares == MOST_SQUARES else min(squares, 1)):
         if (strict := _strictly(reading, reading.normal(rest), squares - 1, bounds)) is not None:
@@ -83,6 +84,40 @@ def _strictly(
         if all(_strictly(reading, reading.normal(each), bounds=bounds - 1) is not None for each in needed):
             return False
     return None
+
+
+def _in_one(reading: SignedReading, polynomial: Polynomial) -> bool | None:
+    """The same for a polynomial in one variable, or one cosine, wherever that may be."""
+    (place, *others) = polynomial.places or {-1}
+    degree = max(polynomial.terms, default=0) >> 16 * max(place, 0)
+    if others or place < 0 or degree > LARGEST_DEGREE:
+        return None
+    line = [polynomial.terms.get(packed(place, k), 0) for k in range(degree + 1)]
+    if bounded := any(place in c.places | s.places for _, c, s in reading.circles.values()):
+        # What is between -1 and 1 is -1 + 2/(1 + t) for a positive t.
+        line = _shifted([c << k for k, c in enumerate(_shifted(line, -1))][::-1])
+    known = (1, False) if bounded else _of_variable(reading, place)
+    whole = bool(getattr(reading.atoms.get(place), "is_integer", False))
+    halves = [[c * side**k for k, c in enumerate(line)] for side in ((known[0],) if known else (1, -1))]
+    ends = [line[-1]] * bounded + [line[0]] * (not known or not known[1]) + [sum(half) for half in halves if whole]
+    found = [_on_half_line(_shifted(half) if whole else half) for half in halves]
+    return None if None in found or min(ends, default=1) < 0 else all(found) and min(ends, default=1) > 0
+
+
+def _shifted(line: list[int], by: int = 1) -> list[int]:
+    """The coefficients of a polynomial where the variable is more by a number."""
+    return [sum(comb(k, j) * by ** (k - j) * c for k, c in enumerate(line[j:], j)) for j in range(len(line))]
+
+
+def _on_half_line(line: list[int], parts: int = MOST_PARTS) -> bool | None:
+    """Whether a polynomial is positive, or not negative, wherever its variable is positive; None for neither.
+
+    It is divided at one until no coefficient is negative, by Vincent's theorem (Akritas and Strzebonski 2005).
+    """
+    if min(line) >= 0 or not parts or min(line[0], line[-1], sum(line)) < 0:
+        return True if min(line) >= 0 else None
+    found = [_on_half_line(_shifted(part), parts - 1) for part in (line, line[::-1])]
+    return None if None in found else all(found) and sum(line) > 0
 
 
 def _by_roots(reading: SignedReading, polynomial: Polynomial) -> Iterator[tuple[Polynomial, ...]]:

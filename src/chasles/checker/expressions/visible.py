@@ -6,7 +6,8 @@ Of SymPy's assumptions those on symbols are believed, and none that it makes of 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import suppress
 from functools import cache, lru_cache
 from typing import Any
 
@@ -15,7 +16,7 @@ import sympy
 from chasles.checker.expressions.complexes import OF_COMPLEX
 from chasles.checker.expressions.quantities import NUMBERS, SIGNS, atoms_of, is_atom, is_unreal, require_real
 from chasles.checker.expressions.remainders import Floor
-from chasles.checker.expressions.signs import SignedReading, is_nonnegative, may_vanish
+from chasles.checker.expressions.signs import SignedReading, is_nonnegative, is_positive, may_vanish
 from chasles.checker.sparse import Rejected, limited
 
 MOST_PRODUCTS = 10_000
@@ -29,6 +30,28 @@ INHERITED = {
     **dict.fromkeys((sympy.sinh, sympy.tanh, sympy.asinh, sympy.atan, sympy.erf, sympy.log), tuple(SIGNS)),
 }  # fmt: skip
 """And what they are where their arguments are so; a logarithm, where it is so of one less."""
+
+
+def _part(e: Any, **kinds: bool) -> Any:
+    """What is less than one, and not negative."""
+    return _symbol(e, **kinds) / (1 + _symbol(e, **kinds))
+
+
+@lru_cache(maxsize=4096)
+def _symbol(_: Any, **kinds: bool) -> Any:
+    """The same for the same value."""
+    return sympy.Dummy(**{**kinds, "real": True})
+
+
+BOUNDS: Mapping[type, Callable[[Any], Any]] = {
+    **dict.fromkeys((sympy.tanh, sympy.erf), lambda e: 2 * _part(e, positive=True) - 1),
+    sympy.atan: lambda e: sympy.pi * _part(e, positive=True) - sympy.pi / 2,
+    sympy.asin: lambda e: sympy.pi / 2 * sympy.cos(_symbol(e)), sympy.atan2: lambda e: sympy.pi * sympy.cos(_symbol(e)),
+    sympy.acos: lambda e: sympy.pi / 2 * (1 + sympy.cos(_symbol(e))),
+    Floor: lambda e: _bounded(e.args[0]) - _part(e, nonnegative=True),
+    **dict.fromkeys((sympy.sin, sympy.cos), lambda e: e.func(_bounded(e.args[0]))),
+}  # fmt: skip
+"""Between what values are: parts of a whole, and cosines of some angle."""
 LEAST = {"composite": 4, "prime": 2, "positive": 1, "negative": 1, "nonnegative": 0, "nonpositive": 0}
 """The least size of an integer of which this is so."""
 
@@ -36,19 +59,21 @@ LEAST = {"composite": 4, "prime": 2, "positive": 1, "negative": 1, "nonnegative"
 @lru_cache(maxsize=4096)
 def signs_of(e: Any) -> frozenset[int]:
     """The signs that the values of an expression may have, where it has real ones."""
-    try:
-        with limited(MOST_PRODUCTS):  # what is remembered takes no part of the work that is left to others
-            return frozenset(_signs(SignedReading({}, {}), e))
-    except Rejected:
-        return frozenset((-1, 0, 1))
+    found = frozenset((-1, 0, 1))
+    for write in (_without_calls, _bounded) if e.has(*BOUNDS) else (_without_calls,):
+        with suppress(Rejected), limited(MOST_PRODUCTS):  # what is remembered takes no part of what is left to others
+            found &= frozenset(_signs(SignedReading({}, {}), e, write))
+    return found
 
 
-def _signs(reading: SignedReading, e: Any) -> Iterator[int]:
+def _signs(reading: SignedReading, e: Any, write: Callable[[Any], Any]) -> Iterator[int]:
     for atom in atoms_of(e):
         require_real(atom)
     if e.has(*OF_COMPLEX):
         raise Rejected(f"{e} is not seen to be real")
-    value = reading.normal(reading(_without_calls(e)))
+    value = reading.normal(reading(write(e)))
+    numerator, below = reading.cleared(value)
+    value = numerator if all(is_positive(reading, reading.inverses[place]) for place in below) else value
     if value and not is_nonnegative(reading, -value):
         yield 1
     if value and not is_nonnegative(reading, value):
@@ -78,17 +103,22 @@ def assumed_of(e: Any) -> dict[str, bool]:
     return known | {ALWAYS[call.func]: True} if call.func in ALWAYS else known
 
 
-def _without_calls(e: Any) -> Any:
+def _bounded(e: Any) -> Any:
+    """The same with what values are between in place of their symbols."""
+    return BOUNDS[e.func](e) if e.func in BOUNDS else _without_calls(e, _bounded)
+
+
+def _without_calls(e: Any, write: Callable[[Any], Any] | None = None) -> Any:
     """The expression with a symbol for each call, and integers by others that are not negative."""
     if is_atom(e) or not e.args:
         return _counted(e) if e.is_Symbol else e
     if isinstance(e, sympy.Add | sympy.Mul) or (e.is_Pow and e.exp.is_Rational and not e.exp.q & (e.exp.q - 1)):
-        return e.func(*map(_without_calls, e.args))
+        return e.func(*map(write or _without_calls, e.args))
     if e.is_Pow:
-        return sympy.Dummy(**kinds_of(signs_of(e.base)))
+        return _symbol(e, **kinds_of(signs_of(e.base)))
     if e.func not in ALWAYS | INHERITED or (isinstance(e, sympy.log | sympy.gamma) and signs_of(e.args[0]) != {1}):
-        return sympy.Dummy()
-    return sympy.Dummy(**{**assumed_of(e), "real": True})
+        return _symbol(e)
+    return _symbol(e, **assumed_of(e))
 
 
 @cache

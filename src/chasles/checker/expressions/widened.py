@@ -27,6 +27,7 @@ from chasles.checker.expressions.intervals import Enclosure
 from chasles.checker.expressions.needs import RELATIONS
 from chasles.checker.expressions.quantities import NUMBERS, SIGNS, atoms_of, require_independent
 from chasles.checker.expressions.remainders import Floor, at_integer
+from chasles.checker.expressions.switches import deciding
 from chasles.checker.sparse import Rejected
 
 PLAIN = re.compile(r"[A-Za-z0-9_+\-*/(), .\[\]]*")
@@ -101,8 +102,11 @@ class _Widened:
         if "cases" not in node:
             self._leaf(case, node)
             return
-        by_remainder = "remainders" in node
-        parts = case.split_by_remainder(*node["remainders"]) if by_remainder else case.split(node["on"], node["size"])
+        if "remainders" in node:
+            parts = case.split_by_remainder(*node["remainders"])
+        else:
+            factors = (factor for factor in deciding(case.switches()) if str(factor) == node["on"])
+            parts = case.split(next(factors, None) or plain_expression(node["on"], case.named), node["size"])
         for name, part in parts.items():
             self.tree(part, node["cases"][name])
 

@@ -1,0 +1,101 @@
+"""Inequalities by signs of polynomials in one variable, by bounds of functions and by their slopes; traps for each."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from random import Random
+
+import pytest
+import sympy as sp
+from sympy import Rational, acos, asin, atan, cos, cosh, erf, exp, floor, log, pi, sin, sqrt, tanh
+
+from chasles.checker.expressions.cases import CheckedCase
+from chasles.checker.expressions.visible import signs_of
+from chasles.prove import Rejected, prove, recheck
+from chasles.verdict import Holds, HoldsUnder
+
+x, y = sp.symbols("x y")
+p, q, r = sp.symbols("p q r", positive=True)
+d = sp.Symbol("d", positive=True)
+n = sp.Symbol("n", integer=True)
+
+TRUE = [
+    x**4 - x + 1 > 0, x**6 - x**3 + 1 > 0, n**2 >= n, 3 * p**2 + 1 > 3 * p, cos(x) ** 4 + 1 > cos(x),
+    x - 1 < floor(x), floor(x) + floor(-x) <= 0, sp.Mod(x, 3) < 3, atan(x) < pi / 2, acos(x) <= pi,
+    asin(x * y) <= pi / 2,
+    sp.Abs(sp.atan2(y, x)) <= pi, tanh(x) ** 2 < 1, erf(x) > -1, sin(x) + cos(x) <= sqrt(2),
+    exp(x) >= 1 + x, log(p) <= p - 1, sin(p) < p, exp(-p) < 1, tanh(p) < p, cos(x) >= 1 - x**2 / 2,
+    x * exp(-x) <= 1 / sp.E,
+    log(1 + p) > p / (1 + p), cosh(x) >= 1 + x**2 / 2, log(p / q) <= p / q - 1,
+    exp(x + y) >= 1 + x + y, (p + q) * (q + r) * (r + p) >= 8 * p * q * r, p**3 + q**3 + r**3 >= 3 * p * q * r,
+]  # fmt: skip
+NOT_TRUE = [
+    x**4 - 2 * x + 1 > 0, x**3 > x, n**2 >= 2 * n, cos(x) ** 2 > 0, x < floor(x), sp.Mod(x, 3) < 2,
+    atan(x) < pi / 2 - Rational(1, 9),
+    exp(x) > 1 + x, exp(x) >= 1 + 2 * x, exp(x) >= 1 + x + x**2 / 2, log(p) < p - 1, sin(x) < x, tanh(p) < p / 2,
+    cos(x) > 1 - x**2 / 2, 1 - cos(p) > 0, sin(p) > 0, log(p) > 0, 1 / (1 - p) > 0, sqrt(p) > p,
+    x**2 + y**2 > 2 * x * y,
+]  # fmt: skip
+
+
+@pytest.mark.sampled(6)
+@pytest.mark.parametrize("claim", TRUE, ids=str)
+def test_what_is_true_is_proved_and_the_checker_follows(claim: sp.Rel) -> None:
+    verdict = prove(claim)
+    assert isinstance(verdict, Holds)
+    recheck(verdict, claim)
+
+
+@pytest.mark.sampled(6)
+@pytest.mark.parametrize("claim", NOT_TRUE, ids=str)
+def test_what_is_not_always_so_is_not_proved(claim: sp.Rel) -> None:
+    verdict = prove(claim)
+    assert not isinstance(verdict, Holds)
+    if isinstance(verdict, HoldsUnder):
+        assert verdict.needs[-1].endswith(" != 0")  # the sign of what may be zero: a difference of both sides
+
+
+def test_signs_of_polynomials_are_those_that_their_zeros_leave() -> None:
+    random = Random(1)
+    for _ in range(15):
+        factors = [x - random.randint(-2, 2) for _ in range(random.randint(0, 3))]
+        e = sp.expand(
+            sp.prod(factors) * (x**2 + random.randint(-1, 3)) ** random.randint(1, 2) + random.choice((0, 0, 1))
+        )
+        values = {int(sp.sign(e.subs(x, Rational(k, 8)))) for k in range(-24, 25)}
+        zeros = sp.Poly(e, x).count_roots() > 0
+        assert signs_of(e) >= values | ({0} if zeros else set())
+        if not {1, -1} <= values and not e.has(sp.sqrt(2)):
+            assert signs_of(e) <= values | {0} or sp.Poly(e, x).count_roots() > 0
+
+
+@pytest.mark.parametrize(
+    ("e", "facts", "signs"),
+    [
+        (exp(d) - 1 - d, (), {1}),
+        (d - sin(d), (), {1}),
+        (1 - cos(d), (), {0, 1}),
+        (log(1 - d) + d, ((1 - d, 1),), {-1}),
+        (log(1 - d) + d, (), {-1, 0, 1}),  # not real for all d
+        (log(d) - d, (), {-1, 0, 1}),  # not so from zero on
+        (exp(d) / (1 - d) - 1, (), {-1, 0, 1}),  # a pole between
+        (exp(d) - 2 * d - 1, ((d - 5, 1),), {-1, 0, 1}),  # the fact does not hold before
+        (exp(sp.Abs(d - 1)) - exp(1) + d, (), {-1, 0, 1}),  # not smooth
+        (sin(pi * n) + exp(n) - 1, (), {-1, 0, 1}),  # of an integer nothing is differentiated
+    ],
+    ids=str,
+)
+def test_slopes_say_signs_where_a_function_is_smooth_and_all_known_holds_before(
+    e: sp.Expr, facts: tuple[tuple[sp.Expr, int], ...], signs: set[int]
+) -> None:
+    case = CheckedCase(((e,), (sp.S.Zero,)), (), (), facts=facts)
+    assert case.signs(e) == signs
+
+
+@pytest.mark.parametrize("on", ["sqrt(-1)*x", "x*w", "exp(x)", "1", "x + oo", "__import__('os')"])
+def test_cases_of_what_is_no_polynomial_are_rejected(on: str) -> None:
+    claim = exp(x) >= 1 + x
+    verdict = prove(claim)
+    assert isinstance(verdict, Holds)
+    with pytest.raises(Rejected):
+        recheck(replace(verdict, certificate={**verdict.certificate, "on": on}), claim)
