@@ -12,8 +12,7 @@ import sympy
 
 from chasles.checker.expressions.defined_functions import defined_by
 from chasles.checker.expressions.generalised import Generalised
-from chasles.checker.expressions.readings import CIRCULAR
-from chasles.checker.expressions.remainders import MOST_PARTS
+from chasles.checker.expressions.readings import CIRCULAR, MOST_PARTS
 from chasles.checker.sparse import Rejected
 from chasles.from_sympy.enclosures import Enclosures
 from chasles.from_sympy.opening import atoms_of

@@ -11,8 +11,7 @@ from sympy.core.function import AppliedUndef
 from sympy.functions.elementary.trigonometric import InverseTrigonometricFunction
 
 from chasles.checker.expressions.quantities import is_atom
-from chasles.checker.expressions.readings import CIRCULAR
-from chasles.checker.expressions.remainders import is_whole
+from chasles.checker.expressions.readings import CIRCULAR, is_whole
 from chasles.from_sympy.angles_between import between, closed
 from chasles.from_sympy.atoms import assumed_of
 from chasles.from_sympy.complex_symbols import expressions_in

@@ -12,8 +12,7 @@ from typing import Any
 import sympy
 from sympy.core.function import AppliedUndef
 
-from chasles.checker.expressions.readings import CIRCULAR
-from chasles.checker.expressions.remainders import Floor, is_whole
+from chasles.checker.expressions.readings import CIRCULAR, Floor, is_whole
 from chasles.from_sympy.opening import parts_of
 
 LARGEST_MODULUS = 60

@@ -14,7 +14,7 @@ from sympy.core.function import AppliedUndef
 from chasles.checker.expressions.cases import CheckedCase
 from chasles.checker.expressions.defined_functions import VALUED
 from chasles.checker.expressions.generalised import is_numeric, is_root_of_number
-from chasles.checker.expressions.remainders import at_integer
+from chasles.checker.expressions.readings import at_integer
 from chasles.checker.expressions.switches import deciding
 from chasles.checker.expressions.widened import holds_throughout, put, said_need
 from chasles.checker.sparse import Rejected

@@ -15,7 +15,7 @@ from sympy.core.function import AppliedUndef
 from chasles.checker.expressions.defined_functions import is_entire
 from chasles.checker.expressions.enclosed import sign_of_multiple, sign_of_number, written
 from chasles.checker.expressions.quantities import NUMBERS, with_values
-from chasles.checker.expressions.remainders import MOST_PARTS, at_integer
+from chasles.checker.expressions.readings import MOST_PARTS, at_integer
 from chasles.checker.expressions.switches import SWITCHES, deciding, factored, visible_signs
 from chasles.checker.sparse import Rejected
 

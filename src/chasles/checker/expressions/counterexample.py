@@ -10,7 +10,7 @@ from chasles.checker.expressions.at_point import AtPoint
 from chasles.checker.expressions.complexes import parts
 from chasles.checker.expressions.motion import require_given
 from chasles.checker.expressions.quantities import atoms_of, require_independent
-from chasles.checker.expressions.spoken import Spoken
+from chasles.checker.expressions.reading_of_proof import Spoken
 from chasles.checker.expressions.symbolic import Symbolic, UnknownValue
 from chasles.checker.expressions.widened import check_enclosed
 from chasles.checker.sparse import Polynomial, Rejected, number, variable, well_formed

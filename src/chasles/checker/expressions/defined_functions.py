@@ -13,7 +13,7 @@ from typing import Any
 
 import sympy
 
-from chasles.checker.expressions.remainders import Floor, is_integral
+from chasles.checker.expressions.readings import Floor, is_integral
 from chasles.checker.expressions.visible import signs_of
 from chasles.checker.sparse import Rejected
 

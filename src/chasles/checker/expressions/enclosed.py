@@ -20,7 +20,7 @@ from sympy.core.relational import Relational
 from chasles.checker.expressions.complexes import QUOTIENTS
 from chasles.checker.expressions.defined_functions import BOUNDED, gamma_at, is_entire, remainder
 from chasles.checker.expressions.intervals import Enclosing, Enclosure, Unbounded
-from chasles.checker.expressions.remainders import Floor, is_integral
+from chasles.checker.expressions.readings import Floor, is_integral
 from chasles.checker.sparse import Rejected
 
 BITS = 200

@@ -15,8 +15,7 @@ import sympy
 from chasles.checker.expressions.defined_functions import VALUED, Recurrences, defined_by, is_entire
 from chasles.checker.expressions.enclosed import sign_of_number
 from chasles.checker.expressions.quantities import is_atom
-from chasles.checker.expressions.readings import CIRCULAR
-from chasles.checker.expressions.remainders import MOST_PARTS
+from chasles.checker.expressions.readings import CIRCULAR, MOST_PARTS
 from chasles.checker.expressions.visible import assumed_of
 from chasles.checker.sparse import Rejected
 

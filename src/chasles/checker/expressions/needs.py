@@ -10,9 +10,8 @@ from operator import mul
 from chasles.checker.expressions.algebra import constant, primitive
 from chasles.checker.expressions.asked import Asked
 from chasles.checker.expressions.factoring import Terms, quotient
-from chasles.checker.expressions.reading_of_proof import Proven
+from chasles.checker.expressions.reading_of_proof import Proven, Spoken
 from chasles.checker.expressions.signs import is_nonnegative, is_positive, may_vanish
-from chasles.checker.expressions.spoken import Spoken
 from chasles.checker.sparse import ONE, ZERO, Polynomial, Rejected, variable
 
 RELATIONS = (" != 0", " > 0", " >= 0")

@@ -16,9 +16,8 @@ from chasles.checker.expressions.complexes import differences, parts
 from chasles.checker.expressions.facts import Facts
 from chasles.checker.expressions.motion import require_given
 from chasles.checker.expressions.needs import require_needs
-from chasles.checker.expressions.reading_of_proof import Proven
+from chasles.checker.expressions.reading_of_proof import Proven, Spoken
 from chasles.checker.expressions.signs import may_vanish
-from chasles.checker.expressions.spoken import Spoken
 from chasles.checker.expressions.widened import check_widened
 from chasles.checker.sparse import ONE, Polynomial, Rejected, number, parsed, variable, well_formed
 

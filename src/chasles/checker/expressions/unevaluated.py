@@ -13,7 +13,7 @@ from sympy.matrices import MatrixBase, MatrixExpr
 from sympy.matrices.expressions.matexpr import MatrixElement
 
 from chasles.checker.expressions.quantities import COMPARING, with_values
-from chasles.checker.expressions.remainders import is_integral
+from chasles.checker.expressions.readings import is_integral
 from chasles.checker.expressions.visible import is_running, signs_of
 from chasles.checker.sparse import Rejected
 

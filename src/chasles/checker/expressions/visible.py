@@ -15,7 +15,7 @@ import sympy
 
 from chasles.checker.expressions.complexes import OF_COMPLEX
 from chasles.checker.expressions.quantities import NUMBERS, SIGNS, atoms_of, is_atom, is_unreal, require_real
-from chasles.checker.expressions.remainders import Floor
+from chasles.checker.expressions.readings import Floor
 from chasles.checker.expressions.signs import SignedReading, is_nonnegative, is_positive, may_vanish
 from chasles.checker.sparse import Rejected, limited
 

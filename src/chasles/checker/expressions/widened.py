@@ -26,7 +26,7 @@ from chasles.checker.expressions.generalised import Generalised
 from chasles.checker.expressions.intervals import Enclosure
 from chasles.checker.expressions.needs import RELATIONS
 from chasles.checker.expressions.quantities import NUMBERS, SIGNS, atoms_of, require_independent
-from chasles.checker.expressions.remainders import Floor, at_integer
+from chasles.checker.expressions.readings import Floor, at_integer
 from chasles.checker.expressions.switches import deciding
 from chasles.checker.sparse import Rejected
 
