@@ -18,7 +18,7 @@ from chasles.compiling.sums_of_angles import QUOTIENTS, parts_of_kinds, square_o
 from chasles.compiling.taylor import NearZero, Stumpff, TaylorPolynomial, left_of
 from chasles.lowering.refusal import LoweringError
 
-NO_VALUES = (sympy.nan, sympy.zoo, sympy.oo, -sympy.oo)
+NO_VALUES = (sympy.nan, sympy.zoo, sympy.oo, -sympy.oo, sympy.I)
 _WRITTEN_OUT = 8
 """So many factors has a whole power of which the terms are written one by one."""
 
@@ -105,7 +105,7 @@ class DividedDifferences:
     def _sides(self, of: Any) -> tuple[Any, Any, Any]:
         """What it is, what it is at the point, and how far these are apart."""
         at = self.at_point(of)
-        if at.has(*NO_VALUES):
+        if at.has(*NO_VALUES) or at.is_extended_real is False:
             raise LoweringError("there is no value at the point")
         return of, at, self.apart * self.of(of)
 

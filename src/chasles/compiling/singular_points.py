@@ -165,8 +165,10 @@ def _tried(divisor: Any) -> Iterator[tuple[Any, Any]]:
             yield symbol, -rest / number
             return
         if base == symbol and exponent.is_Integer and rest.is_polynomial() and not rest.is_Add:
-            root = sympy.Mul(*(b ** (e / exponent) for b, e in map(_powers, sympy.Mul.make_args(-rest / number))))
-            yield from ((symbol, root), (symbol, -root))
+            size, *others = (-rest / number).as_coeff_mul()
+            powers = (factor.as_base_exp() for factor in (abs(size), *others[0]))
+            root = sympy.Mul(*(b ** (e / exponent) for b, e in powers)) * (1 if size.is_positive else -1)
+            yield from ((symbol, sign * root) for sign in ((1,) if exponent.is_odd else (1, -1)))
             return
     for apart in _sides_apart(divisor):
         yield from (point for factor in sympy.Mul.make_args(sympy.factor_terms(apart)) for point in _tried(factor))
@@ -186,7 +188,3 @@ def _sides_apart(divisor: Any) -> Iterator[Any]:
                 yield f.args[0] - value.args[0]
             elif value.is_number and hasattr(f, "inverse"):
                 yield f.args[0] - f.inverse()(value)
-
-
-def _powers(factor: Any) -> tuple[Any, Any]:
-    return (factor, sympy.S.One) if factor.is_Number else factor.as_base_exp()
