@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
+from keyword import iskeyword
 
 from chasles.lowering.cases import Case, Choice
 from chasles.lowering.named_functions import NamedFunction, NamedFunctions, is_plain
@@ -164,6 +165,8 @@ def _require_names(name: str, arguments: list[str], outputs: list[str]) -> None:
     for word in (name, *arguments, *outputs):
         if not (word.isidentifier() and word.isascii()):
             raise LoweringError(f"{name}: {word!r} cannot be a name in a program: use letters, digits and underscores")
+    if iskeyword(name):
+        raise LoweringError(f"{name} is a word of Python, and cannot be called: give the kernel another `name`")
     for names in (arguments, outputs):
         twice = next((word for word in names if names.count(word) > 1), None)
         if twice:

@@ -86,6 +86,8 @@ def _expressions(value: Any) -> Iterator[str]:
             yield f"write number({value})"
         case float():
             yield "write an exact number, as number(Fraction(1, 2))"
+        case _ if type(value).__name__ == "Relation":
+            yield f"write *says_that({value}), of chasles.statements.inequalities, for both sides"
         case str():
             yield "declare what it names, with `scalar`, `vector` or `square`, and write that"
 

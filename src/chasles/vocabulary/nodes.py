@@ -56,7 +56,7 @@ class Node(Displayed, Fitted):
         return Sum((*_terms(self), lifted(other)))
 
     def __radd__(self, other: int | Fraction) -> Node:
-        return self if other == 0 else Sum((lifted(other), self))
+        return self if isinstance(other, int) and other == 0 else Sum((lifted(other), self))
 
     def __sub__(self, other: Node | int | Fraction) -> Sum:
         return Sum((*_terms(self), Negative(lifted(other))))
@@ -149,6 +149,9 @@ class Node(Displayed, Fitted):
         from chasles.vocabulary.parts import component
 
         return component(self, row, mark)
+
+    def __float__(self) -> float:
+        raise TypeError(f"{self} is no number: functions of it are those of chasles.vocabulary, or of its functions.py")
 
     def __str__(self) -> str:
         from chasles.vocabulary.plain import plain

@@ -29,18 +29,12 @@ class Bounds:
     strictly_below: bool = False
     texts: tuple[str, ...] = ()
 
-    @property
-    def sign_of_cosine(self) -> int:
-        """1 or -1 where the cosine of every angle between both is not negative or not positive, else 0."""
+    def sign_of_cosine(self, strict: bool = False) -> int:
+        """1 or -1 where the cosine of every angle between both has that sign, or is zero unless `strict`; else 0."""
         turns = ((self.low + self.high) / 2 + HALF) // 1
-        within = turns - HALF <= self.low and self.high <= turns + HALF
+        ends = (self.low - turns, self.strictly_above), (turns - self.high, self.strictly_below)
+        within = all(end > -HALF or (end == -HALF and (apart or not strict)) for end, apart in ends)
         return 0 if not within else -1 if turns % 2 else 1
-
-    @property
-    def reach_zeros(self) -> bool:
-        """Whether the cosine vanishes at one of them."""
-        ends = (self.low, self.strictly_above), (self.high, self.strictly_below)
-        return any(end % 1 == HALF and not strict for end, strict in ends)
 
     def narrow(self, difference: Any, angle: Any, strict: bool, text: str) -> bool:
         """Whether a multiple of the angle and one of pi add up to what is said not to be negative: it counts then."""
@@ -124,8 +118,8 @@ class PrincipalValues:
         """What bounds say of the signs of cosines and sines of the angles in the sides, and the texts of the bounds."""
         angles = sorted({e.args[0] for e in sides.atoms(sp.cos, sp.sin)}, key=str)
         for turn in (kind(angle) for angle in angles for kind in (sp.cos, sp.sin)):
-            if (ends := self._ends_of_turn(turn)) and ends.sign_of_cosine:
-                size = sp.Eq(sp.Abs(turn), ends.sign_of_cosine * turn, evaluate=False)
+            if (ends := self._ends_of_turn(turn)) and ends.sign_of_cosine():
+                size = sp.Eq(sp.Abs(turn), ends.sign_of_cosine() * turn, evaluate=False)
                 self.told[size] = ends.texts
         return self.told
 
@@ -148,7 +142,7 @@ class PrincipalValues:
         if (visible := signs_of(factor) == {1}) or factor in self.positive:
             return () if visible else (self.positive[factor],)
         ends = self._ends_of_turn(factor)
-        return ends.texts if ends and ends.sign_of_cosine > 0 and not ends.reach_zeros else None
+        return ends.texts if ends and ends.sign_of_cosine(strict=True) > 0 else None
 
     def _of_both(self, above: Any, below: Any) -> Any:
         """The angle of which the two are a sine and a cosine, times one positive factor; None if they are not."""
