@@ -1,21 +1,22 @@
-"""Physical dimensions: integer powers of length, mass and time; the radian is dimensionless."""
+"""Physical dimensions: powers of length, mass and time, halves among them; the radian is dimensionless."""
 
 from __future__ import annotations
 
 import ast
 import sys
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cache
 from pathlib import Path
 
 
 @dataclass(frozen=True, slots=True)
 class Dimension:
-    """A product of integer powers of length (m), mass (kg) and time (s)."""
+    """A product of powers of length (m), mass (kg) and time (s); those of a root may be halves."""
 
-    length: int = 0
-    mass: int = 0
-    time: int = 0
+    length: int | Fraction = 0
+    mass: int | Fraction = 0
+    time: int | Fraction = 0
 
     def __mul__(self, other: Dimension) -> Dimension:
         return Dimension(self.length + other.length, self.mass + other.mass, self.time + other.time)
@@ -23,7 +24,7 @@ class Dimension:
     def __truediv__(self, other: Dimension) -> Dimension:
         return Dimension(self.length - other.length, self.mass - other.mass, self.time - other.time)
 
-    def __pow__(self, exponent: int) -> Dimension:
+    def __pow__(self, exponent: int | Fraction) -> Dimension:
         return Dimension(self.length * exponent, self.mass * exponent, self.time * exponent)
 
     def __str__(self) -> str:

@@ -12,7 +12,7 @@ from fractions import Fraction
 from typing import ClassVar
 
 from chasles.vocabulary.arguments import Declared, declaring
-from chasles.vocabulary.dimension import NO_DIMENSION, Dimension
+from chasles.vocabulary.dimension import NO_DIMENSION
 from chasles.vocabulary.fitting import SCALAR, measured, word
 from chasles.vocabulary.layout import Call, Rate
 from chasles.vocabulary.measure import Measure, Misfit, added, uniform
@@ -52,16 +52,10 @@ class FunctionOf(Node):
         if self.function in RESULT_LIKE:
             return uniform(SCALAR, dimension)
         if self.function == "sqrt":
-            return uniform(SCALAR, dimension and self._root(dimension))
+            return uniform(SCALAR, dimension and dimension ** Fraction(1, 2))
         if dimension not in (None, NO_DIMENSION) and self.function not in OF_ANY:
             raise Misfit(f"{self.function} takes a number without dimension, and {self.arguments[0]} is in {dimension}")
         return uniform(SCALAR)
-
-    def _root(self, dimension: Dimension) -> Dimension:
-        powers = dimension.length, dimension.mass, dimension.time
-        if any(power % 2 for power in powers):
-            raise Misfit(f"the square root of {self.arguments[0]}, which is in {dimension}, has no dimension")
-        return Dimension(*(power // 2 for power in powers))
 
     def rate_by_parts(self) -> Node | None:
         if self.function not in DERIVATIVES:
