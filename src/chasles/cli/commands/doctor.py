@@ -47,6 +47,8 @@ def _show(found: Mapping[str, Any]) -> None:
 
 
 def _lines(found: Mapping[str, Any]) -> Lines:
+    from chasles.report.words import number_of
+
     own, python = found["chasles"], found["python"]
     yield "chasles", f"{own['version']} in {own['folder']}{', editable' if own['editable'] else ''}"
     yield "python", f"{python['implementation']} {python['version']}, {python['system']}, {python['executable']}"
@@ -54,33 +56,16 @@ def _lines(found: Mapping[str, Any]) -> Lines:
     yield "libraries", ", ".join(f"{name} {version or 'missing'}" for name, version in found["libraries"].items())
     yield "extras", ", ".join(f"{name} {version or 'not installed'}" for name, version in found["extras"].items())
     yield from _kernels(found["kernels"])
-    compiler = found["compiler"]
-    yield (
-        "compiler",
-        (
-            f"{compiler['command']}: {compiler['version']}"
-            if compiler
-            else "none: chasles.compile makes NumPy functions; CC names a compiler"
-        ),
-    )
+    compiler, none = found["compiler"], "none: chasles.compile makes NumPy functions; CC names a compiler"
+    yield "compiler", f"{compiler['command']}: {compiler['version']}" if compiler else none
     generated = found["generated"]
     state = "as the declarations ask for" if generated["fresh"] else "not as the declarations ask for"
     yield "generated", f"{state}, in {generated['folder']}"
-    checker = found["checker"]
-    yield (
-        "checker",
-        f"{checker['declared']:,} lines for declared statements, {checker['prove']:,} for chasles.prove, "
-        f"{checker['all']:,} with what few questions ask for",
-    )
+    counted = "{declared:,} lines for declared statements, {prove:,} for chasles.prove, {all:,} with what few ask for"
+    yield "checker", counted.format(**found["checker"])
     cache = found["cache"]
-    yield (
-        "cache",
-        (
-            f"{cache['folder']}: {cache['files']} file{'s' * (cache['files'] != 1)}, {cache['bytes'] / 1e6:.2f} MB"
-            if cache["folder"]
-            else "off: CHASLES_CACHE is empty"
-        ),
-    )
+    size = f"{number_of(cache['files'], 'file')}, {cache['bytes'] / 1e6:.2f} MB"
+    yield "cache", f"{cache['folder']}: {size}" if cache["folder"] else "off: CHASLES_CACHE is empty"
 
 
 def _threads(python: Mapping[str, Any]) -> str:
