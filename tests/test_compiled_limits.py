@@ -47,6 +47,8 @@ LIMITS = [
         (x**2 / 2 - x + sp.log(1 + x)) / x**2,
         (x - sp.tanh(x)) / x**3,
         x - z - sp.tanh(x - z),
+        y * (r**2 + 2 * sp.cos(r) - 2) / (2 * r**4),
+        (1 + x * y) ** (1 / x),
     ),
     sp.Piecewise((sp.sin(x) / x, sp.Ne(x, 0)), (1, True)),
     sp.Piecewise((1, sp.Eq(r, 0)), (sp.sin(r) / r, True)),
@@ -183,6 +185,8 @@ def test_on_both_sides_of_a_root():
 def test_a_logarithm_of_one_and_an_exponential_does_not_overflow():
     kernel = chasles.compile(sp.log(1 + sp.exp(x)), [x], jacobian=True)
     assert [kernel(at) for at in (800.0, 0.0, -800.0)] == [(800.0, 1.0), (math.log(2), 0.5), (0.0, 0.0)]
+    kernel = chasles.compile(sp.log(sp.cosh(x * y)) / y, [x, y], jacobian=True, wrt=x)
+    assert kernel(-1000.0, 2.0) == (1000.0 - math.log(2) / 2, -1.0)
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ from operator import is_
 from typing import Any
 
 import sympy
-from sympy.codegen.cfunctions import expm1
+from sympy.codegen.cfunctions import expm1, log1p
 
 from chasles.compiling.sums_of_angles import KEPT, KNOWN, angle_of, divisors, parts_of_kinds, square_of, with_series
 from chasles.compiling.taylor import ANALYTIC, CIRCULAR, NearZero, TaylorPolynomial, coefficient_of, left_of
@@ -66,7 +66,10 @@ def _changed(expression: sympy.Basic) -> Any:
     found = _lessened(found) if isinstance(found, sympy.Add) else found
     found = _cancelled(found) if isinstance(found, sympy.Mul) else found
     if isinstance(found, sympy.log) and isinstance(found.args[0], sympy.cosh):
-        found = sympy.log(1 + _LESSENED[sympy.cosh](found.args[0].args[0]))
+        [of], size = found.args[0].args, sympy.Abs(found.args[0].args[0])
+        near = sympy.log(1 + _LESSENED[sympy.cosh](of)), size < 1
+        # Farther away it does not overflow.
+        found = NearZero(near, (size + log1p(sympy.exp(-2 * size)) - sympy.log(2), True), evaluate=False)
     return None if found is expression else found
 
 

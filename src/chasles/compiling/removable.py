@@ -82,13 +82,17 @@ def _with_limits(expression: sympy.Basic) -> sympy.Basic:
         square = square_of(angle)
         # Of the root of -x the limits are those of the root of x with the other sign.
         turned = {-square: square} if (-square).is_Symbol else {}
-        whole = WholeAngle(angle) if divided and not _is_root(angle) else None
+        # Of a root of a sum the terms may be among others.
+        whole = None
+        if divided and (square.is_Add or not _is_root(angle)):
+            whole = WholeAngle(square if square.is_Add else angle)
         held = {*divided, *parts_of(expression, innermost.union(functions))} if angle in below else divided
         if angle in held or not divided.isdisjoint((square, *turned)) or (whole and whole.occurs_in(held)):
             table = {f: other for f in functions if (other := with_series(f)) != f}
             stated = Substitution(table).of(expression) if table else expression
             if whole:
-                found = whole.back(_regular(whole.of(stated), whole.symbol))
+                symbol = sympy.sqrt(whole.symbol) if square.is_Add else whole.symbol
+                found = whole.back(_regular(whole.of(stated), symbol))
             elif turned:
                 turn = Substitution(turned).of
                 found = turn(_regular(turn(stated), turn(angle)))

@@ -11,6 +11,7 @@ from typing import Any
 import sympy
 
 from chasles.compiling.divided_differences import NO_VALUES, DividedDifferences
+from chasles.compiling.near_zero import without_cancellation
 from chasles.compiling.sums_of_angles import KEPT, QUOTIENTS, divisors, parts_of_kinds
 from chasles.compiling.taylor import NearZero
 from chasles.lowering.refusal import LoweringError
@@ -37,6 +38,11 @@ def _without(expression: Any) -> Any:
         found = _regular(expression)
         if found is not None:
             return found
+    if expression.is_Pow and not expression.exp.is_number:
+        # Of 1 to the power of what is infinite there is a limit.
+        logarithm = _regular(expression.exp * sympy.log(expression.base))
+        if logarithm is not None:
+            return sympy.exp(logarithm)
     parts = [without_singular_points(part) for part in expression.args]
     return expression if all(map(is_, parts, expression.args)) else expression.func(*parts)
 
@@ -57,7 +63,7 @@ def _regular(expression: Any) -> Any:
     if not limits:
         return None
     own = [part for part in parts if any(part in singular for _, _, singular in limits)]
-    found = join(*own)
+    found = without_cancellation(join(*own))
     for near, where, singular in limits:
         regular = without_singular_points(join(near, *(part for part in own if part not in singular)))
         # Without a condition it is what is stated, in other words.
