@@ -116,8 +116,8 @@ class Reckoning:
         before, count = -1, 0
         while before < count and divides:
             before = count
-            for k, (_, factors, _, equal) in enumerate(self._divisions):
-                while quotient := multiples(polynomial, factors):
+            for k, (_, factors, guard, equal) in enumerate(self._divisions):
+                while quotient := multiples(polynomial, factors, guard):
                     polynomial = replaced(polynomial, factors, quotient, equal)
                     quotients[k] += quotient
                     count += len(quotient.terms)

@@ -10,7 +10,7 @@ from operator import mul
 
 from chasles import vocabulary as w
 from chasles.checker.reading import PolynomialProblem
-from chasles.checker.sparse import MOST_POWER, ZERO, Polynomial, cleared, exponents, packed
+from chasles.checker.sparse import MOST_POWER, ZERO, Polynomial, cleared, packed
 from chasles.coq.expressions import Unsaid
 from chasles.statements import Goal, Hypothesis, Problem
 
@@ -42,9 +42,8 @@ class StatedEntry:
         return f"{self.stem}_{self.order}"
 
 
-def multiples(polynomial: Polynomial, factors: int) -> Polynomial:
-    """By what a product of variables, packed as a monomial, is multiplied in a polynomial."""
-    guard = sum(packed(place, MOST_POWER + 1) for place, _ in exponents(factors))
+def multiples(polynomial: Polynomial, factors: int, guard: int) -> Polynomial:
+    """By what a product of variables, packed as a monomial with a bit above each, is multiplied in a polynomial."""
     terms = {m - factors: c for m, c in polynomial.terms.items() if (m | guard) - factors & guard == guard}
     return Polynomial(terms, polynomial.below)
 
@@ -113,7 +112,7 @@ class ProofReading(PolynomialProblem):
                 continue
             equal = self(w.Dot(what[1], what[1]))[0][0]
             below = Polynomial({cleared(equal, self.nonzero)[1] + powers: 1})
-            while quotient := multiples(rest, packed(place, 2)):
+            while quotient := multiples(rest, packed(place, 2), packed(place, MOST_POWER + 1)):
                 rest = replaced(rest, packed(place, 2), quotient, equal)
                 found[label] = found.get(label, ZERO) + quotient * below
         return found, rest
