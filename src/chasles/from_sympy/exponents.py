@@ -25,7 +25,9 @@ def require_moderate(expressions: Iterable[Any]) -> None:
     SymPy comes to no end with the numbers that these are.
     """
     for part in (part for e in expressions for part in parts_of(e)):
-        if isinstance(part, ExprWithLimits) and any(end.has(*INFINITE) for limit in part.limits for end in limit[1:]):
+        ends = [end for limit in getattr(part, "limits", ()) for end in limit[1:] if isinstance(part, ExprWithLimits)]
+        infinite = [end for end in ends if end.has(*INFINITE)]
+        if infinite and not (isinstance(part, sympy.Integral) and {*infinite} <= {sympy.oo, -sympy.oo}):
             raise Untreatable(f"{excerpt(part)} is not treated: it has an infinite limit")
         if isinstance(part, COUNTED) and any(each.is_Integer and each > LARGEST_EXPONENT for each in part.args):
             raise Untreatable(f"{excerpt(part)} is not treated: its argument is larger than {LARGEST_EXPONENT}")

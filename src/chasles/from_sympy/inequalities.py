@@ -49,9 +49,9 @@ def without_inequalities(said: Said) -> Said:
     said = (*said[:2], stated, [*(item for _, item in listed(said[3], "nonzero")), *apart])
     for symbol in sorted({s for item in stated if isinstance(item, COMPARED) for s in item.free_symbols}, key=str):
         said = _with_angle(said, symbol)
-    while signed := next((values for item in said[2] if (values := _signed(item))), None):
-        put = with_values(said, signed)
-        said = (*put[:3], [*put[3], *lost_divisors(said[:3], put[:3], signed)])
+    while found := next((values for item in said[2] if (values := signed(item))), None):
+        put = with_values(said, found)
+        said = (*put[:3], [*put[3], *lost_divisors(said[:3], put[:3], found)])
     number = 0
     while compared := [item for item in said[2] if isinstance(item, COMPARED)]:
         number += 1
@@ -98,7 +98,7 @@ def _follows(item: Any, other: Any) -> bool:
     return any(same and gap.is_number and (gap.is_positive or (gap.is_zero and more)) for same, gap in gaps)
 
 
-def _signed(item: Any) -> dict[Any, Any]:
+def signed(item: Any) -> dict[Any, Any]:
     """The symbol or function that is compared with zero, with that sign in its assumptions."""
     kind = SIGNS.get(type(item))
     if kind is None:

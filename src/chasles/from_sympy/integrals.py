@@ -11,8 +11,10 @@ from typing import Any
 import sympy
 
 from chasles.checker.expressions.visible import is_running, kinds_of, signs_of
+from chasles.from_sympy.antiderivatives import at_end, by_rules
 from chasles.from_sympy.complex_symbols import expressions_in
 from chasles.from_sympy.decimals import with_values
+from chasles.from_sympy.inequalities import signed
 from chasles.from_sympy.opening import excerpt
 from chasles.from_sympy.side_conditions import listed
 from chasles.problems.variables import Untreatable
@@ -30,7 +32,9 @@ def without_integrals(said: tuple[Any, ...]) -> tuple[Any, ...]:
     if not found:
         return said
     outer = found - {part for integral in found for part in integral.function.atoms(sympy.Integral)}
-    values = {integral: _value(integral) for integral in sorted(outer, key=str)}
+    known = {e: each for _, item in listed(said[2], "given") for e, each in signed(item).items() if e.is_Symbol}
+    back = {each: e for e, each in known.items()}
+    values = {integral: _value(integral.xreplace(known)).xreplace(back) for integral in sorted(outer, key=str)}
     lhs, rhs, given, nonzero = with_values(said, values)
     lost = dict.fromkeys(divisor for integral in values for divisor in _divisors(integral))
     return without_integrals((lhs, rhs, given, [*(item for _, item in listed(nonzero, "nonzero")), *lost]))
@@ -50,21 +54,37 @@ def _value(integral: Any) -> Any:
     for index, *ends in integral.limits:
         if len(ends) < 2:
             raise Untreatable(f"{excerpt(integral)} is not treated: without limits it is known up to a constant only")
-        if not is_running(index, ends, "real"):
+        finite = [
+            sympy.Dummy(positive=True) * (1 if end is sympy.oo else -1) if end.is_infinite else end for end in ends
+        ]
+        if not is_running(index, finite, "real"):
             told = f"{index} is assumed to be what it need not be from {ends[0]} to {ends[1]}"
             raise Untreatable(f"{excerpt(integral)} is not treated: {told}")
-        x = sympy.Dummy(str(index), real=True, **kinds_of(signs_of(ends[0]) | signs_of(ends[1])))
-        term = term.xreplace({index: x})
-        parts = sympy.Add.make_args(_in_exponentials(term, x))
-        before = sympy.expand(sympy.Add(*(_antiderivative(part, x, integral) for part in parts)))
-        # That the derivative is right between the ends will do.
-        y = sympy.Dummy(positive=True) if x.is_nonnegative else x
-        gap = _in_exponentials(before.xreplace({x: y}).diff(y) - term.xreplace({x: y}), y)
-        if sympy.expand(sympy.fraction(sympy.together(gap))[0]) != 0:
-            raise Untreatable(f"{excerpt(integral)} is not treated: no antiderivative was found")
-        low, high = (before.xreplace({x: end}) for end in ends)
+        x = sympy.Dummy(str(index), real=True, **kinds_of(signs_of(finite[0]) | signs_of(finite[1])))
+        before = _before(term.xreplace({index: x}), x, ends, integral)
+        low, high = (at_end(before, x, end) for end in ends)
+        if low is None or high is None:
+            raise Untreatable(f"{excerpt(integral)} is not treated: what it tends to at an infinite limit is not known")
         term = sympy.expand(high - low)
     return term
+
+
+def _before(term: Any, x: Any, ends: Any, integral: Any) -> Any:
+    """What has the term as its derivative between two ends; raises `Untreatable` if nothing is found."""
+    parts = sympy.Add.make_args(_in_exponentials(term, x))
+    try:
+        before = sympy.expand(sympy.Add(*(_antiderivative(part, x, integral) for part in parts)))
+    except Untreatable:
+        before = by_rules(term, x, ends)
+        if before is None:
+            raise
+        return before
+    # That the derivative is right between the ends will do.
+    y = sympy.Dummy(positive=True) if x.is_nonnegative else x
+    gap = _in_exponentials(before.xreplace({x: y}).diff(y) - term.xreplace({x: y}), y)
+    if sympy.expand(sympy.fraction(sympy.together(gap))[0]) != 0:
+        raise Untreatable(f"{excerpt(integral)} is not treated: no antiderivative was found")
+    return before
 
 
 def _in_exponentials(e: Any, x: Any) -> Any:
