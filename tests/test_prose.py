@@ -116,6 +116,8 @@ def test_a_sentence_may_lead_to_a_case_to_what_follows_or_to_the_same_again_and_
     assert lead_of("Hence the two screws are reciprocal if").is_case
     assert lead_of("this holds. It follows that").follows
     assert not lead_of("Both are given by").follows
+    assert lead_of("At time $t = 0$ the position and the velocity are").is_local
+    assert not lead_of("At time $t = 0$ it rests. Its velocity is").is_local
     assert lead_of("$$a = b$$\n\nor, equivalently,\n").again == lead_of("$$a = b$$\n\nor\n").again
     said = r"From Eqs. (3.4) and (3.5b), with \eqref{eq:x}, {eq}`two` and :eq:`three`,"
     assert lead_of(said).cited == ("three", "two", "eq:x", "3.5b", "3.4")
@@ -201,6 +203,12 @@ $$A \equiv \begin{bmatrix} Q - I \\ e^T \end{bmatrix}, \quad b \equiv \begin{bma
 Multiplying this by the transpose, $$A^T A p = A^T b.$$""": ["assumed", "defined", "defined", "holds-under"],
     r"One can write $$q - a = Q (p - a)$$ and hence $$q = a + Q (p - a).$$": ["open", "holds-under"],
     r"$$x = y + z$$ If $$y = z$$ then $$x = 2 z.$$": ["defined", "assumed", "holds-under"],
+    r"The initial conditions are $$x = 0, \quad y = z$$ The sum is $$w = x + y$$ and $$w^2 = z^2.$$": [
+        "assumed",
+        "assumed",
+        "defined",
+        "open",
+    ],
     r"Here $$x < z$$ The *Euler equation* is $$x^2 + x y = z$$ or $$w x = z + 1$$": ["open", "assumed", "assumed"],
     r"$$w = \underbrace{x^2}_T - \underbrace{x z}_{V} + \underbrace{y}_{y > 0}$$ $$w - T = y - V$$ $$w = y - T - V$$": [
         "defined",

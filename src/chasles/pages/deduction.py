@@ -163,7 +163,7 @@ class Deduction:
             self._cited = tuple((named(each), each) for each in told[:MOST_CITED])
             finding = self._found(claim, note, tuple(ahead), lead)
         is_wrong = claim.fault or finding.instead or (isinstance(finding.verdict, Fails) and not finding.open)
-        if sign in EQUAL and not is_wrong:
+        if sign in EQUAL and not (is_wrong or lead.is_local):
             self.premises.told.setdefault(number, []).append(claim)
         self.premises.spoken.update(q for side in (left, right) for q in quantities(side))
         self.premises.stated.append({left, right})
@@ -185,6 +185,8 @@ class Deduction:
             return self._posed(claim, False, Assumed() if is_law else verdict)
         if note.given is not None and role != "definition":
             return self._under(claim, note.given)
+        if lead.is_local and not role and not is_defining(claim):
+            return PageFinding("condition", Assumed(), claim)
         meant = meant_by(claim, self.premises, note.of) if role != "claim" else None
         if meant and (role == "definition" or self._defines(claim, meant[0], ahead)):
             return self._defined(claim, *meant)

@@ -75,6 +75,11 @@ POSING = re.compile(
 """How a text leads to a law or a condition."""
 CASE = re.compile(r"\b(?:if|when|whenever|provided that|such that)\W*$")
 """How it leads to the condition of one case."""
+LOCAL = re.compile(
+    r"\b(?:initial|boundary|terminal|final) (?:conditions?|values?|states?|configurations?)\b[^.]*$|\binitially\b[^.]*$"
+    r"|\bat (?:time |the (?:time|instant|point|boundary|end) )?\$?[a-z] ?= ?[^.]*$"
+)
+"""How it leads to what holds at one moment or place alone."""
 RESTATING = re.compile(r"\W*(?:(?:or|i\.e|that is|namely|equivalently)\b\W*){0,2}$")
 """All that stands between two equations that say the same."""
 DERIVING = re.compile(
@@ -92,12 +97,13 @@ REFERENCE = re.compile(r"\\\w*ref\*?\{([^{}]+)\}|\{eq\}`([^`]+)`|:eq:`([^`]+)`|\
 class Lead:
     """What the text before a display says of it: whether it is a law, or a condition of some case, or follows.
 
-    It is said `again` in other words what the display before says. `cited` are labels and numbers that may be those of
-    equations, the last first.
+    What `is_local` holds at one moment or place alone. It is said `again` in other words what the display before says.
+    `cited` are labels and numbers that may be those of equations, the last first.
     """
 
     is_posed: bool = False
     is_case: bool = False
+    is_local: bool = False
     follows: bool = False
     again: bool = False
     cited: tuple[str, ...] = ()
@@ -109,10 +115,13 @@ def lead_of(before: str) -> Lead:
     found = POSING.search(sentence)
     derived = DERIVING.search(sentence[: found.start()] if found else sentence)
     names = (name.strip() for each in REFERENCE.findall(before) for name in "".join(each).split(","))
-    is_case = CASE.search(sentence) is not None
-    again = RESTATING.fullmatch(sentence) is not None
     return Lead(
-        found is not None and not derived, is_case, derived is not None, again, tuple(dict.fromkeys(names))[::-1]
+        is_posed=found is not None and not derived,
+        is_case=CASE.search(sentence) is not None,
+        is_local=LOCAL.search(sentence) is not None and not derived,
+        follows=derived is not None,
+        again=RESTATING.fullmatch(sentence) is not None,
+        cited=tuple(dict.fromkeys(names))[::-1],
     )
 
 
