@@ -12,11 +12,11 @@ from chasles.checker.certificate import check
 from chasles.checker.refutation import check_counterexample
 from chasles.checker.sparse import Rejected
 from chasles.decisions.session import Session
-from chasles.statements import Claim, Condition, Definition, Postulate, Statement, problem_of
+from chasles.statements import Claim, Condition, Definition, Postulate, Statement, problem_of, symmetric
 from chasles.statements.posing import default_sides
 from chasles.statements.premises import IN_FULL, with_all_premises
 from chasles.verdict import Contradictory, Fails, Holds
-from chasles.vocabulary import CPM, Node, cross, dot, rate, scalar, vector
+from chasles.vocabulary import CPM, Node, cross, dot, rate, scalar, square, vector
 from chasles.vocabulary.nodes import lifted
 
 from .decided import proved, refuted
@@ -30,6 +30,8 @@ def claim(left: Any, right: Any, *given: Statement, number: str = "9", assuming:
     return Claim(number, lifted(left), lifted(right), given=given, assuming=assuming)
 
 
+Q, R = square("Q", "Q", ""), square("R", "R", "")
+
 twice = Definition("1", a, 2 * b)
 of_a = claim(f, a + b, Definition("2", f, a + b), twice, number="3")
 circle = Condition("4", m**2 + k**2, lifted(1), on=())
@@ -37,7 +39,9 @@ law = Postulate("5", rate(v), 2 * w, given=())
 on_circle = claim(g, (m + k) ** 2, Definition("6", g, m**2 + k**2 + 2 * m * k), circle, number="7")
 free = claim(p, cross(w, r), Definition("8", p, CPM(w) @ r), law, number="10")
 determined = claim(h, c + 1, Definition("11", h, c + 1), Condition("12", 3 * c, a, on=(c,)), twice, number="13")
+moving = claim(rate(m), b + a - 2 * b, Definition("16", rate(m), b), Definition("17", rate(Q), R), twice, number="18")
 TRUE = [
+    claim(R, R.T, moving, assuming=(symmetric(Q),)),
     claim(f, 3 * b, of_a),
     claim(g, 1 + 2 * m * k, on_circle),
     claim(rate(p), cross(w, rate(r)) + cross(rate(w), r), free),
@@ -46,6 +50,7 @@ TRUE = [
     claim(f + h, 3 * b + c + 1, of_a, determined),
 ]
 FALSE = [
+    claim(R, -R.T, moving, assuming=(symmetric(Q),)),
     claim(f, 4 * b, of_a),
     claim(g, 1 - 2 * m * k, on_circle),
     claim(dot(v, p), 0, free),

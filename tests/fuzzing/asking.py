@@ -11,6 +11,8 @@ from chasles.checker.refutation import check_counterexample
 from chasles.decisions.session import Session
 from chasles.prove import Rejected, Untreatable, prove, recheck
 from chasles.statements import Statement, Theorem, problem_of
+from chasles.statements.posing import default_sides
+from chasles.statements.premises import with_all_premises
 from chasles.verdict import Fails
 
 from .equations import Equation
@@ -79,7 +81,7 @@ def statement_rejection(statement: Statement | Theorem, verdict: Any) -> str | N
     """Why the checker does not accept the verdict on a statement; None if it does."""
     try:
         if isinstance(verdict, Fails):
-            check_counterexample(problem_of(statement), verdict.counterexample)
+            check_counterexample(problem_of(with_all_premises(statement, default_sides)), verdict.counterexample)
         else:
             check(statement, "printed", verdict.certificate)
     except Rejected as reason:

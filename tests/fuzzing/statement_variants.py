@@ -39,6 +39,10 @@ def twisted_statements(asked: Asked, draw: Random) -> Iterator[tuple[str, Asked]
             sides = [w.replace(side, values) for side in (claim.left, claim.right)]
             rest = (*claim.given[:k], *claim.given[k + 1 :])
             yield "unfolded", replace(asked, statement=replace(claim, left=sides[0], right=sides[1], given=rest))
+        if isinstance(item, Definition):
+            nothing = w.number(0) if item.right.is_scalar else w.Zero(*item.right.shape)
+            behind = Claim("behind", item.left, nothing + item.right, given=claim.given)
+            yield f"behind a claim on {item.left}", replace(asked, statement=replace(claim, given=(behind,)))
 
 
 def _spoken_of(symbol: w.Symbol, claim: Claim) -> bool:

@@ -152,7 +152,7 @@ def _angle_rules(
             yield found
 
 
-def said_by(statement: Decidable, form: str, rules: Iterable[Equation]) -> list[Node]:
+def said_by(statement: Decidable, form: str, rules: Iterable[Iterable[Node]]) -> list[Node]:
     """The sides of what is claimed in one of its forms, and of the rules."""
     if isinstance(statement, Theorem):
         sides = [side for part in statement.forms for each in part.equations() for side in each[1:]]

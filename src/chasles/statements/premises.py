@@ -10,7 +10,7 @@ from dataclasses import replace as with_fields
 from itertools import chain
 
 from chasles.statements.goals import AcceptedSides
-from chasles.statements.posing import Decidable, said_by
+from chasles.statements.posing import Decidable, hypotheses_of, said_by
 from chasles.statements.rules import fit_together
 from chasles.statements.statement import Claim, Condition, Definition, Equation, Statement, bare, is_rule
 from chasles.statements.varied import opened_parts
@@ -27,7 +27,7 @@ def with_all_premises(statement: Decidable, accepted: AcceptedSides) -> Decidabl
     """
     direct = {each: accepted(each) for each in statement.given}
     resting = {each: accepted(each) for each in _rested_on(statement.given)}
-    parts = _parts(said_by(statement, "printed", direct.values()))
+    parts = _parts(said_by(statement, "printed", [*direct.values(), *(h.subjects for h in hypotheses_of(statement))]))
     found: dict[Statement, Equation] = {}
     while more := {each: resting.pop(each) for each in [*resting] if not _letters(parts).isdisjoint(_about(each))}:
         found |= more
