@@ -20,8 +20,11 @@ from chasles.statements import Definition, Kernel
 from chasles.vocabulary import PI, Node, cos, dot, norm, scalar, sin, symbols_of, vector
 from chasles.vocabulary.functions import (
     arccos,
+    arccosh,
     arcsin,
+    arcsinh,
     arctan,
+    arctanh,
     atan2,
     cosh,
     exp,
@@ -47,6 +50,7 @@ EXPRESSIONS: list[Node] = [
     tanh(x) + sinh(y) * cosh(z) + exp(x) ** 2,
     cos(arccos(x / 4)) + sqrt(norm(v) ** 2 + x**2),
     2 * PI * sqrt(x**3 / y) + 4 * PI / 3,
+    (x**2 + 1) ** Fraction(3, 2) * arcsinh(y) + arctanh(x / 4) * arccosh(2 * y) / y ** Fraction(1, 2),
 ]
 
 
@@ -77,7 +81,17 @@ def test_a_program_with_functions_is_proved_and_has_the_values_of_the_words(expr
 def test_another_function_is_not_taken_for_it(expression: Node) -> None:
     """The careless program takes another function, or the same of other numbers; scales may be what they like."""
     request, program = made(expression)
-    other = {"exp": "cosh", "fabs": "exp", "log": "exp", "tanh": "sinh", "sinh": "cosh", "cosh": "sinh"}
+    other = {
+        "exp": "cosh",
+        "fabs": "exp",
+        "log": "exp",
+        "tanh": "sinh",
+        "asinh": "sinh",
+        "acosh": "asinh",
+        "atanh": "tanh",
+        "sinh": "cosh",
+        "cosh": "sinh",
+    }
     turned = {Op.SINE: Op.COSINE, Op.COSINE: Op.SINE}
     for number, step in enumerate(program.steps):
         wrong = replace(step, op=turned.get(step.op, step.op), function=other.get(step.function, ""))

@@ -6,7 +6,7 @@ is no sum of multiples of others is such a symbol, too.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
@@ -20,7 +20,10 @@ from chasles.vocabulary.fitting import measured
 from chasles.vocabulary.functions import FunctionOf
 from chasles.vocabulary.shorthand import Shorthand
 
-CALLED = {"abs": "fabs", **{name: name for name in ("exp", "log", "sinh", "cosh", "tanh")}}
+CALLED = {
+    "abs": "fabs", "arcsinh": "asinh", "arccosh": "acosh", "arctanh": "atanh",
+    **{name: name for name in ("exp", "log", "sinh", "cosh", "tanh")},
+}  # fmt: skip
 """Functions of one number that programs call, by the names of the calls."""
 ANGLE = "angle"
 ANGLES = Symbol | Shorthand | w.Norm | w.Number | w.At | w.Rate
@@ -60,11 +63,11 @@ class NamedFunctions:
     def __call__(self, node: Node) -> Node:
         """The expression with a symbol for each function; one that no program computes stays as it is."""
         match node:
-            case Symbol(stands_for=Node() as of) if any(_functions(of)):
+            case Symbol(stands_for=Node() as of) if not is_plain(of):
                 return self(of)
-            case Shorthand() if any(_functions(node.definition)):
+            case Shorthand() if not is_plain(node):
                 return self(node.definition)
-            case w.Rate(of) if any(map(_functions_in, w.walk(of))):
+            case w.Rate(of) if not is_plain(of):
                 return self(rate_of(of))
             case FunctionOf(function, arguments):
                 said = _in_few_functions(function, arguments)
@@ -115,12 +118,7 @@ def _in_few_functions(function: str, arguments: tuple[Node, ...]) -> Node:
 
 def is_plain(node: Node) -> bool:
     """Whether no function of scalars besides sine and cosine is in an expression."""
-    return not any(_functions(node))
-
-
-def _functions(node: Node) -> Iterator[Node]:
-    return (part for part in w.walk(node) if _functions_in(part))
-
-
-def _functions_in(part: Node) -> bool:
-    return isinstance(part, FunctionOf) or (isinstance(part, Shorthand) and any(_functions(part.definition)))
+    return not any(
+        isinstance(part, FunctionOf) or (isinstance(part, Shorthand) and not is_plain(part.definition))
+        for part in w.walk(node)
+    )

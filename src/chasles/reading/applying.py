@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace as with_fields
 from itertools import product
 
 from chasles.reading.atoms import Atom, said_of
@@ -14,7 +15,7 @@ from chasles.reading.spellings import Make
 from chasles.vocabulary import Call, Dot, Node, Power, Transpose, latex, symbols_of
 from chasles.vocabulary.functions import PRINTED, FunctionOf
 from chasles.vocabulary.motion_vectors import MotionByVector
-from chasles.vocabulary.parts import component, part
+from chasles.vocabulary.parts import part
 from chasles.vocabulary.pieces import Precedence
 from chasles.vocabulary.rotation_vectors import RotationByVector
 
@@ -126,7 +127,11 @@ def _component(fit: Fit, rest: Glyph, ctx: FittingContext) -> list[Fit]:
     rows, columns = node.shape
     make: Make | None = None
     if columns == 1 and ((sub in PLACES and rows == 3) or (sub.isdigit() and 0 < int(sub) <= rows)):
-        make = (lambda of: component(of, PLACES[sub], sub)) if sub in PLACES else (lambda of: part(of, int(sub)))
+        make = (
+            (lambda of: with_fields(part(of, PLACES[sub]), mark=sub))
+            if sub in PLACES
+            else (lambda of: part(of, int(sub)))
+        )
     if ":" in sub:
         places = tuple(map(_range, sub.replace(" ", "").split(",")))
         return applied((lambda of: part(of, places if len(places) > 1 else places[0]),), [fit], ctx, rest, sub)  # type: ignore[arg-type]

@@ -16,7 +16,7 @@ from chasles.reading.page_notation import PageNotation
 from chasles.vocabulary import NO_DIMENSION, Dimension, Inverse, Misfit, Node, Symbol, Transpose, uniform
 from chasles.vocabulary.dimension import has_units
 from chasles.vocabulary.families import Index
-from chasles.vocabulary.parts import component, part
+from chasles.vocabulary.parts import part
 
 KINDS: dict[str, tuple[int, int]] = {
     "scalar": (1, 1), "angle": (1, 1), "integer": (1, 1), "vector": (3, 1), "unit vector": (3, 1), "point": (3, 1),
@@ -155,7 +155,7 @@ def _component(notation: PageNotation, table: LetterTable, letter: Glyph, text: 
         def make(_: Glyph) -> Node:
             notation.matched[text] = True
             node, _rest = next(table.meanings(whole))
-            return component(node, row, mark)
+            return replace(part(node, row), mark=mark)
 
         return make
 

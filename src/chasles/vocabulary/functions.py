@@ -18,6 +18,7 @@ from chasles.vocabulary.layout import Call, Rate
 from chasles.vocabulary.measure import Measure, Misfit, added, uniform
 from chasles.vocabulary.nodes import Node, Sum, lifted
 from chasles.vocabulary.pieces import Piece, Precedence, Style
+from chasles.vocabulary.shorthand import Shorthand
 
 Scalar = Node | int | Fraction
 PRINTED = {
@@ -25,8 +26,7 @@ PRINTED = {
     "abs": "|#|",
     **{name: rf"\{name}" for name in ("exp", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "max", "min")},
     "log": r"\ln",
-    "atan2": r"\operatorname{atan2}",
-    "sign": r"\operatorname{sign}",
+    **{name: rf"\operatorname{{{name}}}" for name in ("arcsinh", "arccosh", "arctanh", "atan2", "sign")},
 }
 """In LaTeX: a form with a place for the argument, or a name that stands before it."""
 OF_ANY, RESULT_LIKE = ("sign", "atan2"), ("abs", "max", "min")
@@ -115,6 +115,25 @@ class Cases(Node):
         return Piece(style.cases([spell(value).text for value in self.values], where), Precedence.ATOM, 2)
 
 
+@word
+class HalfPower(Shorthand):
+    """A scalar to half of an odd number: its root to that number."""
+
+    of: Node
+    exponent: Fraction
+    function: ClassVar[str] = "power"
+    has_no_polynomial_form: ClassVar[bool] = True
+
+    @property
+    def definition(self) -> Node:
+        power = FunctionOf("sqrt", (self.of,)) ** abs(self.exponent.numerator)
+        return power if self.exponent > 0 else 1 / power
+
+    def spelled(self, style: Style, spell: Callable[[Node], Piece]) -> Piece:
+        base, exponent = spell(self.of).at_least(Precedence.ATOM, style), str(self.exponent)
+        return Piece(style.power(base.text, style.called(f"({exponent})", exponent)), Precedence.POWER, base.depth)
+
+
 def _function(name: str, *arguments: Scalar) -> FunctionOf:
     return FunctionOf(name, tuple(map(lifted, arguments)))
 
@@ -144,6 +163,9 @@ def atan2(sine: Scalar, cosine: Scalar) -> FunctionOf:
 sinh = _of_one("sinh", "The hyperbolic sine.")
 cosh = _of_one("cosh", "The hyperbolic cosine.")
 tanh = _of_one("tanh", "The hyperbolic tangent.")
+arcsinh = _of_one("arcsinh", "The number that has this hyperbolic sine.")
+arccosh = _of_one("arccosh", "The number, not negative, that has this hyperbolic cosine.")
+arctanh = _of_one("arctanh", "The number that has this hyperbolic tangent.")
 sign = _of_one("sign", "1, 0 or -1, as the scalar is positive, zero or negative.")
 
 
@@ -173,6 +195,9 @@ DERIVATIVES: dict[str, Callable[..., tuple[Node, ...]]] = {
     "sinh": lambda x: (cosh(x),),
     "cosh": lambda x: (sinh(x),),
     "tanh": lambda x: (1 / cosh(x) ** 2,),
+    "arcsinh": lambda x: (1 / sqrt(x**2 + 1),),
+    "arccosh": lambda x: (1 / sqrt(x**2 - 1),),
+    "arctanh": lambda x: (1 / (1 - x**2),),
 }
 """The partial derivatives of each function."""
 

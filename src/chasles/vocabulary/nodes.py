@@ -115,17 +115,20 @@ class Node(Displayed, Fitted):
     def __rmatmul__(self, other: object) -> Node:
         return lifted(other) @ self  # type: ignore[arg-type]
 
-    def __pow__(self, exponent: Extent) -> Power:
+    def __pow__(self, exponent: Extent | Fraction) -> Node:
         from chasles.vocabulary.sizes import Size
 
+        if isinstance(exponent, Fraction) and exponent.denominator == 2:
+            from chasles.vocabulary.functions import HalfPower
+
+            return HalfPower(self, exponent)
         if not isinstance(exponent, int | Size) or isinstance(exponent, bool):
-            raise TypeError(
-                f"the exponent of {self} is {exponent}; it must be a whole number, or a letter for one: n = Size('n')"
-            )
+            told = "it must be a whole number, or a letter for one: n = Size('n')"
+            raise TypeError(f"the exponent of {self} is {exponent}; {told}")
         return Power(self, exponent)
 
-    def __getitem__(self, places: int | slice | tuple[int | slice, int | slice]) -> Node:
-        """An entry `R[1, 2]` or `v[3]`, or a block `T[1:3, 4]`: rows and columns counted from 1, ends included."""
+    def __getitem__(self, places: int | slice | tuple[int | slice, int | slice] | str) -> Node:
+        """An entry `R[1, 2]`, `v[3]`, or `R["xy"]`, or a block `T[1:3, 4]`: counted from 1, ends included."""
         from chasles.vocabulary.parts import part
 
         return part(self, places)
@@ -133,22 +136,17 @@ class Node(Displayed, Fitted):
     @property
     def x(self) -> Node:
         """The first component of a vector."""
-        return self._component(1, "x")
+        return self["x"]
 
     @property
     def y(self) -> Node:
         """The second component of a vector."""
-        return self._component(2, "y")
+        return self["y"]
 
     @property
     def z(self) -> Node:
         """The third component of a vector."""
-        return self._component(3, "z")
-
-    def _component(self, row: int, mark: str) -> Node:
-        from chasles.vocabulary.parts import component
-
-        return component(self, row, mark)
+        return self["z"]
 
     def __float__(self) -> float:
         raise TypeError(f"{self} is no number: functions of it are those of chasles.vocabulary, or of its functions.py")

@@ -86,9 +86,14 @@ def _place(row: Node) -> int:
     return 1 + sum(block.shape[1] for block in before) if rest == [Number(Fraction(1))] else 0
 
 
-def part(of: Node, places: int | slice | tuple[int | slice, int | slice]) -> Node:
+def part(of: Node, places: int | slice | tuple[int | slice, int | slice] | str) -> Submatrix:
     """The entry or block in the given rows and columns; of a column or a row, one place is enough."""
     height, width = of.shape
+    if isinstance(places, str):
+        if len(places) != (1 if width == 1 else 2):
+            raise Misfit(f"{of} is {height} x {width}: a component is that of a column, an entry has two letters")
+        row, column = (*("xyz".find(letter) + 1 for letter in places), 1)[:2]
+        return Submatrix(of, (row, row), (column, column), places)
     if not isinstance(places, tuple):
         if 1 not in (height, width):
             raise Misfit(f"{of} is {height} x {width}: an entry of it has a row and a column, as in A[1, 2]")
@@ -99,13 +104,6 @@ def part(of: Node, places: int | slice | tuple[int | slice, int | slice]) -> Nod
     rows, columns = _range(places[0], height), _range(places[1], width)
     marks = _mark(rows), _mark(columns)
     return Submatrix(of, rows, columns, ("" if all(len(mark) == 1 for mark in marks) else ",").join(marks))
-
-
-def component(of: Node, row: int, mark: str) -> Node:
-    """The component of a column in the given row, printed with a mark of the author's: q_w, omega_x."""
-    if of.shape[1] != 1:
-        raise Misfit(f"{of} is {of.shape[0]} x {of.shape[1]}: a component is that of a column")
-    return Submatrix(of, (row, row), (1, 1), mark)
 
 
 def _range(places: int | slice, size: int) -> Range:

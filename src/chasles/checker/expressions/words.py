@@ -21,10 +21,12 @@ TIME = sp.Symbol("t")  # no quantity is the time, whatever its name: quantities 
 FUNCTIONS = {
     "sin": sp.sin, "cos": sp.cos, "sqrt": sp.sqrt, "abs": sp.Abs, "exp": sp.exp, "log": sp.log, "arcsin": sp.asin,
     "arccos": sp.acos, "arctan": sp.atan, "atan2": sp.atan2, "sinh": sp.sinh, "cosh": sp.cosh, "tanh": sp.tanh,
+    "arcsinh": sp.asinh, "arccosh": sp.acosh, "arctanh": sp.atanh,
     "sign": lambda x: sp.Piecewise((1, x > 0), (-1, x < 0), (0, True)), "max": sp.Max, "min": sp.Min,
 }  # fmt: skip
 DOMAINS = {
-    "sqrt": lambda x: x, "log": lambda x: x, "arcsin": lambda x: 1 - x**2, "arccos": lambda x: 1 - x**2,
+    "sqrt": lambda x: x, "log": lambda x: x, "arccosh": lambda x: x - 1,
+    **dict.fromkeys(("arcsin", "arccos", "arctanh"), lambda x: 1 - x**2),
 }  # fmt: skip
 """What is not negative where a function is real."""
 RELATIONS = {"<": sp.Lt, "<=": sp.Le, ">": sp.Gt, ">=": sp.Ge}
