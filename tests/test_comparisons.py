@@ -11,7 +11,7 @@ from sympy import Rational, acos, asin, atan, cos, cosh, erf, exp, floor, log, p
 
 from chasles.checker.expressions.cases import CheckedCase
 from chasles.checker.expressions.visible import signs_of
-from chasles.prove import Rejected, prove, recheck
+from chasles.prove import Rejected, Untreatable, prove, recheck
 from chasles.verdict import Holds, HoldsUnder
 
 x, y = sp.symbols("x y")
@@ -99,3 +99,38 @@ def test_cases_of_what_is_no_polynomial_are_rejected(on: str) -> None:
     assert isinstance(verdict, Holds)
     with pytest.raises(Rejected):
         recheck(replace(verdict, certificate={**verdict.certificate, "on": on}), claim)
+
+
+@pytest.mark.parametrize(
+    ("claim", "name"),
+    [
+        (sp.Implies(x > 1, x**2 > 1), "holds"),
+        (sp.Implies(x**2 > 1, x > 1), "fails"),
+        (sp.Implies(sp.Eq(x, 1), sp.Eq(x**2, 1)), "holds-under"),
+        (sp.Or(sp.Eq(x, 0), x**2 > 0), "holds"),
+        (sp.Or(x > 1, x < 0), "fails"),
+        (sp.And(x**2 >= 0, x**2 + y**2 >= 2 * x * y), "holds"),
+        (sp.Equivalent(x > 1, x**2 > 1), "fails"),
+        (sp.Equivalent(p > 1, p**2 > 1), "holds"),
+        (sp.Le(floor(x), x, evaluate=False), "holds"),
+    ],
+    ids=str,
+)
+def test_claims_are_joined_by_and_or_not_if_and_if_and_only_if(claim: sp.Basic, name: str) -> None:
+    verdict = prove(claim)
+    assert verdict.name == name
+    recheck(verdict, claim)
+
+
+def test_what_is_no_relation_is_no_equation_either() -> None:
+    for claim in (sp.Implies(y, x > 1), sp.Or(y, x > 1), sp.Not(y)):
+        with pytest.raises(Untreatable, match="no equation and no inequality"):
+            prove(claim)
+    with pytest.raises(Untreatable, match="each condition stands in the list by itself"):
+        prove(x, 1, given=[sp.Or(sp.Eq(1 / x, 1), sp.Eq(x, 0))])  # where x is zero, the first says nothing
+
+
+def test_one_of_several_equations_may_be_given() -> None:
+    one_of = sp.Or(sp.Eq(x, 1), sp.Eq(x, -1))
+    assert prove(x**2, 1, given=[one_of]).needs == ("(x - 1)*(x + 1) = 0",)
+    assert prove(x, 1, given=one_of).counterexample.at == {"x": -1}

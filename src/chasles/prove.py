@@ -19,7 +19,7 @@ from chasles.checker.sparse import Rejected
 from chasles.from_sympy import Question, ask
 from chasles.from_sympy.any_size import verdict_at_any_size
 from chasles.from_sympy.complex_symbols import by_parts, expressions_in
-from chasles.from_sympy.components import in_components, sides_of
+from chasles.from_sympy.components import in_components, sides_of, without_implication
 from chasles.from_sympy.contradiction import contradiction
 from chasles.from_sympy.decimals import as_decimals
 from chasles.from_sympy.exponents import require_moderate
@@ -55,7 +55,7 @@ def prove(
     Args:
         lhs: a SymPy scalar or matrix, whose sizes may be letters, as in MatrixSymbol("A", n, n); a vector, dyadic or
             quaternion of SymPy's, a list or an array, which are read by their components, those of both sides in one
-            frame; or alone, an equation or an inequality.
+            frame; or alone, an equation, an inequality, or what joins some by And, Or, Not, Implies and Equivalent.
         rhs: one of the same shape.
         given: equations that hold, as `Eq(a, b)` or as expressions or matrices that are zero, one or a list of them,
             or the values of symbols as `{x: 1}`; between functions of time they hold at all times. Inequalities may be
@@ -174,6 +174,8 @@ def _said(exact: bool, *said: Any) -> tuple[Any, ...]:
     """What was said: iterators written out, a relation by its sides, vectors and complex symbols by their parts."""
     said = tuple(tuple(each) if isinstance(each, Iterator) else each for each in said)
     lhs, rhs, *conditions = said
+    if rhs is None:
+        lhs, conditions[0] = without_implication(lhs, conditions[0])
     said = in_components((*(sides_of(lhs) if rhs is None else (lhs, rhs)), *conditions))
     return by_parts(tuple(map(as_decimals, said)) if exact else said)
 

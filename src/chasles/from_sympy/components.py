@@ -9,6 +9,7 @@ from sys import modules
 from typing import Any
 
 import sympy
+from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 from sympy.matrices import MatrixBase
 from sympy.utilities.iterables import flatten
@@ -47,8 +48,9 @@ def sides_of(relation: Any) -> tuple[Any, Any]:
     """
     if isinstance(relation, sympy.Equality):
         return relation.lhs, relation.rhs
-    if isinstance(relation, sympy.Unequality):
-        return sympy.Piecewise((1, relation), (0, True)), sympy.S.One
+    if isinstance(relation, sympy.Unequality) or _joins_relations(relation):
+        joined = not isinstance(relation, sympy.Unequality)  # SymPy rewrites conditions that it joins
+        return sympy.Piecewise((1, relation), (0, True), evaluate=not joined), sympy.S.One
     if isinstance(relation, Relational) and not all(isinstance(side, sympy.Expr) for side in relation.args):
         raise Untreatable(f"{excerpt(relation)} compares what is no scalar")
     if isinstance(relation, sympy.GreaterThan | sympy.LessThan):
@@ -56,10 +58,35 @@ def sides_of(relation: Any) -> tuple[Any, Any]:
         return sympy.Abs(difference), difference
     if isinstance(relation, sympy.StrictGreaterThan | sympy.StrictLessThan):
         return sympy.sign(relation.gts - relation.lts), sympy.S.One
-    why = "no equation and no inequality"
+    why, instead = "no equation and no inequality", "hand in two sides"
     if relation is sympy.true or relation is sympy.false:
         why = "what SymPy has made of a relation when it was written"
-    raise Untreatable(f"one side only is handed in, {excerpt(relation)}, which is {why}: hand in two sides")
+        instead += ", or write the relation as Le(a, b, evaluate=False)"
+    raise Untreatable(f"one side only is handed in, {excerpt(relation)}, which is {why}: {instead}")
+
+
+def _joins_relations(claim: Any) -> bool:
+    """Whether a claim is made of equations and inequalities between scalars by and, or, not, if, and if and only if."""
+    joins = isinstance(claim, sympy.And | sympy.Or | sympy.Not | sympy.Implies | sympy.Equivalent | sympy.Xor)
+    parts = [part for part in claim.args if not _joins_relations(part)] if joins else [claim]
+    return joins and all(isinstance(p, Relational) and isinstance(p.lhs - p.rhs, sympy.Expr) for p in parts)
+
+
+def _is_entire(equation: Any) -> bool:
+    """Whether both sides are polynomials in symbols and functions that are defined everywhere."""
+    everywhere = sympy.sin | sympy.cos | sympy.exp | AppliedUndef
+    sides = (e.replace(lambda part: isinstance(part, everywhere), lambda _: sympy.Dummy()) for e in equation.args)
+    return not any(e.is_Matrix for e in equation.args) and all(e.is_polynomial() for e in sides)
+
+
+def without_implication(claim: Any, given: Any) -> tuple[Any, Any]:
+    """The claim that follows from what is said to imply it, and what is given then; others as they are."""
+    said = isinstance(claim, sympy.Implies) and (
+        isinstance(claim.args[0], Relational) or _joins_relations(claim.args[0])
+    )
+    if not said or not isinstance(given, list | tuple):
+        return claim, given
+    return claim.args[1], [*given, claim.args[0]]
 
 
 class _Unknown:
@@ -103,6 +130,8 @@ def _condition(value: Any) -> Any:
     """A condition, or several, said of components; a vector by itself is zero."""
     if isinstance(value, list | tuple | set | frozenset):
         return type(value)(map(_condition, value))
+    if isinstance(value, sympy.Or) and all(isinstance(e, sympy.Equality) and _is_entire(e) for e in value.args):
+        value = sympy.Mul(*(e.lhs - e.rhs for e in value.args))  # one of them vanishes, and all are defined
     if isinstance(value, sympy.Equality) and isinstance(value.lhs, sympy.Expr):
         return value.func(*map(sympy.sympify, _pair(*value.args)), evaluate=False)
     return _pair(value, sympy.S.Zero)[0]
