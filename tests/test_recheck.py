@@ -344,3 +344,16 @@ def test_a_quotient_that_is_not_negative_says_nothing_of_its_numerator() -> None
 def test_a_proof_without_a_witness_is_rejected(lhs: Any, rhs: Any) -> None:
     with pytest.raises(Rejected, match="no witness"):
         recheck(replace(prove(lhs, rhs), witness=None), lhs, rhs)
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["factorial(10**9)", "gamma(10**9) - gamma(10**9)", "prime(10**9)", "chebyshevt(99999, x)", "integrate(x, x)",
+     "solve(x)", "polygamma(10**6, 1)", "expand((x + 1)**999)"],
+)  # fmt: skip
+def test_a_certificate_does_not_set_sympy_to_work(text: str) -> None:
+    """What is said to be a fact may speak of functions that are read, and of no others: SymPy would come to no end."""
+    lhs, rhs = cos(pi / 7) - cos(2 * pi / 7) + cos(3 * pi / 7), sp.Rational(1, 2)
+    verdict = prove(lhs, rhs)
+    with pytest.raises(Rejected):
+        recheck(replace(verdict, certificate={**verdict.certificate, "facts": [text]}), lhs, rhs)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from copy import deepcopy
 from dataclasses import replace
+from functools import reduce
 from random import Random
 from typing import Any
 
@@ -18,6 +19,9 @@ from .equations import Equation
 __all__ = ["accepted_forgery", "altered_certificates", "needs_forged"]
 
 ODD_VARIANTS = (99, -1, "0", None, 1.5)
+ODD = ("factorial(10**9)", "integrate(x, x)", "gamma(999999999)", "x**10000000", "1/0", "(", "", None, -1, 1.5, [], {})
+ANYTHING = "anything"
+"""So begins what is said of changes of which the checker may take no notice: it only has to end, and not to fail."""
 
 
 def accepted_forgery(
@@ -26,9 +30,9 @@ def accepted_forgery(
     """What was forged, if a forged certificate of a proof was accepted or crashed the checker; None if all is well."""
     for what, asked, forged in _forgeries(question, verdict, draw, false_without):
         reason = rejection(asked, forged)
-        if reason is None:
+        if reason is None and not what.startswith(ANYTHING):
             return f"accepted: {what}"
-        if not reason.startswith("Rejected"):
+        if reason is not None and not reason.startswith("Rejected"):
             return f"{what}: {reason}"
     return None
 
@@ -78,8 +82,20 @@ def altered_certificates(certificate: Any, draw: Random) -> Iterator[tuple[str, 
             changed = deepcopy(whole)
             changed["entries"][label]["cofactors"]["no such equation"] = "1"
             yield "a cofactor of what is not given", changed
+    for path in draw.sample(places := [*_places(whole)], min(3, len(places))):
+        changed = deepcopy(whole)
+        reduce(lambda part, key: part[key], path[:-1], changed)[path[-1]] = odd = draw.choice(ODD)
+        yield f"{ANYTHING}: {odd!r} at {path}", changed
     for k, (label, term) in enumerate(whole.get("division", ())):
         changed = deepcopy(whole)
         changed["division"] = [list(d) for d in changed["division"]]
         changed["division"][k] = [label, draw.choice((f"{term}*{term}", "nothing", ""))]
         yield f"the term by which {label} divides", changed
+
+
+def _places(part: Any) -> Iterator[tuple[Any, ...]]:
+    """The ways to what stands anywhere in a certificate, where it can be changed."""
+    inside = part.items() if isinstance(part, dict) else enumerate(part) if isinstance(part, list) else ()
+    for key, value in inside:
+        yield (key,)
+        yield from ((key, *rest) for rest in _places(value))

@@ -19,9 +19,7 @@ from chasles.checker.sparse import Rejected
 
 LARGEST = 200
 """So many factors has a product that a recurrence gives at most."""
-BOUNDED = {
-    sympy.erf: 1, sympy.Si: 2, sympy.fresnels: 1, sympy.fresnelc: 1, sympy.airyai: 1, sympy.besselj: 1,
-}  # fmt: skip
+BOUNDED = {sympy.Si: 2, **dict.fromkeys((sympy.erf, sympy.fresnels, sympy.fresnelc, sympy.airyai, sympy.besselj), 1)}
 """Real functions of which no more is known than that they are no larger; of Bessel's, those of integral order."""
 VALUED = (Floor, sympy.Mod, sympy.gamma, *BOUNDED)
 """What is a quantity by itself once all others are said by these."""

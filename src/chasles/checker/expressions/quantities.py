@@ -57,8 +57,7 @@ def require_independent(atoms: Iterable[Any]) -> None:
 
 def is_unreal(e: Any) -> bool:
     """Whether SymPy is told that a quantity need not be a real number, or is none."""
-    unlike = e.is_real is False or e.is_complex or e.is_antihermitian
-    return e.is_commutative is False or bool(unlike and not e.is_real)
+    return e.is_commutative is False or (not e.is_real and any((e.is_real is False, e.is_complex, e.is_antihermitian)))
 
 
 def require_real(e: Any) -> None:

@@ -81,10 +81,9 @@ def _product(e: Any) -> Any:
 
 def require_running(e: Any) -> None:
     """Raise `Rejected` where an index of a sum or product is assumed to be what it need not be from end to end."""
-    known = _integers(e.limits)
     for index, low, high in e.limits:
         ends = (low, high) if high.is_number or -1 in signs_of(low) else (low,)
-        if not is_running(index, ends, "integer" if is_integral(low.xreplace(known)) else "real"):
+        if not is_running(index, ends, "integer" if is_integral(low.xreplace(_integers(e.limits))) else "real"):
             raise Rejected(f"{e} is not treated: {index} is assumed to be what it need not be from {low} to {high}")
 
 

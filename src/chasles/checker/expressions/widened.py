@@ -21,20 +21,20 @@ from sympy.core.function import AppliedUndef
 
 from chasles.checker.expressions.cases import CheckedCase
 from chasles.checker.expressions.complexes import Parts
+from chasles.checker.expressions.defined_functions import VALUED
 from chasles.checker.expressions.enclosed import BITS, HOLDING, LARGEST_EXPONENT, EnclosedValues, vanishes
 from chasles.checker.expressions.generalised import Generalised
 from chasles.checker.expressions.intervals import Enclosure
 from chasles.checker.expressions.needs import RELATIONS
 from chasles.checker.expressions.quantities import NUMBERS, SIGNS, atoms_of, require_independent
-from chasles.checker.expressions.readings import Floor, at_integer
+from chasles.checker.expressions.readings import READINGS, Floor, at_integer
 from chasles.checker.expressions.switches import deciding
 from chasles.checker.sparse import Rejected
 
 PLAIN = re.compile(r"[A-Za-z0-9_+\-*/(), .\[\]]*")
-PARTS = frozenset((
-    "on", "size", "remainders", "cases", "proof", "needs", "parts", "facts", "equal", "impossible", "witness",
-    "defined",
-))  # fmt: skip
+PARTS = {
+    "on", "size", "remainders", "cases", "proof", "needs", "parts", "facts", "equal", "impossible", "witness", "defined"
+}  # fmt: skip
 """What a certificate by cases, or of a more general question, may say."""
 Standard = Callable[[Mapping[str, Any], Sequence[str], tuple[Any, ...]], None]
 """Checks a certificate, with what it needs, of both sides, what is given and what does not vanish."""
@@ -227,11 +227,15 @@ def plain_expression(text: str, names: Mapping[str, Any]) -> Any:
     """The expression that a text says in these names; raises `Rejected` for a text that says anything else."""
     if not PLAIN.fullmatch(text) or "__" in text or _highest(ast.parse(text.strip(), mode="eval")) > LARGEST_EXPONENT:
         raise Rejected(f"{text!r} is no plain expression")
-    return sympy.sympify(text, locals={"floor": Floor, **names})
+    plain = {"floor": Floor, "gamma": lambda x: sympy.gamma(x, evaluate=not x.is_Integer)}  # nothing to work out
+    return sympy.sympify(text, locals={**plain, **names})
 
 
 def _highest(node: ast.AST) -> int:
-    """A bound of the power to which something is raised: (x**2)**3 is a sixth power."""
+    """A bound of the power to which something is raised, (x**2)**3 a sixth power; of what is not read here, none."""
+    called = getattr(sympy, getattr(node.func, "id", ""), None) if isinstance(node, ast.Call) else None
+    if called not in (None, sympy.sqrt, sympy.floor, *READINGS, *VALUED):
+        return LARGEST_EXPONENT + 1
     if not isinstance(node, ast.BinOp) or not isinstance(node.op, ast.Pow):
         return max(map(_highest, ast.iter_child_nodes(node)), default=1)
     numbers = (int(part.value) for part in ast.walk(node.right) if isinstance(part, ast.Constant))  # type: ignore[arg-type]
