@@ -8,6 +8,7 @@ from fractions import Fraction
 import mpmath
 import pytest
 
+from chasles.coq.kernels import claim_of_kernel
 from chasles.decisions.session import Session
 from chasles.lowering.arithmetic import Decimals, evaluated
 from chasles.lowering.declaration import requested
@@ -65,6 +66,7 @@ def made(expression: Node) -> tuple[Request, Program]:
 def test_a_program_with_functions_is_proved_and_has_the_values_of_the_words(expression: Node) -> None:
     request, program = made(expression)
     assert not differences(request, program)
+    assert claim_of_kernel("1", request, program)[0].why_not.startswith("it has functions")
     context = mpmath.mp.clone()
     context.dps = 30
     entries = [Fraction(7, 5), Fraction(9, 7), Fraction(-11, 13)]

@@ -50,6 +50,8 @@ def claim_of_kernel(key: str, request: Request, program: Program) -> tuple[Claim
     claim = Claimed(key, f"kernel {request.name}", name, said, kernel=request.name)
     problem = None
     try:
+        if request.functions:
+            raise Unsaid("it has functions of which Coq is told in statements only")
         steps = ProgramSteps(request, program)
         problem = steps.problem
         statement = ProgramStatement(problem, steps.entries, steps.functions)
