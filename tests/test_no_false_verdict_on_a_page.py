@@ -388,3 +388,10 @@ def test_blocks_of_a_matrix_that_another_section_wrote_out_are_no_slip() -> None
 )  # fmt: skip
 def test_signs_that_reach_far_and_what_is_put_under_them(claims: list[str], expected: list[str]) -> None:
     assert verdicts_as_proposed(*claims) == expected
+
+
+def test_scripts_behind_braces_are_put_on_once_and_blocks_need_not_stand_below_each_other() -> None:
+    letters = {"Q": "rotation", "p": "vector", "a": "scalar", "T": {"is": "matrix", "shape": [4, 4]}}
+    page = r"$$a = {[Q^T]_{12}}^2$$ $$a = Q_{21}^2$$ $$T = \begin{bmatrix} Q & p \\ 1 & \mathbf{0} \end{bmatrix}$$"
+    found = chasles.read(page, {"symbols": letters, "operators": {"transpose": ["#^T"]}}).equations
+    assert [each.verdict for each in found] == ["defined", "holds", "defined"]

@@ -22,6 +22,8 @@ MOST_POSED = 4
 """So many posed equations, the last ones, are tried together for a proof."""
 MOST_BALANCED = 8
 """So many rules for what occurs on one side only are tried together."""
+MOST_WHOLE = 2
+"""So many sets from which a claim is likely to follow are tried with what a random motion does not need, too."""
 Known = tuple[Rules, tuple[PosedEquation, ...]]
 """Rules to apply and equations to assume."""
 
@@ -53,7 +55,7 @@ def attempts(
                 whole.append(tried)
             if likely is not False:
                 yield bool(likely), consequences.least(*claim.printed, *tried) if likely else tried
-        yield from ((True, each) for each in whole)
+        yield from ((True, each) for each in whole[-MOST_WHOLE:])
 
     for likely, known in chosen():
         if _is_new(*known, seen):
