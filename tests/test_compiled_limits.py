@@ -137,6 +137,7 @@ def test_a_branch_is_no_limit():
     ]
     kernel = chasles.compile([*expressions, sp.asinh(sp.sqrt(x)) / sp.sqrt(x)], [x, y])
     assert chasles.compile((x ** R(1, 9) - 1) / (x**3 - 1), [x])(1.0) == pytest.approx(1 / 27)
+    assert chasles.compile((sp.log(x**2 + 3) - 2 * sp.log(2)) / (x - 1), [x])(1.0) == 0.5
     assert np.isfinite(chasles.compile(sp.coth(x + x / y) - sp.coth(x / y) / y, [x, y])(1.0, 2.0))
     with np.errstate(invalid="ignore"):
         assert all(map(math.isnan, [*kernel(-1.0, -1.0)[:2], *kernel(1.3, 1.0)[2:3], kernel(-1.0, 0.0)[3]]))

@@ -19,6 +19,7 @@ from chasles.compiling.taylor import NearZero, Stumpff, TaylorPolynomial, left_o
 from chasles.lowering.refusal import LoweringError
 
 NO_VALUES = (sympy.nan, sympy.zoo, sympy.oo, -sympy.oo, sympy.I)
+_NEGLIGIBLE = sympy.Float("1e-50")
 _WRITTEN_OUT = 8
 """So many factors has a whole power of which the terms are written one by one."""
 
@@ -48,6 +49,10 @@ class DividedDifferences:
         value = self.at_point(expression)
         if value.has(*NO_VALUES):
             return False
+        if value.is_number and not value.is_Rational:
+            # log(4) is 2 log(2): a number stands for its first digits.
+            digits = value.evalf(60)
+            return bool(digits.is_Number and abs(digits) < _NEGLIGIBLE)
         return vanishes(value) or (bool(parts_of_kinds(value, (Stumpff,))) and vanishes(value.expand(func=True)))
 
     def hold(self, condition: Any) -> bool:
