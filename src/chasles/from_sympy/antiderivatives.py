@@ -11,6 +11,7 @@ from typing import Any
 
 import sympy
 from sympy.integrals.manualintegrate import manualintegrate
+from sympy.integrals.rationaltools import ratint
 
 from chasles.checker.expressions.visible import signs_of
 
@@ -25,12 +26,15 @@ LIMITS = {sympy.atan: sympy.pi / 2, sympy.erf: sympy.S.One, sympy.tanh: sympy.S.
 
 def by_rules(term: Any, x: Any, ends: tuple[Any, Any]) -> Any:
     """What has the term as its derivative between the ends, and is continuous there; None if none is found."""
-    if term.count_ops() > LARGEST:
+    plain, alone = term.is_rational_function(x), term.free_symbols == {x}
+    below = sympy.fraction(sympy.together(term))[1]
+    # With parameters SymPy comes to no end soon with divisors of higher degrees.
+    if term.count_ops() > LARGEST or term.has(sympy.I) or (plain and not alone and sympy.degree(below, x) > 2):
         return None
     found = None
     with suppress(NotImplementedError, ValueError, TypeError, AttributeError, RecursionError, sympy.PolynomialError):
-        found = manualintegrate(term, x)
-    if found is None or found.has(sympy.Integral):
+        found = ratint(term, x, real=True) if plain and alone else manualintegrate(term, x)
+    if found is None or found.has(sympy.Integral, sympy.RootSum, sympy.I):
         return None
     # Where a divisor vanishes, the other pieces hold: it is among what is divided by.
     found = found.replace(lambda e: isinstance(e, sympy.Piecewise), lambda e: e.args[0].expr)
