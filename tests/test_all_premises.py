@@ -39,8 +39,13 @@ law = Postulate("5", rate(v), 2 * w, given=())
 on_circle = claim(g, (m + k) ** 2, Definition("6", g, m**2 + k**2 + 2 * m * k), circle, number="7")
 free = claim(p, cross(w, r), Definition("8", p, CPM(w) @ r), law, number="10")
 determined = claim(h, c + 1, Definition("11", h, c + 1), Condition("12", 3 * c, a, on=(c,)), twice, number="13")
+commuting = claim(Q @ R, R @ Q, Definition("19", Q, 2 * R), number="20")
+upright = claim(dot(p, w), 0, Definition("21", p, cross(w, r)), number="22")
 moving = claim(rate(m), b + a - 2 * b, Definition("16", rate(m), b), Definition("17", rate(Q), R), twice, number="18")
 TRUE = [
+    claim(Q @ Q @ R, R @ Q @ Q, commuting),
+    claim(dot(rate(p), w), -dot(p, rate(w)), upright),
+    claim(a * b * b, c * b, Postulate("23", a * b, c)),
     claim(R, R.T, moving, assuming=(symmetric(Q),)),
     claim(f, 3 * b, of_a),
     claim(g, 1 + 2 * m * k, on_circle),
@@ -50,6 +55,8 @@ TRUE = [
     claim(f + h, 3 * b + c + 1, of_a, determined),
 ]
 FALSE = [
+    claim(dot(rate(p), w), dot(p, rate(w)), upright),
+    claim(a * b * b, c * c, Postulate("23", a * b, c)),
     claim(R, -R.T, moving, assuming=(symmetric(Q),)),
     claim(f, 4 * b, of_a),
     claim(g, 1 - 2 * m * k, on_circle),

@@ -86,7 +86,7 @@ WHEN_EMITTED = [
     ('Claim("1.2", x, x, kernel=Kernel(of=(a,)))', "x is free: it is not among the arguments (a)"),
     ('Definition("1.2", a, tr(A), kernel=Kernel(of=(A,), form=2 * tr(A)))', "the offered form is not equal to (1.2)"),
 ]
-DERIVED = 'before = Claim("1.0", A @ x, A @ x)\n'
+FREE_STILL = 'before = Condition("1.0", A @ x, A @ x, on=(x,), solution=x)\n'
 
 
 @pytest.fixture
@@ -145,5 +145,5 @@ def test_a_kernel_that_is_refused_is_told_by_file_and_line(told, declaration: st
 
 @pytest.mark.parametrize("given", ["(before,)", "(known, before)"])
 def test_what_cannot_be_given_leaves_undecided_where(told, given: str) -> None:
-    text, status = told(f'{DERIVED}made = Claim("1.2",\n    x, x, given={given})', "decide")
+    text, status = told(f'{FREE_STILL}made = Claim("1.2",\n    x, x, given={given})', "decide")
     assert (text, status) == ("chasles: undecided: (1.2) (CHAPTER/s1.py, line 9)\n", 1)

@@ -136,7 +136,8 @@ def problems_of_inverse(sentence: Inverse, accepted: AcceptedSides = default_sid
 
 def _cover(sentence: Inverse) -> Goal:
     """Where all `where` vanished, zero would be one."""
-    return Goal(COVER, total(tuple(w.Scale(branch.by, branch.where) for branch in sentence.branches)), ONE)
+    terms = tuple(w.Scale(branch.by, branch.where) for branch in sentence.branches)
+    return Goal(COVER, total(terms) if terms else NOTHING, ONE)
 
 
 def _circles(values: dict[Node, Node]) -> Iterator[Goal]:

@@ -19,17 +19,9 @@ from chasles.statements.goals import (
 )
 from chasles.statements.hypotheses import Hypothesis, nonzero
 from chasles.statements.problem import Goal, Problem
-from chasles.statements.rules import behind, passed_on, rated, refuse_circles
+from chasles.statements.rules import behind, fit_together, passed_on, rated, refuse_circles
 from chasles.statements.simpler_words import in_simpler_words, with_rates_said, with_simple_lengths, with_what_is_seen
-from chasles.statements.statement import (
-    Claim,
-    Condition,
-    Equation,
-    Statement,
-    Theorem,
-    bare,
-    is_rule,
-)
+from chasles.statements.statement import Claim, Condition, Definition, Equation, Statement, Theorem, bare, is_rule
 from chasles.statements.varied import opened_parts
 from chasles.vocabulary import Determinant, Inverse, Negative, Node, Rate, Sum, Symbol, members_of, plain, undotted
 from chasles.vocabulary.families import indices_of
@@ -73,7 +65,7 @@ _posed: WeakKeyDictionary[Decidable, dict[str, tuple[list[Equation], Problem]]] 
 
 
 def _problem_of(statement: Decidable, form: str, standing: AcceptedSides) -> Problem:
-    rules, conditions, unknowns = _given(statement, standing)
+    rules, conditions, unknowns, used = _given(statement, standing)
     rules = passed_on([*rules, *_angle_rules(statement, form, rules, conditions, unknowns)])
     refuse_circles(statement.number, rules, unknowns)
     rules += _counted(said_by(statement, form, rules), rules)
@@ -83,7 +75,7 @@ def _problem_of(statement: Decidable, form: str, standing: AcceptedSides) -> Pro
 
         rules += moving(said, rules)
     inverted = (nonzero(Determinant(side.of)) for side in said_by(statement, form, []) if isinstance(side, Inverse))
-    hypotheses = tuple(dict.fromkeys((*hypotheses_of(statement), *_agreeing(dict(rules)), *inverted)))
+    hypotheses = tuple(dict.fromkeys((*hypotheses_of(statement), *used, *_agreeing(dict(rules)), *inverted)))
     free = conditions and (any(each.is_field for each in unknowns) or not solvable(conditions, unknowns, dict(rules)))
     if free:
         from chasles.statements.field_equations import freely_assumed  # of no use to most claims
@@ -103,33 +95,35 @@ def _problem_of(statement: Decidable, form: str, standing: AcceptedSides) -> Pro
     return with_directions(with_simple_lengths(with_what_is_seen(problem)))
 
 
-def _given(statement: Decidable, accepted: AcceptedSides) -> tuple[list[Equation], list[Goal], dict[Symbol, None]]:
-    """Rules by what is given, conditions (on nothing they are hypotheses), and the symbols that these determine."""
+def _given(
+    statement: Decidable, accepted: AcceptedSides
+) -> tuple[list[Equation], list[Goal], dict[Symbol, None], tuple[Hypothesis, ...]]:
+    """Rules by what is given, conditions, the symbols that these determine, and what is used as it stands."""
     rules: list[Equation] = []
     conditions: list[Goal] = []
     unknowns: dict[Symbol, None] = {}
+    told: list[Goal] = []
     posed = [each.on for each in statement.given if isinstance(each, Condition)]
+    defined = [(bare(each.left), accepted(each)[1]) for each in statement.given if isinstance(each, Definition)]
     for given in statement.given:
         left, right = accepted(given)
+        rule = bare(left), right
         if isinstance(given, Condition) and given.solution is not None:
             raise TypeError(
                 f"({statement.number}) is given ({given.number}), which leaves {given.on[0]} free: let it restate that"
             )
-        if isinstance(given, Condition) and posed.count(given.on) == 1 and _is_motion(given.on, bare(left), right):
-            rules.append((bare(left), right))
+        if isinstance(given, Condition) and posed.count(given.on) == 1 and _is_motion(given.on, *rule):
+            rules.append(rule)
         elif isinstance(given, Condition):
             conditions += equations_of(f"({given.number})", left, right) if given.on else ()
             unknowns |= dict.fromkeys(given.on)
-        elif is_rule(given):
-            rules.append((bare(left), right))
+        elif is_rule(given) and (isinstance(given, Definition) or fit_together([*rules, *defined, rule])):
+            rules.append(rule)
         elif indices_of(left):
             rules += [(one, other) for one, other in members_of(left, right)]
         else:
-            raise TypeError(
-                f"({statement.number}) is given ({given.number}), whose left side {left} is no symbol: "
-                "state it as a Condition on what it determines"
-            )
-    return rules, conditions, unknowns
+            told += equations_of(f"({given.number})", left, right)
+    return rules, conditions, unknowns, tuple(assumed(told))
 
 
 def _is_motion(on: tuple[Symbol, ...], left: Node, right: Node) -> bool:

@@ -38,13 +38,13 @@ def with_all_premises(statement: Decidable, accepted: AcceptedSides) -> Decidabl
     given: list[Statement] = []
     for each, sides in sorted((found | direct).items(), key=lambda item: not isinstance(item[0], Definition)):
         rule = bare(sides[0]), sides[1]
-        if isinstance(each, Condition) and not any(undotted(left)[0] in each.on for left, _ in rules):
-            given.append(each)
-        elif is_rule(each) and not isinstance(each, Condition) and fit_together([*rules, rule]):
+        if isinstance(each, Condition):
+            given.append(with_fields(each, on=()) if any(undotted(left)[0] in each.on for left, _ in rules) else each)
+        elif is_rule(each) and fit_together([*rules, rule]):
             given.append(each)
             rules.append(rule)
         elif not isinstance(each, Definition | Claim) or any(isinstance(p, Inverse | Quotient) for p in _parts(sides)):
-            given.append(Condition(each.number, *sides, each.says, each.part, each.given, each.assuming, sic=True))
+            given.append(each)
     return with_fields(statement, given=tuple(given))
 
 
