@@ -16,7 +16,7 @@ from chasles.verdict import Holds
 from .asking import rejection
 from .equations import Equation
 
-__all__ = ["accepted_forgery", "altered_certificates", "needs_forged"]
+__all__ = ["ANYTHING", "accepted_forgery", "altered_certificates", "needs_forged"]
 
 ODD_VARIANTS = (99, -1, "0", None, 1.5)
 ODD = ("factorial(10**9)", "integrate(x, x)", "gamma(999999999)", "x**10000000", "1/0", "(", "", None, -1, 1.5, [], {})

@@ -13,7 +13,7 @@ from chasles.statements import Claim, Definition, Hypothesis, Statement, Theorem
 from chasles.vocabulary.tree import children, rebuilt
 
 from .asking import statement_rejection
-from .forging import altered_certificates
+from .forging import ANYTHING, altered_certificates
 from .statements import Asked
 
 __all__ = ["accepted_forgery_of", "smaller_statements", "twisted_statements"]
@@ -96,9 +96,9 @@ def accepted_forgery_of(asked: Asked, verdict: Any, draw: Random) -> str | None:
     """What was forged, if a forged verdict on a claim was accepted or crashed the checker; None if all is well."""
     for what, statement, forged in _forgeries(asked, verdict, draw):
         reason = statement_rejection(statement, forged)
-        if reason is None:
+        if reason is None and not what.startswith(ANYTHING):
             return f"accepted: {what}"
-        if not reason.startswith("Rejected"):
+        if reason is not None and not reason.startswith("Rejected"):
             return f"{what}: {reason}"
     return None
 
