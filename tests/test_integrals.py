@@ -14,6 +14,7 @@ from sympy import (
     Matrix,
     Rational,
     Sum,
+    conjugate,
     cos,
     cosh,
     exp,
@@ -84,6 +85,8 @@ def test_values_are_proved_and_slips_refuted(left: Any, right: Any, needs: set[s
         Integral(1 / x**2, (x, -1, 1)),
         Integral(exp(a * x), (x, 0, oo)), Integral(cos(x), (x, 0, oo)), Integral(1 / x, (x, 1, oo)),
         Integral(sqrt(x), (x, a, 1)),
+        Integral(1 / (1 - x) ** 2, (x, oo, 0)), Integral(1 / (1 + x) ** 2, (x, 0, -oo)),
+        Integral(conjugate(x), (x, 0, I)), Integral(x, (x, 0, sqrt(-R))),
         Integral(1 / (2 + cos(x)), (x, 0, 2 * pi)), Integral(1 / (a + b * x), (x, 0, 1)), Integral(log(x), (x, -1, 1)),
     ],
 )  # fmt: skip

@@ -48,11 +48,11 @@ def by_rules(term: Any, x: Any, ends: tuple[Any, Any]) -> Any:
 def _between(x: Any, low: Any, high: Any) -> Any:
     """What puts into an expression a number between two ends."""
     d = sympy.Dummy(positive=True)
-    if low.is_infinite or high.is_infinite:
-        free = sympy.Dummy(real=True)
-        value = free if low.is_infinite and high.is_infinite else low + d if high.is_infinite else high - d
-    else:
+    finite = [end for end in (low, high) if not end.is_infinite]
+    if len(finite) == 2:
         value = (low + high * d) / (1 + d)
+    else:
+        value = finite[0] + (d if sympy.oo in (low, high) else -d) if finite else sympy.Dummy(real=True)
     return lambda e: e.xreplace({x: value})
 
 

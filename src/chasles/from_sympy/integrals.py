@@ -10,6 +10,7 @@ from typing import Any
 
 import sympy
 
+from chasles.checker.expressions.complexes import OF_COMPLEX
 from chasles.checker.expressions.visible import is_running, kinds_of, signs_of
 from chasles.from_sympy.antiderivatives import at_end, by_rules
 from chasles.from_sympy.complex_symbols import expressions_in
@@ -54,9 +55,11 @@ def _value(integral: Any) -> Any:
     for index, *ends in integral.limits:
         if len(ends) < 2:
             raise Untreatable(f"{excerpt(integral)} is not treated: without limits it is known up to a constant only")
-        finite = [
-            sympy.Dummy(positive=True) * (1 if end is sympy.oo else -1) if end.is_infinite else end for end in ends
-        ]
+        # Along a path that is not real, what is conjugate and what is real are no antiderivatives.
+        if any(end.is_extended_real is False or end.has(*OF_COMPLEX, sympy.nan, sympy.zoo) for end in ends):
+            raise Untreatable(f"{excerpt(integral)} is not treated: its limits are not seen to be real")
+        large = sympy.Dummy(positive=True)
+        finite = [sympy.sign(end) * large if end.is_infinite else end for end in ends]
         if not is_running(index, finite, "real"):
             told = f"{index} is assumed to be what it need not be from {ends[0]} to {ends[1]}"
             raise Untreatable(f"{excerpt(integral)} is not treated: {told}")
@@ -75,10 +78,9 @@ def _before(term: Any, x: Any, ends: Any, integral: Any) -> Any:
     try:
         before = sympy.expand(sympy.Add(*(_antiderivative(part, x, integral) for part in parts)))
     except Untreatable:
-        before = by_rules(term, x, ends)
-        if before is None:
+        if (found := by_rules(term, x, ends)) is None:
             raise
-        return before
+        return found
     # That the derivative is right between the ends will do.
     y = sympy.Dummy(positive=True) if x.is_nonnegative else x
     gap = _in_exponentials(before.xreplace({x: y}).diff(y) - term.xreplace({x: y}), y)
