@@ -427,6 +427,7 @@ def test_broken_pages_are_read_as_far_as_they_go(page: str, kind: Kind) -> None:
     ("text", "why"),
     [
         ("a = " + "(" * 400 + "a" + ")" * 400, "brackets nested more than"),
+        ("a = (b = " * 1100 + "a" + ")" * 1100, "brackets nested more than"),
         ("a = " + "a(" * 400 + "a" + ")" * 400, "brackets nested more than"),
         ("a = " + r"\left[" * 400 + "a" + r"\right]" * 400, "brackets nested more than"),
         ("a = " + "{" * 400 + "a" + "}" * 400, "nested more than"),

@@ -160,14 +160,20 @@ def _relations(atoms: Sequence[Atom]) -> list[int]:
 
 def _opened(atoms: list[Atom]) -> list[Atom]:
     """Without brackets around an equation, a side of it, or what goes on with it, as in x = 2 (= a)."""
-    for start, atom in enumerate(atoms):
-        end = closing(atoms, start) if atom.text == "(" else 0
+    start, outermost = 0, [(0, 0)]  # where brackets that stand in no other begin, and how they end
+    while start < len(atoms):
+        end = closing(atoms, start) if atoms[start].text == "(" else 0
+        outermost += [(start, end)] * (end > outermost[-1][1])
         inside = atoms[start + 1 : end]
         if (places := _relations(inside)) and not atoms[end].is_marked:
             begins = start == 0 or atoms[start - 1].kind == "RELATION"
             ends = not {each.kind for each in atoms[end + 1 : end + 2]} - {"RELATION", "COMMA"}
             if (places[0] == 0 or begins) and (places[-1] == len(inside) - 1 or ends):
-                return _opened([*atoms[:start], *inside, *atoms[end + 1 :]])
+                atoms = [*atoms[:start], *inside, *atoms[end + 1 :]]
+                outermost = outermost[:-2] or [(0, 0)]  # the bracket before may end at a relation now
+                start = outermost[-1][0]
+                continue
+        start += 1
     return atoms
 
 

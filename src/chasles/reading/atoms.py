@@ -19,6 +19,7 @@ SIGNS = ("+", "-", r"\pm", r"\mp")
 INFIXES = (commands.OPERATORS | {"*", ":", r"\ominus", r"\boxminus", r"\vee"}) - {*SIGNS}
 OPENING = ("(", "[", r"\{", r"\langle", r"\lfloor", r"\lceil", r"\llbracket")
 CLOSING = (")", "]", r"\}", r"\rangle", r"\rfloor", r"\rceil", r"\rrbracket")
+DEEPEST_BRACKET = 40
 ROW_END = "\\\\"
 LAYOUT = ("&", ROW_END, r"\quad")
 BRACED = re.compile(r"(?:(?<=\s)|^)\{ ([^\s{}]+) \}(?=\s|$)")

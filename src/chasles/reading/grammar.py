@@ -16,7 +16,7 @@ from lark import Token as Terminal
 from lark.exceptions import UnexpectedInput, VisitError
 from lark.lexer import Lexer
 
-from chasles.reading.atoms import CLOSING, OPENING, Atom, Atoms, Terms, Unread, in_braces
+from chasles.reading.atoms import CLOSING, DEEPEST_BRACKET, OPENING, Atom, Atoms, Terms, Unread, in_braces
 from chasles.reading.lexemes import Token
 
 GRAMMAR = r"""
@@ -26,7 +26,6 @@ row: (ATOM | bracket | INFIX)+
 bracket: OPEN (terms (COMMA terms)*)? CLOSE
 %declare RELATION SIGN INFIX ATOM OPEN CLOSE COMMA
 """
-DEEPEST = 40
 WITHOUT_SCRIPTS = ("OPEN", "SIGN", "INFIX", "RELATION", "COMMA")
 
 
@@ -136,8 +135,8 @@ def _terminals(atoms: Atoms) -> list[Terminal]:
             raise Unread("only square roots are known", atom.place)
         if kind == "OPEN":
             open_bars.append(text)
-            if len(open_bars) > DEEPEST:
-                raise Unread(f"brackets nested more than {DEEPEST} deep", atom.place)
+            if len(open_bars) > DEEPEST_BRACKET:
+                raise Unread(f"brackets nested more than {DEEPEST_BRACKET} deep", atom.place)
         elif kind == "CLOSE" and len(open_bars) > 1:
             open_bars.pop()
         found.append(Terminal(kind if kind in (*WITHOUT_SCRIPTS, "CLOSE") else "ATOM", atom))

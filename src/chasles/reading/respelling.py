@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from chasles.reading import commands
-from chasles.reading.atoms import ROW_END, Atom, Atoms, single
+from chasles.reading.atoms import CLOSING, DEEPEST_BRACKET, OPENING, ROW_END, Atom, Atoms, single
 from chasles.reading.lexemes import LEXEME, BadPage, Token, lexemes, spelled
 from chasles.reading.typefaces import array_in_brackets, styled, text_atoms, with_scripts, without_empty_cells
 
@@ -48,7 +48,12 @@ def _without_space(atoms: Sequence[Atom]) -> list[Atom]:
 
 
 def respelled(raw: Sequence[Token]) -> list[Atom]:
-    """The same in print, in one spelling; raises `BadPage` where braces or environments do not match."""
+    """The same in print, in one spelling; raises `BadPage` where braces do not match or brackets nest too deep."""
+    depth = 0
+    for token in raw:
+        depth = max(depth + (token.text in OPENING) - (token.text in CLOSING), 0)
+        if depth > DEEPEST_BRACKET:
+            raise _bad(f"brackets nested more than {DEEPEST_BRACKET} deep", token)
     return _Respelling(raw).whole()
 
 
