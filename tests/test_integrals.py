@@ -14,6 +14,7 @@ from sympy import (
     Matrix,
     Rational,
     Sum,
+    atan,
     conjugate,
     cos,
     cosh,
@@ -60,6 +61,7 @@ TRUE: list[tuple[Any, Any, set[str]]] = [
     (Integral(x**2 * exp(-R * x), (x, 0, oo)), 2 / R**3, set()),
     (Integral(exp(-R * x) * cos(w * x), (x, 0, oo)), R / (R**2 + w**2), set()),
     (Integral(exp(-R * x**2), (x, -oo, oo)), sqrt(pi / R), set()),
+    (Integral((x + 3) ** 2 * exp(a * x) * atan(x), (x, a, a)), 0, set()),
     (Integral(exp(I * w * t), (t, 0, T)), (exp(I * w * T) - 1) / (I * w), set()),
     (Matrix([Integral(cos(th), (th, 0, ph)), Integral(sin(th), (th, 0, ph))]), Matrix([sin(ph), 1 - cos(ph)]), set()),
 ]  # fmt: skip
@@ -88,6 +90,9 @@ def test_values_are_proved_and_slips_refuted(left: Any, right: Any, needs: set[s
         Integral(1 / (1 - x) ** 2, (x, oo, 0)), Integral(1 / (1 + x) ** 2, (x, 0, -oo)),
         Integral(conjugate(x), (x, 0, I)), Integral(x, (x, 0, sqrt(-R))),
         Integral(1 / (2 + cos(x)), (x, 0, 2 * pi)), Integral(1 / (a + b * x), (x, 0, 1)), Integral(log(x), (x, -1, 1)),
+        Integral(1 / x, (x, 0, 0)), Integral((x + 3) ** 2 * exp(c * x) * atan(x), (x, 0, 1)),
+        Integral((x + R) ** 5 * atan(R * x) ** 3 / (x**3 + R) ** 3, (x, 0, 1)), Integral(sin(x) ** 9 / x, (x, 1, 2)),
+        Integral(sqrt(1 - x**2) * (x**2 + R**2) ** Rational(3, 2), (x, 0, 1)),
     ],
 )  # fmt: skip
 def test_others_are_refused_by_name(e: Any) -> None:

@@ -17,6 +17,14 @@ from chasles.checker.expressions.visible import signs_of
 
 LARGEST = 30
 """Longer integrands are not looked at."""
+MOST_GENERATORS = 2
+LARGEST_POWER, LARGEST_BELOW, LARGEST_DEGREE = 6, 2, 12
+"""The largest degrees with parameters or functions, in all and of divisors other than powers, and without them."""
+CIRCULAR = (sympy.sin, sympy.cos, sympy.tan, sympy.cot, sympy.sec, sympy.csc)
+KNOWN = (
+    *CIRCULAR, sympy.exp, sympy.log, sympy.sinh, sympy.cosh, sympy.tanh, sympy.asin, sympy.acos, sympy.atan,
+    sympy.asinh, sympy.acosh, sympy.atanh, sympy.erf,
+)  # fmt: skip
 SMOOTH = (
     sympy.Add, sympy.Mul, sympy.exp, sympy.sin, sympy.cos, sympy.sinh, sympy.cosh, sympy.tanh, sympy.atan, sympy.asinh,
     sympy.erf,
@@ -26,11 +34,9 @@ LIMITS = {sympy.atan: sympy.pi / 2, sympy.erf: sympy.S.One, sympy.tanh: sympy.S.
 
 def by_rules(term: Any, x: Any, ends: tuple[Any, Any]) -> Any:
     """What has the term as its derivative between the ends, and is continuous there; None if none is found."""
-    plain, alone = term.is_rational_function(x), term.free_symbols == {x}
-    below = sympy.fraction(sympy.together(term))[1]
-    # With parameters SymPy comes to no end soon with divisors of higher degrees.
-    if term.count_ops() > LARGEST or term.has(sympy.I) or (plain and not alone and sympy.degree(below, x) > 2):
+    if not _is_simple(term, x):
         return None
+    plain, alone = term.is_rational_function(x), term.free_symbols == {x}
     found = None
     with suppress(NotImplementedError, ValueError, TypeError, AttributeError, RecursionError, sympy.PolynomialError):
         found = ratint(term, x, real=True) if plain and alone else manualintegrate(term, x)
@@ -42,26 +48,71 @@ def by_rules(term: Any, x: Any, ends: tuple[Any, Any]) -> Any:
     inside = _between(x, *ends)
     found = found.replace(sympy.log, lambda u: sympy.log(-u if signs_of(sympy.together(inside(u))) == {-1} else u))
     gap = sympy.expand(sympy.fraction(sympy.together(found.diff(x) - term))[0])
-    return found if gap == 0 and _is_continuous(found, x, ends) else None
+    return found if gap == 0 and is_continuous(found, x, ends) else None
+
+
+def _is_simple(term: Any, x: Any) -> bool:
+    """Whether an integrand is short, and rational in two generators at the most, in low powers.
+
+    With more of them, SymPy's rules try integrations by parts and substitutions in all orders; with parameters or
+    functions it comes to no end soon with divisors whose degree is more than two.
+    """
+    if term.count_ops() > LARGEST or term.has(sympy.I):
+        return False
+    generators = _generators(term, x)
+    roots = [each for each in generators or () if each.is_Pow]
+    if generators is None or len(generators) > MOST_GENERATORS or len(roots) > 1:
+        return False
+    above, below = sympy.fraction(sympy.together(term))
+    if generators == {x} and term.free_symbols == {x}:
+        return _degree(above * below, x) <= LARGEST_DEGREE
+    rest = sympy.Mul(*(factor for factor in sympy.Mul.make_args(below) if factor.as_base_exp()[0] != x))
+    return _degree(above * below, x) <= LARGEST_POWER and _degree(rest, x) <= LARGEST_BELOW
+
+
+def _degree(product: Any, x: Any) -> int:
+    """The degree of a product, functions and roots of the first degree."""
+    powers = [factor.args if factor.is_Pow else (factor, 1) for factor in sympy.Mul.make_args(product)]
+    return sum(abs(e) * (sympy.degree(base, x) if base.is_polynomial(x) else 1) for base, e in powers if base.has(x))
+
+
+def _generators(e: Any, x: Any) -> set[Any] | None:
+    """What an expression is rational in, and what stands in these; None if a function or power is not known."""
+    if not e.has(x) or e == x:
+        return {e} & {x}
+    inner = [_generators(part, x) for part in e.args]
+    if None in inner:
+        return None
+    found = {each for part in inner for each in part or ()}
+    if isinstance(e, sympy.Add | sympy.Mul):
+        return found
+    if isinstance(e, KNOWN):
+        argument = e.args[0].as_coeff_Mul()[1]
+        return {sympy.tan(argument) if isinstance(e, CIRCULAR) else e.func(argument)} | found - {x}
+    if not (e.is_Pow and e.exp.is_Rational) or abs(e.exp) > LARGEST_DEGREE:
+        return None
+    return found if e.exp.is_Integer else {e.base ** sympy.Rational(1, e.exp.q)} | (found - {x})
 
 
 def _between(x: Any, low: Any, high: Any) -> Any:
     """What puts into an expression a number between two ends."""
     d = sympy.Dummy(positive=True)
     finite = [end for end in (low, high) if not end.is_infinite]
-    if len(finite) == 2:
+    if len(finite) == 2 and low == high:
+        value = low
+    elif finite[1:]:
         value = (low + high * d) / (1 + d)
     else:
         value = finite[0] + (d if sympy.oo in (low, high) else -d) if finite else sympy.Dummy(real=True)
     return lambda e: e.xreplace({x: value})
 
 
-def _is_continuous(e: Any, x: Any, ends: tuple[Any, Any]) -> bool:
+def is_continuous(e: Any, x: Any, ends: tuple[Any, Any]) -> bool:
     """Whether an expression is real and differentiable between two ends, and continuous at those that are finite."""
     if not e.has(x) or e == x:
         return True
     if isinstance(e, SMOOTH) or (e.is_Pow and e.exp.is_Integer and e.exp > 0):
-        return all(_is_continuous(part, x, ends) for part in e.args)
+        return all(is_continuous(part, x, ends) for part in e.args)
     if not isinstance(e, sympy.log | sympy.atan2) and not (e.is_Pow and e.exp.is_Rational):
         return False
     base = e.args[1] if isinstance(e, sympy.atan2) else e.args[0]
@@ -70,7 +121,7 @@ def _is_continuous(e: Any, x: Any, ends: tuple[Any, Any]) -> bool:
     closed = isinstance(e, sympy.atan2) or (e.is_Pow and e.exp > 0)
     at_ends = [signs_of(base.xreplace({x: end})) for end in ends if not end.is_infinite]
     kept = all(each == signs or (closed and each <= signs | {0}) for each in at_ends)
-    return bool(side and kept) and all(_is_continuous(part, x, ends) for part in e.args)
+    return bool(side and kept) and all(is_continuous(part, x, ends) for part in e.args)
 
 
 def at_end(e: Any, x: Any, end: Any) -> Any:

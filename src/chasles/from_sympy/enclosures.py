@@ -7,9 +7,12 @@ from typing import Any
 
 import sympy
 
-from chasles.algebra.work_limit import check
+from chasles.algebra.work_limit import check, spend
 from chasles.checker.expressions.enclosed import LARGEST_EXPONENT, EnclosedValues
 from chasles.checker.expressions.intervals import Enclosure
+
+NODE = 2_000
+"""What a node of an expression that SymPy multiplies out at a point counts as, in products."""
 
 
 class Enclosures(EnclosedValues):
@@ -28,6 +31,12 @@ class Enclosures(EnclosedValues):
         """The sign; raises `Rejected` where it is not clear."""
         exact = self._exactly(e)
         return super().sign(e) if exact is None else int(sympy.sign(exact))
+
+    def exactly(self, e: Any) -> Any:
+        """The expression at the point, as SymPy writes it out: counted as work."""
+        exact = super().exactly(e)
+        spend(0 if exact.is_Rational else NODE * sum(1 for _ in sympy.preorder_traversal(exact)))
+        return exact
 
     def _exactly(self, e: Any) -> Any:
         """The value, if it is rational by rational arithmetic alone; else None."""

@@ -12,7 +12,7 @@ import sympy
 
 from chasles.checker.expressions.complexes import OF_COMPLEX
 from chasles.checker.expressions.visible import is_running, kinds_of, signs_of
-from chasles.from_sympy.antiderivatives import at_end, by_rules
+from chasles.from_sympy.antiderivatives import at_end, by_rules, is_continuous
 from chasles.from_sympy.complex_symbols import expressions_in
 from chasles.from_sympy.decimals import with_values
 from chasles.from_sympy.inequalities import signed
@@ -74,6 +74,8 @@ def _value(integral: Any) -> Any:
 
 def _before(term: Any, x: Any, ends: Any, integral: Any) -> Any:
     """What has the term as its derivative between two ends; raises `Untreatable` if nothing is found."""
+    if ends[0] == ends[1] and not ends[0].is_infinite and is_continuous(term, x, ends):
+        return sympy.S.Zero
     parts = sympy.Add.make_args(_in_exponentials(term, x))
     try:
         before = sympy.expand(sympy.Add(*(_antiderivative(part, x, integral) for part in parts)))
