@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 from random import Random
+from typing import Any
 
 import pytest
 import sympy as sp
@@ -99,6 +101,21 @@ def test_cases_of_what_is_no_polynomial_are_rejected(on: str) -> None:
     assert isinstance(verdict, Holds)
     with pytest.raises(Rejected):
         recheck(replace(verdict, certificate={**verdict.certificate, "on": on}), claim)
+
+
+def test_what_a_case_needs_is_said_of_no_other_quantity_with_the_name_of_one_of_the_question() -> None:
+    def leaf(e: sp.Expr) -> dict[str, Any]:
+        verdict = prove(sp.sign(e), 1)
+        return {"proof": verdict.certificate, "needs": list(verdict.needs)}
+
+    new, above = sp.Symbol("x", positive=True), sp.Symbol("d_1", positive=True)
+    inner = {"+": leaf((new - 2) ** 2), "0": leaf(sp.Integer(4)), "-": leaf((-new - 2) ** 2)}
+    second = {"on": "d_1 - 1", "size": "x", "cases": inner}
+    outer = {"+": second, "0": leaf(sp.Integer(9)), "-": leaf((-above - 3) ** 2)}
+    certificate = {"on": "x", "size": "d_1", "cases": outer, "witness": {"x": "7"}}
+    forged = HoldsUnder(("x - 2 != 0",), certificate, {"x": Fraction(7)})
+    with pytest.raises(Rejected, match="the symbol x is not new"):
+        recheck(forged, (x - 3) ** 2 > 0)  # it is zero at 3, where the new x is 2
 
 
 @pytest.mark.parametrize(

@@ -55,8 +55,8 @@ class CheckedCase:
 
     @property
     def names(self) -> set[str]:
-        """The names that are taken."""
-        return {*self.named, *(str(symbol) for symbol, _ in self.meant)}
+        """The names that are taken, also of what has a value: a need that speaks of it is one of the question."""
+        return {*self.named, *(str(symbol) for symbol, _ in (*self.meant, *self.values))}
 
     @property
     def undefined(self) -> bool:
