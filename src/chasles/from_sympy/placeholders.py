@@ -15,6 +15,8 @@ from chasles.problems.variables import Untreatable
 
 LARGEST_UNIT = 60
 LARGEST_EXPONENT = 1000
+LARGEST_ORIGIN = 1_000
+"""What is longer, part by part, has no variable."""
 
 
 class Placeholders:
@@ -60,6 +62,8 @@ class Placeholders:
         self.defined |= {e: None for e in met if not all(map(is_entire, parts_of(e)))}
 
     def _word(self, origin: Any, kind: type[FunctionSymbol] = FunctionSymbol, positive: bool = True) -> Any:
+        if sum(1 for _ in sympy.preorder_traversal(origin)) > LARGEST_ORIGIN:
+            raise Untreatable(f"{excerpt(origin)} is not treated: written in exponentials it is too long")
         word = kind(str(origin), positive=True) if positive else kind(str(origin), real=True)
         if self.origins.setdefault(word, origin) != origin:
             raise Untreatable(f"two different symbols are called the same in {excerpt(origin)}: rename one")

@@ -31,7 +31,8 @@ from chasles.from_sympy.thresholds import thresholds
 from chasles.problems.variables import Untreatable
 from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, Undecided, Verdict
 
-MOST = 100
+MOST, MOST_PARTS = 100, 2_500
+"""So many cases are looked at, and so many parts of expressions in these."""
 UNREADABLE = (sympy.Max, sympy.Min, sympy.Piecewise, sympy.Heaviside, sympy.sign, *VALUED)
 
 
@@ -53,6 +54,7 @@ class Splitting:
     _texts: list[str] = field(init=False)
     _met: tuple[Any, ...] = field(init=False)
     _cases: int = 0
+    _parts: int = 0
     _refused: Untreatable | None = None
     _less: WithoutDefined | None = None
 
@@ -160,7 +162,8 @@ class Splitting:
     def _each(self, cases: Mapping[str, CheckedCase], factors: Sequence[Any] | None) -> dict[str, Any] | None:
         """The certificates of some cases by their names; None if one is not proved, or there are too many."""
         self._cases += len(cases) - 1
-        if self._cases > MOST:
+        self._parts += sum(1 for case in cases.values() for e in case.spoken for _ in sympy.preorder_traversal(e))
+        if self._cases > MOST or self._parts > MOST_PARTS:
             return None
         parts: dict[str, Any] = {}
         for name, case in cases.items():

@@ -7,9 +7,10 @@ from fractions import Fraction
 
 from chasles.algebra.rings import Polynomial, Ring
 from chasles.algebra.surds import SurdSum
-from chasles.algebra.work_limit import check
+from chasles.algebra.work_limit import STEP, check, spend
 
-BATCH = 1000
+BATCH, TERM = 1000, 10
+"""After so many terms the work is counted; what one counts as, in products."""
 Monomial = tuple[tuple[int, int], ...]
 Sparse = Sequence[tuple[Monomial, Fraction]]
 Partial = dict[Monomial, SurdSum]
@@ -85,7 +86,7 @@ class Values:
         gathered: dict[Monomial, dict[Monomial, Fraction]] = {}
         for count, (monomial, factor) in enumerate(terms):
             if count % BATCH == 0:
-                check()
+                spend(STEP + TERM * min(BATCH, len(terms) - count))
             coefficient = factor
             free: list[tuple[int, int]] = []
             awkward: list[tuple[int, int]] = []
