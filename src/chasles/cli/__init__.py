@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import os
+
 import click
 
 from chasles import __version__
 from chasles.cli.guarded import Guarded
 
+# Matrices have few rows here, and threads wait for each other longer than they work; NumPy reads this once, on import.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 COMMANDS = (
     "list", "show", "decide", "derive", "repair", "solve", "practice", "emit", "verify", "summary", "report",
     "new", "read", "build", "doctor", "completion",

@@ -36,6 +36,8 @@ MOST_NUMBERS = 600
 """With more free numbers no motion is looked for that satisfies equations."""
 SMALL_CHANGE = 1e-7
 """Of a free number, by which slopes are found."""
+MOTIONS_COMPARED = 2
+"""At so many motions sides are compared, the first at which they are real: of angles more may be of other branches."""
 Pair = tuple[Node, Node]
 Running = Mapping[Symbol, bool]
 
@@ -225,8 +227,8 @@ def _equal(left: Matrix, right: Matrix) -> bool | None:
     values = [np.max(np.abs(side.now), axis=-1) for pair in pairs for side in pair]
     between = [np.max(np.abs(one.now - other.now), axis=-1) for one, other in pairs]
     sizes, apart = (np.max(np.stack(np.broadcast_arrays(*each)), axis=0) for each in (values, between))
-    is_real = np.isfinite(apart) & np.isfinite(sizes)
-    if not np.any(is_real):
+    is_real = np.flatnonzero(np.isfinite(apart) & np.isfinite(sizes))[:MOTIONS_COMPARED]
+    if not is_real.size:
         return None
     apart, size = apart[is_real], 1 + np.max(sizes[is_real])
     if np.all(apart > TOLERANCE * size):

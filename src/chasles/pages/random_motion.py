@@ -20,8 +20,8 @@ from chasles.vocabulary import PI, At, Call, Integral, Inverse, Node, Norm, Powe
 from chasles.vocabulary.functions import FunctionOf
 from chasles.vocabulary.partial import PartialDerivative, with_derivatives
 
-MOTIONS, ELEMENTS = 2, 7
-"""So many motions are looked at, of bodies of so many elements."""
+MOTIONS, ELEMENTS = 12, 7
+"""So many motions are looked at, of bodies of so many elements: at some of them roots are real."""
 MOST_FACTORS = 100
 """So many factors of a power are multiplied; a higher one has no value here, and is one factor."""
 TERMS = 7
@@ -84,7 +84,8 @@ class RandomMotion:
 @lru_cache(maxsize=4096)
 def _drawn(symbol: Symbol, runs: bool, moves: bool) -> Array:
     numbers = np.random.default_rng(list(f"{symbol.name} {symbol.letter} {symbol.shape} {symbol.meaning}".encode()))
-    free = numbers.uniform(-1, 1, (*symbol.shape, TERMS, MOTIONS, ELEMENTS if runs else 1))
+    blocks = [numbers.uniform(-1, 1, (*symbol.shape, TERMS, n, ELEMENTS if runs else 1)) for n in (2, MOTIONS - 2)]
+    free = np.concatenate(blocks, axis=3)
     if symbol.constant or not moves:
         free[:, :, 1:] = 0
     return free
