@@ -116,6 +116,13 @@ def test_what_a_case_needs_is_said_of_no_other_quantity_with_the_name_of_one_of_
     forged = HoldsUnder(("x - 2 != 0",), certificate, {"x": Fraction(7)})
     with pytest.raises(Rejected, match="the symbol x is not new"):
         recheck(forged, (x - 3) ** 2 > 0)  # it is zero at 3, where the new x is 2
+    lost = sp.Piecewise((0, y**2 > -1), (y, True), evaluate=False)
+    above = sp.Symbol("y", positive=True)
+    cases = {"+": leaf((above - 3) ** 2), "0": leaf(sp.Integer(9)), "-": leaf((-above - 3) ** 2)}
+    certificate = {"on": "x", "size": "y", "cases": cases, "witness": {"x": "7", "y": "7"}}
+    forged = HoldsUnder(("y - 3 != 0",), certificate, {"x": Fraction(7), "y": Fraction(7)})
+    with pytest.raises(Rejected, match="the symbol y is not new"):
+        recheck(forged, sp.sign((x - 3) ** 2) + lost, 1)
 
 
 @pytest.mark.parametrize(

@@ -54,7 +54,8 @@ def check_widened(
     whole = CheckedCase(tuple(map(tuple, real)), pairs, declared)
     for ways in whole.required():
         needs.require("the question needs", *ways)
-    _Widened(needs, check).tree(whole.each(partial(at_integer, put={})), verdict.certificate)
+    said = tuple((symbol, symbol) for symbol in whole.named.values())  # their names are taken in all cases
+    _Widened(needs, check).tree(replace(whole.each(partial(at_integer, put={})), values=said), verdict.certificate)
     if unused := needs.texts - needs.used:
         raise Rejected(f"the verdict needs {min(unused)}, of which the proof does not speak")
     _require_witness(verdict, whole)
@@ -90,10 +91,7 @@ class _Widened:
         if case.lost:
             self.needs.require("one of the cases is excluded by", case.lost)
             return
-        if case.impossible:
-            return
-        case = case.settled()
-        if case.impossible:
+        if case.impossible or (case := case.settled()).impossible:
             return
         if case.undefined:
             if not any(f"{zero} != 0" in self.needs for zero in case.zeros):
