@@ -9,11 +9,15 @@ import pytest
 import sympy as sp
 from sympy import Abs, Eq, Rational, acos, asin, atan, atan2, cos, cosh, exp, log, pi, sin, sinh, sqrt
 
+from chasles.algebra.work_limit import OutOfTime, within
 from chasles.checker.expressions.enclosed import BITS
 from chasles.checker.sparse import Rejected
+from chasles.from_sympy import splitting
 from chasles.from_sympy.enclosures import Enclosures
 from chasles.from_sympy.opening import opened
 from chasles.from_sympy.sampling import Sampling
+from chasles.points.search.values import Values
+from chasles.prove import prove
 
 x, y, z = sp.symbols("x y z")
 third = Rational(1, 3)
@@ -118,3 +122,14 @@ def test_what_is_assumed_of_a_symbol_is_respected() -> None:
     assert found is not None
     assert found.at["n"] > 0 > found.at["k"]
     assert found.at["n"].denominator == 1
+
+
+def test_what_is_looked_at_case_by_case_and_point_by_point_is_counted(monkeypatch: pytest.MonkeyPatch) -> None:
+    with within(1_000), pytest.raises(OutOfTime):
+        Enclosures({x: third}).exactly(sin(x) + sp.gamma(x))
+    with within(5_000), pytest.raises(OutOfTime):
+        Values().into([(((0, k),), Fraction(1)) for k in range(1_000)])
+    question = sp.Max(x, y) + sp.Min(x, y), x + y
+    assert prove(*question).true
+    monkeypatch.setattr(splitting, "MOST_PARTS", 10)
+    assert prove(*question).name == "undecided"
