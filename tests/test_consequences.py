@@ -31,7 +31,7 @@ from chasles.vocabulary import (
     undotted,
     vector,
 )
-from chasles.vocabulary.functions import FunctionOf
+from chasles.vocabulary.functions import FunctionOf, sqrt
 
 from .sampling import WHOLE, sample
 
@@ -154,3 +154,12 @@ def test_premises_are_the_least_from_which_it_follows() -> None:
 
 def test_what_has_no_value_is_not_known() -> None:
     assert following(FunctionOf("sqrt", (-dot(a, a),)), number(0)) is None
+
+
+@pytest.mark.parametrize("name", "abdefg")
+def test_roots_are_compared_where_they_are_real(name: str) -> None:
+    """Three free letters are positive at one motion of eight."""
+    x, y, z = (scalar(name + letter, name + letter, "a number") for letter in "xyz")
+    consequences = Consequences(lambda _: ())
+    assert consequences.may_follow(sqrt(x) * sqrt(y) * sqrt(z), sqrt(z) * sqrt(x) * sqrt(y), {}) is True
+    assert consequences.may_follow(sqrt(x) * sqrt(y) * sqrt(z), sqrt(x) * sqrt(y) * z, {}) is False

@@ -63,6 +63,7 @@ def text_of(latex: str) -> str:
         (r"\underbrace{a+b}_{c}", "a + b"),
         (r"\left. d \right|_{0}", "d | _ { 0 }"),
         (r"\lVert x \rVert \dfrac{a}{b}", r"\| x \| \frac { a } { b }"),
+        (r"A^{\intercal} B\intercal", r"A ^ { \top } B ^ { \top }"),
         (r"a\hspace*{2cm}b\,c\!d\kern-2pt e", r"a \quad b c d e"),
         ("α² × 𝐩₁ − ‖𝒒‖", r"\alpha ^ { 2 } \times \mathbf { p } _ { 1 } - \| \boldsymbol { q } \|"),
         (r"a \label{x} = b % c", "a = b"),

@@ -10,7 +10,7 @@ from chasles.reading.applying import EVALUATED
 from chasles.reading.glyphs import Glyph
 from chasles.reading.marks import SIZE, WITHOUT_WORD
 
-TRANSPOSES, INVERSES = ("T", r"\top", r"\intercal"), ("- 1", "- T", r"- \top")
+TRANSPOSES, INVERSES = ("T", r"\top"), ("- 1", "- T", r"- \top")
 PSEUDOINVERSES = ("+", r"\sharp")
 RATES = (r"\dot", r"\ddot", r"\dddot")
 OPERATORS = (*RATES, r"\tilde")

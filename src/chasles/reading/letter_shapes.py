@@ -169,7 +169,7 @@ class _PieceShapes:
             plain = mark.replace(r"\mathrm ", "").replace(r"\mathsf ", "")
             if shape is None:
                 return None
-            if plain in ("T", r"\top", r"\intercal", "- T", r"- \top"):
+            if plain in ("T", r"\top", "- T", r"- \top"):
                 shape = shape[1], shape[0]
             elif plain in (r"\tilde", r"\wedge", r"\times"):
                 if shape != VECTOR:

@@ -160,7 +160,7 @@ def _factors(row: Atoms) -> list[Glyph]:
 def _oblong(letter: str, texts: Sequence[str]) -> tuple[Extent, ...]:
     """The shape of a matrix that is inverted only in a product with its own transpose, as X is in (X^T X)^{-1}."""
     words = letter.split()
-    found, turned = re.escape(" { ".join(words) + " }" * (len(words) - 1)), r" \^ \{ (?:T|\\top|\\intercal) \}"
+    found, turned = re.escape(" { ".join(words) + " }" * (len(words) - 1)), r" \^ \{ (?:T|\\top) \}"
     ends = (
         rf"\( {found}{turned} (?:[^()]* )?{found} \) \^ \{{ -",
         rf"\( {found} (?:[^()]* )?{found}{turned} \) \^ \{{ -",
