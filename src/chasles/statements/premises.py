@@ -5,16 +5,17 @@ What proves a statement may use less, but nothing refutes it that does not satis
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Iterable
 from dataclasses import replace as with_fields
 from itertools import chain
 
 from chasles.statements.goals import AcceptedSides
+from chasles.statements.hypotheses import nonzero
 from chasles.statements.posing import Decidable, hypotheses_of, said_by
 from chasles.statements.rules import fit_together
 from chasles.statements.statement import Claim, Condition, Definition, Equation, Statement, bare, is_rule
 from chasles.statements.varied import opened_parts
-from chasles.vocabulary import Integral, Inverse, Node, Quotient, Symbol, undotted
+from chasles.vocabulary import Integral, Node, Number, Quotient, Symbol, undotted
 
 IN_FULL = "all premises"
 """What a certificate says that proves a statement given all that it rests on."""
@@ -27,25 +28,29 @@ def with_all_premises(statement: Decidable, accepted: AcceptedSides) -> Decidabl
     """
     direct = {each: accepted(each) for each in statement.given}
     resting = {each: accepted(each) for each in _rested_on(statement.given)}
-    parts = _parts(said_by(statement, "printed", [*direct.values(), *(h.subjects for h in hypotheses_of(statement))]))
+    parts = _parts(said_by(statement, "printed", direct.values()))
+    bound = _parts(subject for hypothesis in hypotheses_of(statement) for subject in hypothesis.subjects)
     found: dict[Statement, Equation] = {}
-    while more := {each: resting.pop(each) for each in [*resting] if not _letters(parts).isdisjoint(_about(each))}:
+    while more := {each: resting.pop(each) for each in [*resting] if _is_about(each, _letters(parts), bound)}:
         found |= more
         parts |= _parts(chain.from_iterable(more.values()))
     if found.keys() <= direct.keys():
         return statement
-    rules: list[Equation] = []
-    given: list[Statement] = []
-    for each, sides in sorted((found | direct).items(), key=lambda item: not isinstance(item[0], Definition)):
-        rule = bare(sides[0]), sides[1]
-        if isinstance(each, Condition):
-            given.append(with_fields(each, on=()) if any(undotted(left)[0] in each.on for left, _ in rules) else each)
-        elif is_rule(each) and fit_together([*rules, rule]):
+    rules, given, said, followed = list[Equation](), list[Statement](), set[Node](), list[Node]()
+    for each in sorted(used := found | direct, key=lambda each: {Definition: 0, Claim: 2}.get(type(each), 1)):
+        rule, letter = (bare(used[each][0]), used[each][1]), undotted(bare(used[each][0]))[0]
+        if isinstance(each, Claim) and letter in said:
+            followed += rule
+        elif isinstance(each, Condition):
+            given.append(with_fields(each, on=()) if said.intersection(each.on) else each)
+            said |= {*each.on}
+        elif not is_rule(each) or fit_together([*rules, rule]):
             given.append(each)
-            rules.append(rule)
-        elif not isinstance(each, Definition | Claim) or any(isinstance(p, Inverse | Quotient) for p in _parts(sides)):
-            given.append(each)
-    return with_fields(statement, given=tuple(given))
+            rules += [rule] if is_rule(each) else []
+            said |= {letter}
+    below = {part.denominator for part in _parts(followed) if isinstance(part, Quotient)}
+    needed = [nonzero(each) for each in sorted(below, key=str) if not isinstance(each, Number)]
+    return with_fields(statement, given=tuple(given), assuming=(*statement.assuming, *needed))
 
 
 def _rested_on(given: Iterable[Statement]) -> list[Statement]:
@@ -56,11 +61,12 @@ def _rested_on(given: Iterable[Statement]) -> list[Statement]:
     return [each for each in found if not isinstance(each, Claim) and not each.right.expands]
 
 
-def _about(statement: Statement) -> Collection[Node]:
-    """The letters that it is posed on or says what they are, else all that occur in it."""
-    if isinstance(statement, Condition) and statement.on:
-        return statement.on
-    return (undotted(bare(statement.left))[0],) if is_rule(statement) else _letters(_parts(statement.printed))
+def _is_about(statement: Statement, letters: set[Node], bound: set[Node]) -> bool:
+    """Whether it says what one of the letters is, or what one is by these of which something else is assumed, too."""
+    all_letters = _letters(_parts(statement.printed))
+    posed = statement.on if isinstance(statement, Condition) else ()
+    said = posed or ((undotted(bare(statement.left))[0],) if is_rule(statement) else all_letters)
+    return not letters.isdisjoint(said) or not (bound.isdisjoint(said) or letters.isdisjoint(all_letters))
 
 
 def _parts(sides: Iterable[Node]) -> set[Node]:
