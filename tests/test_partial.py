@@ -11,7 +11,7 @@ import pytest
 from chasles.decisions.session import Session
 from chasles.numerics.reference import evaluate
 from chasles.statements import Claim, Condition, Definition, nonzero, rotation
-from chasles.verdict import IllFormed, Undecided
+from chasles.verdict import Fails, IllFormed, Undecided
 from chasles.vocabulary import (
     ACCELERATION,
     CPM,
@@ -116,8 +116,12 @@ def test_what_is_false_is_refuted_and_checked(said: Claim) -> None:
     refuted(said)
 
 
+halved = Condition("0", 2 * y, x, on=(y,))
+
+
 def test_what_conditions_determine_is_not_differentiated_as_if_it_were_free() -> None:
-    verdict = Session().decide(claim(partial(y, x), 0, given=(Condition("0", 2 * y, x, on=(y,)),))).verdict
+    assert isinstance(Session().decide(claim(partial(y, x), 0, given=(halved,))).verdict, Fails)
+    verdict = Session().decide(claim(partial(y, x), 0, given=(Condition("0", y**2, x, on=(y,)),))).verdict
     assert isinstance(verdict, Undecided | IllFormed)
     assert "definition" in verdict.reason
 

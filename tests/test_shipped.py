@@ -262,7 +262,7 @@ def test_only_what_is_new_is_searched_for(searched: list[str]) -> None:
     for entry in [*sample(CHAPTER, 5), *CHAPTER.entries[place:]]:
         judge.decide(other if entry.statement is changed else entry.statement)
     assert isinstance(judge.decide(other).verdict, Fails)
-    assert 1 <= len(searched) <= 2, searched
+    assert 1 <= len(searched) <= 3, searched  # by what it is given, and by all that it rests on
 
 
 COMMANDS = """

@@ -9,14 +9,7 @@ from weakref import WeakKeyDictionary
 from chasles.statements.angles import determined_angle, turning
 from chasles.statements.conditions import assumed, solvable
 from chasles.statements.directions import with_directions
-from chasles.statements.goals import (
-    AcceptedSides,
-    cases_of,
-    equations_of,
-    goals_of,
-    goals_of_theorem,
-    presupposed_by,
-)
+from chasles.statements.goals import AcceptedSides, cases_of, equations_of, goals_of, goals_of_theorem, presupposed_by
 from chasles.statements.hypotheses import Hypothesis, nonzero
 from chasles.statements.problem import Goal, Problem
 from chasles.statements.rules import behind, fit_together, passed_on, rated, refuse_circles
@@ -74,7 +67,11 @@ def _problem_of(statement: Decidable, form: str, standing: AcceptedSides) -> Pro
         from chasles.statements.field_equations import moving  # few chapters have fields
 
         rules += moving(said, rules)
-    inverted = (nonzero(Determinant(side.of)) for side in said_by(statement, form, []) if isinstance(side, Inverse))
+    inverted = (
+        nonzero(Determinant(side.of))
+        for side in said_by(statement, form, [])
+        if isinstance(side, Inverse) and isinstance(side.of, Symbol)
+    )
     hypotheses = tuple(dict.fromkeys((*hypotheses_of(statement), *used, *_agreeing(dict(rules)), *inverted)))
     free = conditions and (any(each.is_field for each in unknowns) or not solvable(conditions, unknowns, dict(rules)))
     if free:

@@ -54,11 +54,12 @@ def with_all_premises(statement: Decidable, accepted: AcceptedSides) -> Decidabl
 
 
 def _rested_on(given: Iterable[Statement]) -> list[Statement]:
-    """What is given, and of that on which it rests, all but claims and expansions; each once, the first first."""
+    """What is given and what that rests on, but for claims, expansions and moments of a body, which are any numbers."""
     found = [*dict.fromkeys(given)]
     for each in found:
         found += [other for other in dict.fromkeys(each.relied_on) if other not in found]
-    return [each for each in found if not isinstance(each, Claim) and not each.right.expands]
+    defining = [each for each in found if not isinstance(each, Claim) and not each.right.expands]
+    return [each for each in defining if not any(isinstance(part, Integral) for part in opened_parts(each.right))]
 
 
 def _is_about(statement: Statement, letters: set[Node], bound: set[Node]) -> bool:
