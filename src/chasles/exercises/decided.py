@@ -20,6 +20,8 @@ from chasles.verdict import Fails, Undecided
 from chasles.vocabulary import Node, plain, replace
 
 Sentence = Statement | Theorem | Inverse
+IN_A_LINE = 6
+"""So many coordinates of a point stand in a line."""
 MOST_SHOWN = 300
 """Characters of an equation of a derivation that is shown on the sheet."""
 
@@ -79,10 +81,12 @@ class Decided:
         if not isinstance(verdict, Fails):
             raise Refuted(f"({claim.number}) part {claim.part} does not fail: {verdict.name}")
         found = verdict.counterexample
-        point = ", ".join(f"{name} = {value}" for name, value in found.at.items() if value)
+        values = [f"{name} = {value}" for name, value in found.at.items() if value]
+        rows = [", ".join(values[k : k + IN_A_LINE]) for k in range(0, len(values), IN_A_LINE)] or [""]
         lines = (
             stated("", claim.left, claim.right),
-            note(f"not so at {point}, all else zero: entry {found.entry[0]} is {found.left}, and {found.right}"),
+            *(note(f"with {row},") for row in rows[:-1]),
+            note(f"not so at {rows[-1]}, all else zero: entry {found.entry[0]} is {found.left}, and {found.right}"),
         )
         citation = Citation(claim.number, claim.part, verdict.name, chapter=other_chapter(claim, self.chapter))
         self.steps.append(SolutionStep(f"{claim.says} {says}", (citation,), lines))
