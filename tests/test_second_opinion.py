@@ -29,6 +29,7 @@ from chasles.statements import (
     problem_of,
     unit,
 )
+from chasles.statements.premises import with_all_premises
 from chasles.verdict import Counterexample, Fails, Holds, HoldsUnder, IllFormed, Posed, Verdict
 from chasles.vocabulary import (
     CPM,
@@ -184,7 +185,8 @@ def test_counterexamples_have_the_values_that_they_say(section: str) -> None:
     for entry, sentence, verdict in decided(section):
         if isinstance(verdict, Fails):
             assert isinstance(sentence, Statement)
-            problem = problem_of(sentence, standing=chapter_session().accepted)
+            accepted = chapter_session().accepted
+            problem = problem_of(with_all_premises(sentence, accepted), standing=accepted)
             for error in recomputed(problem, verdict.counterexample):
                 assert abs(error) * 10**AGREEMENT < 1, entry.number
 
