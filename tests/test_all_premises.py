@@ -13,11 +13,13 @@ from chasles.checker.refutation import check_counterexample
 from chasles.checker.sparse import Rejected
 from chasles.decisions.session import Session
 from chasles.statements import Claim, Condition, Definition, Postulate, Statement, problem_of, symmetric
+from chasles.statements.matrices import idempotent
 from chasles.statements.posing import default_sides
 from chasles.statements.premises import IN_FULL, with_all_premises
 from chasles.verdict import Contradictory, Fails, Holds
-from chasles.vocabulary import CPM, Node, cross, dot, rate, scalar, square, vector
+from chasles.vocabulary import CPM, Node, cross, dot, inverse, rate, scalar, square, vector
 from chasles.vocabulary.nodes import lifted
+from chasles.vocabulary.sizes import Size
 
 from .decided import proved, refuted
 
@@ -126,3 +128,12 @@ def test_chains_of_claims_of_any_length(seed: int) -> None:
     assert isinstance(true, Holds)
     check(claim(last, worth[last] * v, said[-1]), "printed", json.loads(json.dumps(true.certificate)))
     refuted(claim(last, (worth[last] + random.choice((1, -1, 2))) * v, said[-1]))
+
+
+J = square("J", "J", "", size=Size("n"))
+
+
+@pytest.mark.parametrize("said", [J, J @ J, J.T, J**2, J @ J.T.T], ids=str)
+def test_where_a_matrix_has_no_inverse_nothing_is_refuted_of_one(said: Node) -> None:
+    """An idempotent matrix with an inverse is the identity: zero, which has none, refutes nothing."""
+    assert not isinstance(Session().decide(claim(inverse(said), J, assuming=(idempotent(J),))).verdict, Fails)

@@ -32,8 +32,7 @@ IN_PART = "a theorem of which Coq has the equations that prove it, not its quant
 NOT_RECORDED = {
     "chasles.derivations": dict.fromkeys(
         ("text 3.8 l/1", "text 3.8 m/2", "text 3.8 t/1", "text 3.8 y/1", "text 3.8 z/2"), IN_PART
-    )
-    | {"3.148/1": "a counterexample at which a body has moments"},
+    ),
     "chasles.rotations": {},
 }
 """The statements that claim something, of which no record is kept, and why."""

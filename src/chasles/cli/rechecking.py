@@ -14,8 +14,8 @@ from chasles.decisions.memory import Memory
 from chasles.decisions.processes import spread
 from chasles.decisions.session import Decision
 from chasles.report.decisions import Decided
-from chasles.statements import Entry, Inverse, Problem, problem_of
-from chasles.statements.premises import IN_FULL, with_all_premises
+from chasles.statements import Entry, Inverse
+from chasles.statements.premises import IN_FULL
 from chasles.verdict import Contradictory, Fails
 
 A_CHECK = 0.004
@@ -73,7 +73,8 @@ def _prove(decision: Decision) -> None:
 def _refute(decision: Decision) -> None:
     """Raises `Rejected` unless the counterexample refutes the printed equation."""
     assert isinstance(decision.verdict, Fails)
-    check_counterexample(_printed(decision, True), decision.verdict.counterexample)
+    assert not isinstance(decision.statement, Inverse)
+    check_counterexample(decision.problem(decision.statement, True), decision.verdict.counterexample)
 
 
 def _contradict(decision: Decision) -> None:
@@ -81,11 +82,6 @@ def _contradict(decision: Decision) -> None:
     verdict = decision.verdict
     assert isinstance(verdict, Contradictory)
     assert verdict.certificate is not None
-    check_contradiction(_printed(decision, IN_FULL in verdict.certificate), verdict.hypotheses, verdict.certificate)
-
-
-def _printed(decision: Decision, in_full: bool) -> Problem:
-    """The printed equation as it is posed, `in_full` given all that it rests on."""
     assert not isinstance(decision.statement, Inverse)
-    said = with_all_premises(decision.statement, decision.accepted) if in_full else decision.statement
-    return problem_of(said, "printed", decision.accepted)
+    problem = decision.problem(decision.statement, IN_FULL in verdict.certificate)
+    check_contradiction(problem, verdict.hypotheses, verdict.certificate)

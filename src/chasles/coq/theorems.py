@@ -17,9 +17,9 @@ from chasles.coq.quantifiers import cover_and_proof, theorem_and_proof
 from chasles.coq.sentences import Claimed, failing, holding, satisfiable
 from chasles.coq.statement import CoqStatement, opened
 from chasles.decisions.decision import HOW, Decision, Sentence, key_of
-from chasles.statements import Inverse, Problem, Statement, Theorem, problem_of
+from chasles.statements import Inverse, Problem, Statement, Theorem
 from chasles.statements.inversion import COVER, problems_of_inverse
-from chasles.statements.premises import IN_FULL, with_all_premises
+from chasles.statements.premises import IN_FULL
 from chasles.verdict import Contradictory, Fails, HoldsUnder, IllFormed, Verdict
 from chasles.vocabulary.dimension import NO_DIMENSION
 from chasles.vocabulary.measure import Misfit, uniform
@@ -52,7 +52,7 @@ def _claims(decision: Decision, form: str, verdict: Verdict, sentence: Sentence,
         yield _misfit(key, form, _fresh(stem, taken), sentence)
     elif isinstance(verdict, Fails) and not isinstance(sentence, Inverse):
         name = _fresh(f"{stem}_fails", taken)
-        problem = problem_of(with_all_premises(sentence, decision.accepted), "printed", decision.accepted)
+        problem = decision.problem(sentence, True)
         found = verdict.counterexample
         claim = Claimed(key, f"{HOW[form]}, which fails", name, sentence.says, whole=not isinstance(sentence, Theorem))
         yield _written(claim, problem, failing, lambda said: refutation(name, said, found))
@@ -70,8 +70,7 @@ def _claims(decision: Decision, form: str, verdict: Verdict, sentence: Sentence,
                 first = _said_by(first, cover_and_proof, problem, certificate["branches"][says])
             yield from (first, *others)
     else:
-        said = with_all_premises(sentence, decision.accepted) if certificate.get(IN_FULL) else sentence
-        problem = problem_of(said, "printed", decision.accepted)
+        problem = decision.problem(sentence, IN_FULL in certificate)
         claim = Claimed(key, HOW[form], _fresh(stem, taken), sentence.says)
         if isinstance(sentence, Theorem):
             yield from _theorem(claim, sentence, problem, certificate)

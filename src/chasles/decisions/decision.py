@@ -8,9 +8,10 @@ from typing import Any
 from chasles.display import Displayed
 from chasles.repairs.repair import Repair
 from chasles.several import Several
-from chasles.statements import Inverse, Statement, Theorem
+from chasles.statements import Inverse, Problem, Statement, Theorem, problem_of
 from chasles.statements.elsewhere import chapter_of, other_chapter
 from chasles.statements.posing import default_sides
+from chasles.statements.premises import with_all_premises
 from chasles.statements.statement import Equation
 from chasles.verdict import Verdict
 
@@ -109,6 +110,11 @@ class Decision(Displayed):
         """The certificate of the form that is proved, if one was made."""
         found = getattr(self.standing, "certificate", None) if self.standing.true else None
         return None if found is None else Certificate(found)
+
+    def problem(self, said: Statement | Theorem, in_full: bool) -> Problem:
+        """What is said as it is posed, `in_full` given all that it rests on."""
+        said = with_all_premises(said, self.accepted) if in_full else said
+        return problem_of(said, "printed", self.accepted)
 
     def accepted(self, given: Statement) -> Equation:
         """The sides with which the decision used a given statement."""

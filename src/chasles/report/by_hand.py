@@ -15,7 +15,7 @@ from chasles.problems.context import Context, build
 from chasles.problems.divisors import UndeclaredDivisor
 from chasles.problems.variables import Untreatable, entry_name
 from chasles.prover.counterexample import transcendental_name
-from chasles.statements import Statement, problem_of
+from chasles.statements import Statement
 from chasles.verdict import Counterexample, Fails
 from chasles.vocabulary import PI, Misfit, Node, Rate, Symbol
 
@@ -65,7 +65,7 @@ def worked_out(statement: Statement, decision: Decision, found: Counterexample) 
     try:
         if found.goal or any(place[0] >= side.shape[0] or place[1] >= side.shape[1] for side in sides):
             return ByHand()
-        context = build(problem_of(statement, standing=decision.accepted))
+        context = build(decision.problem(statement, True))
         for side in sides:
             parts = [part for part in parts_of_entry(side, place) if part[0] in context.unfold.rules]
             rest: list[Symbol] = []

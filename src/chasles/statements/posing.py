@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace as with_fields
+from itertools import chain
 from weakref import WeakKeyDictionary
 
 from chasles.statements.angles import determined_angle, turning
@@ -13,7 +14,13 @@ from chasles.statements.goals import AcceptedSides, cases_of, equations_of, goal
 from chasles.statements.hypotheses import Hypothesis, nonzero
 from chasles.statements.problem import Goal, Problem
 from chasles.statements.rules import behind, fit_together, passed_on, rated, refuse_circles
-from chasles.statements.simpler_words import in_simpler_words, with_rates_said, with_simple_lengths, with_what_is_seen
+from chasles.statements.simpler_words import (
+    factors_of,
+    in_simpler_words,
+    with_rates_said,
+    with_simple_lengths,
+    with_what_is_seen,
+)
 from chasles.statements.statement import Claim, Condition, Definition, Equation, Statement, Theorem, bare, is_rule
 from chasles.statements.varied import opened_parts
 from chasles.vocabulary import Determinant, Inverse, Negative, Node, Rate, Sum, Symbol, members_of, plain, undotted
@@ -59,25 +66,23 @@ _posed: WeakKeyDictionary[Decidable, dict[str, tuple[list[Equation], Problem]]] 
 
 def _problem_of(statement: Decidable, form: str, standing: AcceptedSides) -> Problem:
     rules, conditions, unknowns, used = _given(statement, standing)
-    rules = passed_on([*rules, *_angle_rules(statement, form, rules, conditions, unknowns)])
+    claimed = said_by(statement, form)
+    rules = passed_on([*rules, *_angle_rules([*claimed, *chain(*rules)], conditions, unknowns)])
     refuse_circles(statement.number, rules, unknowns)
-    rules += _counted(said_by(statement, form, rules), rules)
-    said = [*said_by(statement, form, rules), *(side for goal in conditions for side in goal.sides)]
+    rules += _counted([*claimed, *chain(*rules)], rules)
+    said = [*claimed, *chain(*rules), *(side for goal in conditions for side in goal.sides)]
     if any(part.is_field for side in said for part in opened_parts(side)):
         from chasles.statements.field_equations import moving  # few chapters have fields
 
         rules += moving(said, rules)
-    inverted = (
-        nonzero(Determinant(side.of))
-        for side in said_by(statement, form, [])
-        if isinstance(side, Inverse) and isinstance(side.of, Symbol)
-    )
+    factors = (part for side in claimed if isinstance(side, Inverse) for part in factors_of(side.of))
+    inverted = (nonzero(Determinant(part)) for part in factors if isinstance(part, Symbol) and not part.is_scalar)
     hypotheses = tuple(dict.fromkeys((*hypotheses_of(statement), *used, *_agreeing(dict(rules)), *inverted)))
     free = conditions and (any(each.is_field for each in unknowns) or not solvable(conditions, unknowns, dict(rules)))
     if free:
         from chasles.statements.field_equations import freely_assumed  # of no use to most claims
 
-        if told := freely_assumed(conditions, unknowns, said_by(statement, form, rules), dict(rules)):
+        if told := freely_assumed(conditions, unknowns, [*claimed, *chain(*rules)], dict(rules)):
             hypotheses, conditions, unknowns = (*hypotheses, *told), [], {}
     problem = Problem((), tuple(rules), tuple(conditions), tuple(unknowns), hypotheses)
     if isinstance(statement, Theorem):
@@ -128,13 +133,9 @@ def _is_motion(on: tuple[Symbol, ...], left: Node, right: Node) -> bool:
     return isinstance(left, Rate) and (undotted(left)[0],) == on and not {left, Rate(left)} & {*opened_parts(right)}
 
 
-def _angle_rules(
-    statement: Decidable, form: str, rules: list[Equation], conditions: list[Goal], unknowns: dict[Symbol, None]
-) -> Iterator[Equation]:
+def _angle_rules(sides: list[Node], conditions: list[Goal], unknowns: dict[Symbol, None]) -> Iterator[Equation]:
     """What conditions say that angles are, whose cosines and sines are taken; these conditions are left out."""
-    if not conditions:
-        return
-    angles = turning(said_by(statement, form, rules))
+    angles = turning(sides) if conditions else set[Symbol]()
     for goal in tuple(conditions):
         found = determined_angle(goal.left, goal.right, unknowns)
         if found is not None and found[0] in angles:
@@ -143,13 +144,11 @@ def _angle_rules(
             yield found
 
 
-def said_by(statement: Decidable, form: str, rules: Iterable[Iterable[Node]]) -> list[Node]:
-    """The sides of what is claimed in one of its forms, and of the rules."""
+def said_by(statement: Decidable, form: str) -> list[Node]:
+    """The sides of what is claimed in one of its forms."""
     if isinstance(statement, Theorem):
-        sides = [side for part in statement.forms for each in part.equations() for side in each[1:]]
-    else:
-        sides = list(statement.form(form))
-    return [*sides, *(side for rule in rules for side in rule)]
+        return [side for part in statement.forms for each in part.equations() for side in each[1:]]
+    return list(statement.form(form))
 
 
 def _counted(sides: list[Node], rules: list[Equation]) -> Iterator[Equation]:

@@ -28,12 +28,12 @@ def with_all_premises(statement: Decidable, accepted: AcceptedSides) -> Decidabl
     """
     direct = {each: accepted(each) for each in statement.given}
     resting = {each: accepted(each) for each in _rested_on(statement.given)}
-    parts = _parts(said_by(statement, "printed", direct.values()))
+    parts = _parts((*said_by(statement, "printed"), *chain(*direct.values())))
     bound = _parts(subject for hypothesis in hypotheses_of(statement) for subject in hypothesis.subjects)
     found: dict[Statement, Equation] = {}
     while more := {each: resting.pop(each) for each in [*resting] if _is_about(each, _letters(parts), bound)}:
         found |= more
-        parts |= _parts(chain.from_iterable(more.values()))
+        parts |= _parts(chain(*more.values()))
     if found.keys() <= direct.keys():
         return statement
     rules, given, said, followed = list[Equation](), list[Statement](), set[Node](), list[Node]()

@@ -53,11 +53,13 @@ def _divisors(side: Node, rules: Mapping[Node, Node]) -> Iterator[Node]:
 
 
 def factors_of(divisor: Node) -> Iterator[Node]:
-    """The factors on whose vanishing it depends whether a divisor vanishes; a number is none."""
+    """The factors on which it depends whether a divisor vanishes, or a matrix has an inverse; a number is none."""
     match divisor:
-        case w.Group(of) | w.Negative(of) | w.Power(of) | w.Quotient(of):
+        case w.Group(of) | w.Negative(of) | w.Power(of) | w.Quotient(of) | w.Transpose(of) | w.Inverse(of):
             yield from factors_of(of)
-        case w.Scale(factor, term) | w.Dot(factor, term) if factor.is_scalar and term.is_scalar:
+        case w.Contract(factors) if all(factor.shape == divisor.shape for factor in factors):
+            yield from (each for part in factors for each in factors_of(part))
+        case w.Scale(factor, term) | w.Dot(factor, term) if factor.is_scalar:
             yield from (each for part in (factor, term) for each in factors_of(part))
         case _ if not isinstance(divisor, w.Number):
             yield divisor
