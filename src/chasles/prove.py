@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 from math import inf
@@ -18,6 +19,7 @@ from chasles.checker.expressions.proof import check_proof
 from chasles.checker.sparse import Rejected
 from chasles.from_sympy import Question, ask
 from chasles.from_sympy.any_size import verdict_at_any_size
+from chasles.from_sympy.changed_forms import where_forms_change
 from chasles.from_sympy.complex_symbols import by_parts, expressions_in
 from chasles.from_sympy.components import in_components, sides_of, without_implication
 from chasles.from_sympy.contradiction import contradiction
@@ -130,8 +132,8 @@ def _verdict(*asked: Any) -> Verdict:
     lhs, rhs, given, nonzero = asked
     splitting = Splitting(lhs, rhs, given, nonzero, _answered)
     by_cases = _followed(splitting.verdict(), asked) if splitting.wanted else None
-    if by_cases is not None and (by_cases.true or not splitting.readable):
-        return by_cases
+    if by_cases is not None and (by_cases.true or isinstance(by_cases, Fails) or not splitting.readable):
+        return (by_cases if not isinstance(by_cases, Undecided) else _refuted_where_forms_change(asked)) or by_cases
     refused = None
     try:
         question = ask(*asked)
@@ -145,9 +147,22 @@ def _verdict(*asked: Any) -> Verdict:
     if isinstance(verdict, Undecided) and splitting.possible:
         again = by_cases or _followed(splitting.verdict(), asked)
         verdict = verdict if isinstance(again, Undecided) else again
+    if splitting.wanted and isinstance(verdict, HoldsUnder | Undecided):
+        verdict = _refuted_where_forms_change(asked) or verdict
     if isinstance(verdict, Undecided) and refused is not None:
         raise refused
     return verdict
+
+
+def _refuted_where_forms_change(asked: tuple[Any, ...]) -> Verdict | None:
+    """A counterexample where that vanishes of which a sign is taken: the sign of zero is zero, and no quotient."""
+    for there in where_forms_change(*asked):
+        with suppress(Untreatable, OutOfTime):
+            question = ask(*there)
+            found = _followed(_answered(question), asked) if isinstance(question, Question) else question
+            if isinstance(found, Fails):
+                return found
+    return None
 
 
 def _followed(verdict: Verdict, asked: tuple[Any, ...]) -> Verdict:

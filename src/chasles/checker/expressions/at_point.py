@@ -10,9 +10,11 @@ from typing import Any
 import sympy
 
 from chasles.checker.expressions.algebra import constant
+from chasles.checker.expressions.enclosed import written
 from chasles.checker.expressions.expressions import Circle, Expressions
 from chasles.checker.expressions.quantities import NUMBERS, SIGNS, is_atom, is_so
 from chasles.checker.expressions.reals import Reals
+from chasles.checker.expressions.switches import SWITCHES
 from chasles.checker.expressions.symbolic import Symbolic, UnknownValue, Valuation
 from chasles.checker.expressions.turns import turned
 from chasles.checker.expressions.visible import is_running
@@ -37,6 +39,8 @@ class AtPoint(Expressions, Reals):
     def _read(self, e: Any) -> Polynomial:
         if isinstance(e, sympy.atan) and e.args[0].is_Rational:
             return self.arctangent(Fraction(int(e.args[0].p), int(e.args[0].q)))
+        if isinstance(e, SWITCHES) and not isinstance(e, sympy.Abs):
+            return self(written(e, lambda part: self.sign(self(part))))
         if isinstance(e, sympy.Derivative) and not is_atom(e):
             return self.value_of(self.symbolic(e))
         if isinstance(e, sympy.Pow) and not e.exp.is_Rational:

@@ -26,17 +26,17 @@ def check_refutation(found: Any, lhs: Any, rhs: Any, given: Any = (), nonzero: A
     """
     with well_formed("counterexample"):
         asked = Asked(lhs, rhs, given, nonzero)
+        row, column = found.entry
+        place = row - 1, column - 1
+        if place not in asked.left:
+            raise Rejected(f"the equation has no entry {row}, {column}")
         try:
-            _check(found, asked)
-        except Rejected as reason:
-            _check_values(found, asked, reason)
+            _check(found, place, asked)
+        except Rejected:
+            _check_values(found, place, asked)
 
 
-def _check(found: Any, asked: Asked) -> None:
-    row, column = found.entry
-    place = row - 1, column - 1
-    if place not in asked.left:
-        raise Rejected(f"the equation has no entry {row}, {column}")
+def _check(found: Any, place: tuple[int, int], asked: Asked) -> None:
     point = AtPoint(Symbolic({}, {}), found.at)
     atoms = [atom for expression in asked.expressions for atom in atoms_of(expression)]
     require_independent(atoms)
@@ -58,12 +58,9 @@ def _check(found: Any, asked: Asked) -> None:
             raise Rejected(f"a side is not {text} at the point")
 
 
-def _check_values(found: Any, asked: Asked, reason: Rejected) -> None:
+def _check_values(found: Any, place: tuple[int, int], asked: Asked) -> None:
     """Where the values are no numbers that the checker knows exactly, what encloses them may tell them apart."""
     places = sorted(asked.left)
-    place = found.entry[0] - 1, found.entry[1] - 1
-    if place not in places:
-        raise reason
     sides = [[*map(side.get, places), *asked.hidden] for side in (asked.left, asked.right)]
     given = [(item.text, list(item.pairs.values())) for item in asked.given]
     check_enclosed(found.at, places.index(place), (found.left, found.right), sides, given, asked.nonzero)
