@@ -25,7 +25,7 @@ from chasles.derivations.exercises.calculations.solids import Plane, Solid, pris
 
 from chasles.exact.fields import NumberField
 from chasles.exact.grammar import read_number
-from chasles.exact.numbers import NotDecided, is_zero
+from chasles.exact.numbers import NotDecided, compare, is_zero
 
 s, h, k = sp.symbols("s h k", positive=True)
 
@@ -155,7 +155,8 @@ class SignCase:
         """
         if not element:
             return 0
-        above, below = (self._ground.sign(self._at_sample(part)) for part in (element.numer, element.denom))
+        parts = (self._at_sample(part) for part in (element.numer, element.denom))
+        above, below = (compare(self._ground.expression(part), 0) for part in parts)
         value = self.field.expression(element)
         if above * below == 0:
             raise ValueError(f"the sample lies on the boundary of the case: {value} vanishes or is infinite there")

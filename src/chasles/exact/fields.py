@@ -11,20 +11,16 @@ from collections.abc import Iterator
 from functools import lru_cache, reduce
 from math import gcd
 from operator import add, mul
-from textwrap import shorten
 from typing import Any
 
 import sympy as sp
 from sympy.polys.domains import QQ
 
-from chasles.exact.enclosures import sign_by_enclosure
 from chasles.exact.numbers import NotDecided
 from chasles.exact.separation import degree_of
 
 MOST_TURNS = 24
 """Sines of larger denominators than pi / MOST_TURNS are independent elements: their degree as roots is too large."""
-MOST_DIGITS = 480
-MOST_BITS = 4096
 MOST_DEGREE = 12
 """Of the field: factoring a polynomial over a larger one takes minutes."""
 
@@ -76,26 +72,6 @@ class NumberField:
         back = {symbol: atom for atom, symbol in self._symbols.items()}
         above, below = (sp.expand(self.domain.to_sympy(part)) for part in (element.numer, element.denom))
         return (above / below).xreplace(back)
-
-    def sign(self, element: Any) -> int:
-        """-1, 0 or 1; raises NotDecided if nothing decides it."""
-        return 0 if not element else sign_of(self.expression(element))
-
-
-def sign_of(value: sp.Expr) -> int:
-    """The sign of a real number that is not zero; raises NotDecided if it is too close to zero to be told from it."""
-    if found := sign_by_enclosure(value, MOST_BITS):
-        return found
-    digits = 30
-    # SymPy's decimals of a cotangent near a right angle are not what they say.
-    while not value.has(sp.cot) and digits <= MOST_DIGITS:
-        decimal = value.evalf(digits, maxn=20 * digits)
-        if not decimal.is_Number:
-            raise NotDecided(f"{value} is no real number")
-        if abs(decimal) > sp.Rational(10) ** -(digits - 10):
-            return 1 if decimal > 0 else -1
-        digits *= 2
-    raise NotDecided(f"nothing decides the sign of {shorten(str(value), 80)}")
 
 
 @lru_cache(maxsize=200)

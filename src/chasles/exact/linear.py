@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import chain
 from typing import Any
 
 import sympy as sp
@@ -32,25 +31,25 @@ class Solutions:
 
 def solve_linear(matrix: Any, right: Any) -> Solutions:
     """The solutions x, columns, of matrix x = right."""
-    rows, pivots = _reduced(matrix_of(sp.Matrix.hstack(sp.Matrix(matrix), sp.Matrix(right))), matrix.shape[1])
     size = matrix.shape[1]
-    if any(not is_zero(row[size]) for row in rows[len(pivots) :]):
+    rows, pivots = _reduced(sp.Matrix.hstack(sp.Matrix(matrix), sp.Matrix(right)))
+    if size in pivots:
         return Solutions(None)
     one = [sp.Integer(0)] * size
-    for row, pivot in zip(rows, pivots, strict=False):
-        one[pivot] = row[size]
+    for k, pivot in enumerate(pivots):
+        one[pivot] = rows[k, size]
     directions = []
     for free in (k for k in range(size) if k not in pivots):
         way = [sp.Integer(int(k == free)) for k in range(size)]
-        for row, pivot in zip(rows, pivots, strict=False):
-            way[pivot] = normal(-row[free])
+        for k, pivot in enumerate(pivots):
+            way[pivot] = normal(-rows[k, free])
         directions.append(column_of(*way))
     return Solutions(column_of(*one), tuple(directions))
 
 
 def rank_of(matrix: Any) -> int:
     """How many rows are linearly independent."""
-    return len(_reduced(matrix_of(matrix), matrix.shape[1])[1])
+    return len(_reduced(matrix)[1])
 
 
 def kernel_of(matrix: Any) -> tuple[Any, ...]:
@@ -58,21 +57,7 @@ def kernel_of(matrix: Any) -> tuple[Any, ...]:
     return solve_linear(matrix, sp.zeros(matrix.shape[0], 1)).directions
 
 
-def _reduced(matrix: Any, columns: int) -> tuple[list[list[Any]], list[int]]:
-    """The rows in reduced echelon form with respect to the first columns, and the columns of the pivots."""
-    rows = [list(matrix[i, :]) for i in range(matrix.shape[0])]
-    pivots: list[int] = []
-    for column in range(columns):
-        place = len(pivots)
-        found = next((k for k in range(place, len(rows)) if not is_zero(rows[k][column])), None)
-        if found is None:
-            continue
-        rows[place], rows[found] = rows[found], rows[place]
-        divisor = rows[place][column]
-        rows[place] = [normal(entry / divisor) for entry in rows[place]]
-        for other in chain(range(place), range(place + 1, len(rows))):
-            factor = rows[other][column]
-            if not is_zero(factor):
-                rows[other] = [normal(x - factor * y) for x, y in zip(rows[other], rows[place], strict=True)]
-        pivots.append(column)
+def _reduced(matrix: Any) -> tuple[Any, tuple[int, ...]]:
+    """The rows in reduced echelon form, and the columns of the pivots."""
+    rows, pivots = matrix_of(matrix).rref(iszerofunc=is_zero, simplify=normal, normalize_last=False)
     return rows, pivots

@@ -15,9 +15,10 @@ import sympy as sp
 from sympy import Poly
 from sympy.polys.matrices import DomainMatrix
 
-from chasles.exact.fields import NumberField, sign_of
+from chasles.evaluation.matrices import determinant
+from chasles.exact.fields import NumberField
 from chasles.exact.numbers import is_zero, normal, root, sign
-from chasles.exact.roots import Root, X, merged, place_of, same_number
+from chasles.exact.roots import Root, X, merged, place_of, same_number, value_of
 from chasles.exact.spectra import characteristic, eigenvalues_by_block
 
 CHOICE_OF_AXES = (
@@ -38,8 +39,7 @@ def principal_axes(matrix: Any) -> Any:
         rows = [_row_at_root(matrix, value) for value, _ in found]
     else:
         rows = [row for value, _ in found for row in _rows(_projector(matrix, value, blocks))]
-    decimals = sp.Matrix([[_expression(entry) for entry in row] for row in rows])
-    if sign_of(decimals.det(method="berkowitz")) < 0:
+    if sign(determinant([[value_of(entry) for entry in row] for row in rows])) < 0:
         rows[2] = [_negative(entry) for entry in rows[2]]
     return rows if isinstance(found[0][0], Root) else sp.ImmutableMatrix(rows)
 
@@ -101,7 +101,7 @@ def _row_at_root(matrix: Any, value: Root) -> list[Any]:
 def _entry(polynomial: Poly, square: Poly, signed: Poly, value: Root, field: NumberField) -> Any:
     """The number whose square is one element of the field of the root, and whose sign is that of another."""
     square, signed = square.rem(polynomial), signed.rem(polynomial)
-    turn = sign_of(signed.as_expr().xreplace({X: value.value}))
+    turn = sign(signed.as_expr().xreplace({X: value.value}))
     if square.degree() == 0:
         return turn * root(field.expression(square.rep.to_list()[0]))
     least = _characteristic_of_multiplication(square, polynomial, field).compose(Poly(X**2, X, domain=field.domain))

@@ -17,8 +17,8 @@ import sympy as sp
 from sympy import CRootOf, Poly, Symbol, latex
 
 from chasles.exact.enclosures import enclosed
-from chasles.exact.fields import NumberField, sign_of
-from chasles.exact.numbers import NotDecided, is_zero, normal, root
+from chasles.exact.fields import NumberField
+from chasles.exact.numbers import NotDecided, compare, is_zero, normal, root
 from chasles.exact.square_roots import independent_atoms
 
 X = Symbol("x")
@@ -83,7 +83,7 @@ def merged(found: list[tuple[Any, int]]) -> list[tuple[Any, int]]:
 
 
 def _order(one: tuple[Any, int], other: tuple[Any, int]) -> int:
-    return 0 if one[0] is other[0] else sign_of(_value(one[0]) - _value(other[0]))
+    return 0 if one[0] is other[0] else compare(value_of(one[0]), value_of(other[0]))
 
 
 def _of_low_degree(*rest: Any) -> list[Any]:
@@ -136,7 +136,8 @@ def _where_zero(places: list[Root], value: Callable[[Any], Any], count: int) -> 
     return places
 
 
-def _value(found: Any) -> Any:
+def value_of(found: Any) -> Any:
+    """The number as SymPy has it."""
     return found.value if isinstance(found, Root) else found
 
 
