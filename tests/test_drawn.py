@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 from markupsafe import Markup
 
+from chasles import cache
 from chasles.exercises.picture import Curve, Picture, Point
-from chasles.report.html import drawn as room
 from chasles.report.html.drawn import are_kept, drawn
 
 PICTURE = Picture("two points", (Point((0, 0, 0), "A"), Point((1, 2, 3), "B")))
@@ -19,7 +19,7 @@ PICTURE = Picture("two points", (Point((0, 0, 0), "A"), Point((1, 2, 3), "B")))
 @pytest.fixture
 def kept(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
     monkeypatch.setenv("CHASLES_CACHE", str(tmp_path))
-    monkeypatch.setattr(room, "_engine", lambda: "this one")
+    monkeypatch.setattr(cache, "engine", lambda *_: "this one")
     return tmp_path / "pictures"
 
 
@@ -60,7 +60,7 @@ def test_another_picture_is_drawn(kept: Path, other: Picture) -> None:
 def test_another_place_and_other_code_draw(kept: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     drawn(PICTURE, "here", making("one")[0])
     assert drawn(PICTURE, "there", making("two")[0]) == "two"
-    monkeypatch.setattr(room, "_engine", lambda: "another")
+    monkeypatch.setattr(cache, "engine", lambda *_: "another")
     assert drawn(PICTURE, "here", making("three")[0]) == "three"
 
 
@@ -85,6 +85,7 @@ def test_nothing_is_kept_where_nothing_is_to_be(kept: Path, monkeypatch: pytest.
     assert not kept.exists()
 
 
-def test_the_code_that_draws_is_hashed() -> None:
-    pytest.importorskip("matplotlib", reason="without matplotlib nothing is drawn")
-    assert len(room._engine()) == 64
+def test_code_is_told_by_its_hash() -> None:
+    parts = ("report", "cache")
+    assert len({cache.engine(parts, ()), cache.engine(parts[:1], ()), cache.engine(parts, ("sympy",))}) == 3
+    assert cache.engine(parts, ("no such library",)) == cache.engine(parts, ())

@@ -6,8 +6,10 @@ Nothing in it is needed: it can be removed at any time and is made again.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from contextlib import suppress
+from functools import lru_cache
+from hashlib import sha256
 from pathlib import Path
 from uuid import uuid4
 
@@ -22,6 +24,54 @@ def folder() -> Path | None:
     from platformdirs import user_cache_path
 
     return user_cache_path("chasles", appauthor=False)
+
+
+def kept(room: str, name: str, make: Callable[[], bytes], most: int) -> bytes:
+    """The content of that name in a folder of the cache, or else made and kept there; raises what `make` raises.
+
+    The file has the hash of the content before it, and is made anew where it is not whole. Of its kind, files of so
+    many bytes are kept together.
+    """
+    root = folder()
+    if root is None:
+        return make()
+    path = root / room / name
+    with suppress(OSError):
+        whole = path.read_bytes()
+        if _hash(whole[_DIGITS:]) == whole[:_DIGITS]:
+            used(path)
+            return whole[_DIGITS:]
+    content = make()
+    # A cache that cannot be written is none: nothing is said.
+    with suppress(OSError):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        keep(path, _hash(content) + content)
+        trim(path.parent.glob(f"*{path.suffix}"), most)
+    return content
+
+
+def _hash(content: bytes) -> bytes:
+    return sha256(content).hexdigest().encode()
+
+
+_DIGITS = len(_hash(b""))
+
+
+@lru_cache
+def engine(parts: tuple[str, ...], libraries: tuple[str, ...]) -> str:
+    """The hash of these packages and modules of chasles, and of the versions of libraries that they compute with."""
+    from importlib.metadata import PackageNotFoundError, version
+
+    found = sha256()
+    root = Path(__file__).parent
+    for name in parts:
+        for source in sorted((root / name).rglob("*.py")) or [root / f"{name}.py"]:
+            found.update(source.relative_to(root).as_posix().encode())
+            found.update(source.read_bytes())
+    for library in libraries:
+        with suppress(PackageNotFoundError):
+            found.update(f"{library} {version(library)}".encode())
+    return found.hexdigest()
 
 
 def keep(path: Path, content: bytes) -> None:

@@ -12,6 +12,7 @@ from typing import Any
 from chasles import vocabulary as w
 from chasles.checker.expansion import Formless, expanded, scaled
 from chasles.checker.sparse import ZERO, Polynomial, Rejected, cleared, exponents, number, packed, product, variable
+from chasles.statements.rules import rated
 from chasles.vocabulary.letters import entry_names
 
 Matrix = list[list[Polynomial]]
@@ -98,10 +99,7 @@ class Quantities:
                 other, turn = (place + 1, -unit) if function == "cos" else (place - 1, unit)
                 return variable(other) * number(turn) * self(w.Rate(angle))[0][0]
             case ("entry", w.Symbol() as of, int() as order, int() as i, int() as j):
-                node: w.Node = of
-                for _ in range(order + 1):
-                    node = w.Rate(node)
-                return self(node)[i][j]
+                return self(rated(of, order + 1))[i][j]
             case ("moment", int() as inside, frozenset() as running, str() as body):
                 return self._integrated(self.rate(Polynomial({inside: 1})), running, body)
         raise AssertionError(self.variables[place])

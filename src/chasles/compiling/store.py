@@ -20,9 +20,8 @@ from chasles import cache
 Make = Callable[[Path], Path]
 """Makes a shared object in a folder."""
 
-MOST = 64 * 2**20
-"""Bytes of shared objects that are kept: a thousand expressions or so."""
-_DIGEST = 32
+ROOM, MOST = "compiled", 64 * 2**20
+"""The folder in the cache, and how many bytes of shared objects are kept: a thousand expressions or so."""
 _ABANDONED = 3600.0
 """Seconds after which nobody writes any more."""
 
@@ -38,22 +37,8 @@ def loaded(key: str, make: Make) -> ctypes.CDLL:
 
 
 def kept(key: str, make: Callable[[], bytes], suffix: str = ".o") -> bytes:
-    """The content of this key, from the cache or else made; the file has the hash of it before it."""
-    folder = _folder()
-    if folder is None:
-        return make()
-    path = folder / f"{key}{suffix}"
-    with suppress(OSError):
-        content = path.read_bytes()
-        if sha256(content[_DIGEST:]).digest() == content[:_DIGEST]:
-            cache.used(path)
-            return content[_DIGEST:]
-    content = make()
-    with suppress(OSError):
-        folder.mkdir(parents=True, exist_ok=True)
-        cache.keep(path, sha256(content).digest() + content)
-        cache.trim(folder.glob(f"*{suffix}"), MOST // 8)
-    return content
+    """The content of this key, from the cache or else made."""
+    return cache.kept(ROOM, f"{key}{suffix}", make, MOST // 8)
 
 
 def _from_cache(key: str) -> ctypes.CDLL | None:
@@ -101,4 +86,4 @@ def _sweep(folder: Path) -> None:
 
 def _folder() -> Path | None:
     root = cache.folder()
-    return None if root is None else root / "compiled"
+    return None if root is None else root / ROOM

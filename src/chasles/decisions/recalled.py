@@ -11,9 +11,6 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from contextlib import suppress
-from functools import lru_cache
-from hashlib import sha256
-from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
@@ -85,19 +82,4 @@ def _path() -> Path | None:
 def path_of(name: str, parts: tuple[str, ...]) -> Path | None:
     """The file of the engine that has these parts; None where nothing is to be kept."""
     folder = cache.folder()
-    return None if folder is None else folder / f"{name}-{_engine(parts, LIBRARIES)[:16]}.json"
-
-
-@lru_cache
-def _engine(parts: tuple[str, ...], libraries: tuple[str, ...]) -> str:
-    """The hash of the engine: its source, and the libraries that it computes with."""
-    found = sha256()
-    root = Path(__file__).parents[1]
-    for name in parts:
-        for source in sorted((root / name).rglob("*.py")) or [root / f"{name}.py"]:
-            found.update(source.relative_to(root).as_posix().encode())
-            found.update(source.read_bytes())
-    for library in libraries:
-        with suppress(PackageNotFoundError):
-            found.update(f"{library} {version(library)}".encode())
-    return found.hexdigest()
+    return None if folder is None else folder / f"{name}-{cache.engine(parts, LIBRARIES)[:16]}.json"

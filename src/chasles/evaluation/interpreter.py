@@ -19,7 +19,7 @@ class Interpreter:
     """Evaluates expressions to matrices as lists of rows, each expression once; `rules` say what one is put for.
 
     A class for one arithmetic says what a `constant` is and what a word is that has no entries by its parts alone
-    (`own`: symbols, rates, functions), and how it is divided.
+    (`own`: symbols, rates, functions), and how it is divided where that is not entry by entry.
     """
 
     def __init__(self, rules: Mapping[Node, Node]) -> None:
@@ -36,7 +36,8 @@ class Interpreter:
 
     def quotient(self, numerator: Matrix, denominator: Node) -> Matrix:
         """The matrix divided by a scalar."""
-        raise NotImplementedError
+        below = self.scalar(denominator)
+        return each(numerator, lambda entry: entry / below)
 
     def reduced(self, matrix: Matrix) -> Matrix:
         """The matrix with its entries in the form in which they are kept."""

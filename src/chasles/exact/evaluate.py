@@ -74,7 +74,7 @@ class _ExactValues(Interpreter):
         below = self.scalar(denominator)
         if is_zero(below):
             raise DividesByZero(f"{plain(denominator)} is zero here, and nothing can be divided by it")
-        return each(numerator, lambda entry: entry / below)
+        return super().quotient(numerator, denominator)
 
     def own(self, node: Node) -> Matrix:
         match node:

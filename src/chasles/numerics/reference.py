@@ -14,7 +14,7 @@ from operator import add
 from typing import Any
 
 from chasles.evaluation.interpreter import Interpreter
-from chasles.evaluation.matrices import Matrix, each
+from chasles.evaluation.matrices import Matrix
 from chasles.numerics.enclosures import ends, exactly, interval_context, is_narrow, middle
 from chasles.vocabulary import PI, At, Call, Determinant, Group, Inverse, Misfit, Node, Norm, Rate, Symbol
 from chasles.vocabulary.differentiation import rate_of
@@ -93,7 +93,7 @@ class _Enclosures(Interpreter):
             if isinstance(denominator, Determinant):
                 said = f"{denominator.of} has no inverse here"
             raise Singular(said) if low == high else _TooWide(said)
-        return each(numerator, lambda entry: entry / below)
+        return super().quotient(numerator, denominator)
 
     def own(self, node: Node) -> Matrix:
         match node:

@@ -14,10 +14,11 @@ import numpy as np
 from chasles.evaluation.matrices import Matrix
 from chasles.pages.premises import PosedEquation, Rules, chosen_rules
 from chasles.pages.quantities import quantities, symbols_in
-from chasles.pages.random_motion import TERMS, Key, NotInMotion, RandomMotion, TooFewTerms, ValuesInMotion, dotted
+from chasles.pages.random_motion import TERMS, Key, NotInMotion, RandomMotion, TooFewTerms, ValuesInMotion
 from chasles.pages.time_series import Array
 from chasles.statements import Hypothesis
 from chasles.statements.fingerprint import Fingerprints
+from chasles.statements.rules import rated
 from chasles.vocabulary import Integral, Node, Symbol, walk
 
 TOLERANCE = 1e-6
@@ -139,7 +140,7 @@ def _agreements(rules: Rules) -> Iterator[Pair]:
     for (symbol, order), rule in rules.items():
         lower = max((k for s, k in rules if s == symbol and k < order), default=None)
         if lower is not None:
-            yield dotted(rules[symbol, lower].right, order - lower), rule.right
+            yield rated(rules[symbol, lower].right, order - lower), rule.right
 
 
 def satisfying(

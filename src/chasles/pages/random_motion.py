@@ -16,6 +16,7 @@ from chasles.evaluation.matrices import Matrix, each
 from chasles.pages.premises import Rules
 from chasles.pages.time_series import Array, TimeSeries, function_of
 from chasles.statements import Hypothesis
+from chasles.statements.rules import rated
 from chasles.vocabulary import PI, At, Call, Integral, Inverse, Node, Norm, Power, Rate, Symbol
 from chasles.vocabulary.functions import FunctionOf
 from chasles.vocabulary.partial import PartialDerivative, with_derivatives
@@ -131,7 +132,7 @@ class ValuesInMotion(Interpreter):
         terms: int,
         begun: Mapping[Symbol, Matrix] = MappingProxyType({}),
     ) -> None:
-        super().__init__({dotted(*quantity): rule.right for quantity, rule in rules.items()})
+        super().__init__({rated(*quantity): rule.right for quantity, rule in rules.items()})
         self.motion, self.rules_of, self.running = motion, rules, running
         self.terms, self.begun = terms, begun
 
@@ -143,10 +144,6 @@ class ValuesInMotion(Interpreter):
 
     def constant(self, value: Fraction) -> TimeSeries:
         return self._resting(float(value))
-
-    def quotient(self, numerator: Matrix, denominator: Node) -> Matrix:
-        below = self.scalar(denominator)
-        return each(numerator, lambda entry: entry / below)
 
     def own(self, node: Node) -> Matrix:
         match node:
@@ -207,10 +204,3 @@ def _rate(series: TimeSeries) -> TimeSeries:
     if len(series) == 1:
         raise TooFewTerms
     return series.rate
-
-
-def dotted(node: Node, order: int) -> Node:
-    """The rate of a quantity of that order."""
-    for _ in range(order):
-        node = Rate(node)
-    return node

@@ -12,6 +12,7 @@ from chasles.problems.coordinates import Coordinates
 from chasles.problems.divisors import Divisors
 from chasles.problems.moments import BodyMoments
 from chasles.problems.variables import Unlisted, Untreatable, Variable
+from chasles.statements.rules import rated
 from chasles.vocabulary import Node, Norm, Rate, plain
 
 
@@ -85,9 +86,7 @@ class Differentiation:
         if symbol.constant:
             return self.field.constant(0)
         if variable.kind == "entry":
-            node: Node = symbol
-            for _ in range(variable.order + 1):
-                node = Rate(node)
+            node = rated(symbol, variable.order + 1)
             if node in self.rules:
                 return self.entries(self.rules[node])[variable.row][variable.column]
             rate = self.coordinates.entry(symbol, variable.order + 1, variable.row, variable.column)

@@ -12,11 +12,12 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
 from itertools import combinations_with_replacement
-from operator import add, mul
+from operator import add
 
 from chasles.algebra.groebner import Combination
 from chasles.algebra.localization import Ratio
 from chasles.algebra.rings import Polynomial
+from chasles.evaluation.matrices import Matrix, each, product, transposed
 from chasles.points.adjustment import solution
 from chasles.points.evaluation import Point, evaluate
 from chasles.problems.context import Context, describe, difference
@@ -113,19 +114,13 @@ def _left_inverse(
     context: Context, matrix: list[list[Polynomial]]
 ) -> tuple[tuple[int, ...], Fraction, list[list[Polynomial]]]:
     """Exponents, a constant and X: X M is the constant times powers of nonzero factors, modulo the hypotheses."""
-    size = len(matrix[0])
-    columns = list(zip(*matrix, strict=True))
-    gram = [[_reduced(context, reduce(add, map(mul, a, b))) for b in columns] for a in columns]
-    determinant, adjugate = _adjugate(context, gram)
-    exponents, scale = _as_atoms(context, determinant)
-    multipliers = [
-        [
-            _reduced(context, reduce(add, (adjugate[i][k] * columns[k][j] for k in range(size))))
-            for j in range(len(matrix))
-        ]
-        for i in range(size)
-    ]
-    return exponents, scale, multipliers
+    columns = transposed(matrix)
+
+    def reduced(matrix: Matrix) -> Matrix:
+        return each(matrix, lambda entry: _reduced(context, entry))
+
+    determinant, adjugate = _adjugate(context, reduced(product(columns, matrix)))
+    return *_as_atoms(context, determinant), reduced(product(adjugate, columns))
 
 
 def _one(
@@ -157,7 +152,6 @@ def _reduced(context: Context, polynomial: Polynomial) -> Polynomial:
 
 def _adjugate(context: Context, gram: list[list[Polynomial]]) -> tuple[Polynomial, list[list[Polynomial]]]:
     """Determinant and adjugate of a small matrix, reduced by the hypotheses on the way."""
-    size = len(gram)
     one = context.field.ring.constant(Fraction(1))
 
     def minor(rows: list[int], columns: list[int]) -> Polynomial:
@@ -170,15 +164,12 @@ def _adjugate(context: Context, gram: list[list[Polynomial]]) -> tuple[Polynomia
                 total = total + term if k % 2 == 0 else total - term
         return _reduced(context, total)
 
-    everything = list(range(size))
-    adjugate = []
-    for i in everything:
-        line = []
-        for j in everything:
-            cofactor = minor([r for r in everything if r != j], [c for c in everything if c != i])
-            line.append(cofactor if (i + j) % 2 == 0 else -cofactor)
-        adjugate.append(line)
-    return minor(everything, everything), adjugate
+    def cofactor(row: int, column: int) -> Polynomial:
+        found = minor(whole[:row] + whole[row + 1 :], whole[:column] + whole[column + 1 :])
+        return found if (row + column) % 2 == 0 else -found
+
+    whole = list(range(len(gram)))
+    return minor(whole, whole), [[cofactor(j, i) for j in whole] for i in whole]
 
 
 def _as_atoms(context: Context, determinant: Polynomial) -> tuple[tuple[int, ...], Fraction]:

@@ -46,10 +46,6 @@ class RealPoint(Interpreter):
     def constant(self, value: Fraction) -> float:
         return float(value)
 
-    def quotient(self, numerator: Matrix, denominator: Node) -> Matrix:
-        below = self.scalar(denominator)
-        return each(numerator, lambda entry: entry / below)
-
     def own(self, node: Node) -> Matrix:
         match node:
             case _ if node == PI:

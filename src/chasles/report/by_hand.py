@@ -16,6 +16,7 @@ from chasles.problems.divisors import UndeclaredDivisor
 from chasles.problems.variables import Untreatable, entry_name
 from chasles.prover.counterexample import transcendental_name
 from chasles.statements import Statement
+from chasles.statements.rules import rated
 from chasles.verdict import Counterexample, Fails
 from chasles.vocabulary import PI, Misfit, Node, Rate, Symbol
 
@@ -85,10 +86,7 @@ def _entries(context: Context, part: EntryPart, found: Counterexample) -> Iterat
     is_matrix = symbol.shape[1] > 1
     if is_matrix and place is None:
         return
-    node: Node = symbol
-    for _ in range(order):
-        node = Rate(node)
-    for i, row in enumerate(context.unfold(node)):
+    for i, row in enumerate(context.unfold(rated(symbol, order))):
         for j, ratio in enumerate(row):
             if not is_matrix or (i, j) == place:
                 value = ratio_at(context, ratio, {PI.name: Fraction(1), **found.at})
