@@ -9,6 +9,8 @@ from functools import partial
 from math import inf
 from typing import Any
 
+import sympy
+from sympy.logic.boolalg import Boolean
 from sympy.polys.polyerrors import BasePolynomialError
 
 from chasles.algebra.work_limit import OutOfTime, remaining, within
@@ -19,6 +21,7 @@ from chasles.checker.expressions.proof import check_proof
 from chasles.checker.sparse import Rejected
 from chasles.from_sympy import Question, ask
 from chasles.from_sympy.any_size import verdict_at_any_size
+from chasles.from_sympy.calls import Calls
 from chasles.from_sympy.changed_forms import where_forms_change
 from chasles.from_sympy.complex_symbols import by_parts, expressions_in
 from chasles.from_sympy.components import in_components, sides_of, without_implication
@@ -52,7 +55,8 @@ def prove(
 
     Symbols that are `complex=True` have all complex values, and the verdict speaks of their parts `re_z` and `im_z`.
     Where a conjugate or a part is taken of others, the verdict says that they are real. Square roots are the
-    nonnegative ones and are meant where they are real, fractions where no divisor vanishes.
+    nonnegative ones and are meant where they are real, fractions where no divisor vanishes. Functions that are not
+    known may have any values, also at expressions, as f(x - c*t) and its derivatives.
 
     Args:
         lhs: a SymPy scalar or matrix, whose sizes may be letters, as in MatrixSymbol("A", n, n); a vector, dyadic or
@@ -82,13 +86,15 @@ def prove(
         require_moderate(expressions_in([lhs, rhs, given, nonzero]))
         said = _said(exact, lhs, rhs, given, nonzero)
         of_any_size = has_letters_for_sizes(expressions_in(said))
-        asked = said if of_any_size else without_inequalities(without_integrals(said))
+        calls = Calls(said)
+        asked = said if of_any_size else without_inequalities(without_integrals(calls.said))
         with within(EFFORT, budget):
             verdict = verdict_at_any_size(*asked) if of_any_size else _decided_or_by_induction(*asked)
+            _require_values(calls, verdict)
     except OutOfTime as error:
         return Undecided(str(error))
     except Rejected as error:
-        return Undecided(f"a case is not read by the checker: {error}")
+        return Undecided(f"it is not read by the checker: {error}")
     except RecursionError as error:
         raise Untreatable("it is nested too deeply, or SymPy does not come to an end with it") from error
     except FAILURES as error:
@@ -189,6 +195,7 @@ def _said(exact: bool, *said: Any) -> tuple[Any, ...]:
     """What was said: iterators written out, a relation by its sides, vectors and complex symbols by their parts."""
     said = tuple(tuple(each) if isinstance(each, Iterator) else each for each in said)
     lhs, rhs, *conditions = said
+    rhs = None if rhs in (True, sympy.true) and isinstance(lhs, Boolean) else rhs
     if rhs is None:
         lhs, conditions[0] = without_implication(lhs, conditions[0])
     said = in_components((*(sides_of(lhs) if rhs is None else (lhs, rhs)), *conditions))
@@ -207,13 +214,26 @@ def recheck(
     if has_letters_for_sizes(expressions_in(said)):
         check_at_any_size(verdict, *said)
         return
-    asked = without_inequalities(without_integrals(said))
+    calls = Calls(said)
+    asked = without_inequalities(without_integrals(calls.said))
+    if isinstance(verdict, Fails):
+        calls.require_apart(verdict.counterexample.at)
     if not isinstance(verdict, Holds | HoldsUnder | Fails):
         raise TypeError(f"the verdict is {verdict.name}: only what holds or fails can be checked")
     for text in definitions(said, asked):
         if not isinstance(verdict, Fails) and text not in verdict.needs:
             raise Rejected(f"the verdict is on {text}, and does not say so")
     _check(verdict, asked)
+    _require_values(calls, verdict)
+
+
+def _require_values(calls: Calls, verdict: Verdict) -> None:
+    """Raise `Rejected` unless functions may have the values that the verdict tells."""
+    match verdict:
+        case Fails(found):
+            calls.require_free(found.at)
+        case Holds() | HoldsUnder():
+            calls.require_apart(verdict.witness or {})
 
 
 def _answered(question: Question) -> Verdict:

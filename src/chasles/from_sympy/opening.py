@@ -54,15 +54,16 @@ def excerpt(expression: Any) -> str:
 
 def parts_of(expression: Any) -> Iterator[Any]:
     """Each different part of an expression once, itself first; `atoms` meets all that is repeated again."""
-    return _different(expression, lambda _: False)
+    return different_parts(expression, lambda _: False)
 
 
 def atoms_of(expression: Any) -> Iterator[Any]:
     """The real variables that occur in an expression, each once."""
-    return filter(is_atom, _different(expression, is_atom))
+    return filter(is_atom, different_parts(expression, is_atom))
 
 
-def _different(expression: Any, is_last: Callable[[Any], bool]) -> Iterator[Any]:
+def different_parts(expression: Any, is_last: Callable[[Any], bool]) -> Iterator[Any]:
+    """Each different part of an expression once, itself first, and nothing inside of what is last."""
     seen = set()
     waiting = [expression]
     while waiting:

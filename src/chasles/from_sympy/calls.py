@@ -1,0 +1,178 @@
+"""Values of functions that are not known, at expressions, as quantities: f(x - c*t), f'(x + c*t), f(0) beside f(t).
+
+Whatever holds for all values of these holds for every function. What fails at some values fails for a function that has
+these values there, unless something given ties them to each other: then nothing is said to fail.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations
+from typing import Any
+
+import sympy
+from sympy.core.function import AppliedUndef
+
+from chasles.checker.expressions.quantities import is_unreal
+from chasles.checker.sparse import Rejected
+from chasles.from_sympy.atoms import assumed_of
+from chasles.from_sympy.complex_symbols import expressions_in
+from chasles.from_sympy.decimals import with_values
+from chasles.from_sympy.opening import atoms_of, different_parts, parts_of
+
+VALUES = AppliedUndef | sympy.Derivative | sympy.Subs
+BINDING = sympy.Sum | sympy.Product | sympy.Integral | sympy.Limit
+DIGITS = 50
+
+
+@dataclass(frozen=True, slots=True)
+class Value:
+    """The value of a function, or of its derivative by some of its arguments (counted from one), at these arguments."""
+
+    function: Any
+    orders: tuple[int, ...]
+    arguments: tuple[Any, ...]
+
+    @property
+    def name(self) -> str:
+        """How it is spelled: f''(x + y); of several arguments, D[1, 2](f)(x, y)."""
+        called = str(self.function)
+        if self.orders:
+            several = len(self.arguments) > 1
+            called = f"D[{', '.join(map(str, self.orders))}]({called})" if several else called + "'" * len(self.orders)
+        return f"{called}({', '.join(map(str, self.arguments))})"
+
+    def at(self, put: Mapping[Any, Any]) -> Value:
+        """The same with values in its arguments."""
+        return replace(self, arguments=tuple(sympy.expand(e.xreplace(put)) for e in self.arguments))
+
+    @property
+    def spelled(self) -> Any:
+        """The same as SymPy writes it where the arguments are different symbols."""
+        call = self.function(*self.arguments)
+        return sympy.Derivative(call, *(self.arguments[k - 1] for k in self.orders)) if self.orders else call
+
+
+class Calls:
+    """A question in which all values of a function are at the same different symbols: others are quantities.
+
+    `said` is the question so; a function keeps the first set of arguments of which it has a derivative.
+    """
+
+    def __init__(self, said: tuple[Any, ...]) -> None:
+        spoken = [e for e in expressions_in(said) if e.has(AppliedUndef)]
+        rates = [e for e in _parts(spoken, sympy.Derivative | sympy.Subs) if value_of(e) is None]
+        said = with_values(said, {e: e.doit() for e in rates}) if rates else said
+        self.said, self.given = said, said[2:]
+        # SymPy (1.14) leaves symbols called like a place in derivatives of what is there.
+        places = {
+            sympy.Symbol(f"_{p}"): p for e in spoken for part in e.atoms(sympy.Subs) for p in part.point if p.args
+        }
+        self.read = {e: value.at(places) for e, value in _values(expressions_in(said))}
+        self.plain = _plain(self.read.values())
+        self.named: dict[Value, Any] = {}
+        self.put = {e: self._quantity(value) for e, value in self.read.items()}
+        if self.named:
+            self.said = with_values(said, self.put)
+
+    def _quantity(self, value: Value) -> Any:
+        """A symbol; a function of the variables on which functions in the arguments depend, if there are any."""
+        if value.arguments == self.plain.get(value.function) or is_unreal(value.function(*value.arguments)):
+            return value.spelled
+        if value not in self.named:
+            assumed = {} if value.orders else assumed_of(value.function(*value.arguments))
+            moving = {t for e in value.arguments for part in e.atoms(AppliedUndef) for t in part.args if t.is_Symbol}
+            symbol = sympy.Symbol(value.name, **{**assumed, "real": True})
+            named = sympy.Function(value.name, **assumed)(*sorted(moving, key=str)) if moving else symbol
+            self.named[value] = named
+        return self.named[value]
+
+    def require_free(self, at: Mapping[str, Any]) -> None:
+        """A counterexample is one: nothing is given of a function of which there are several values, and they are so.
+
+        Raises `Rejected` if not.
+        """
+        functions = {value.function for value in self.named}
+        if any(value.function in functions for _, value in _values(expressions_in(self.given))):
+            raise Rejected("something is given of a function of which values at several places are asked")
+        self._places(list(self.named), at)
+        self.require_apart(at)
+
+    def require_apart(self, at: Mapping[str, Any]) -> None:
+        """A function has these values, told by name: they belong to different arguments, or are the same.
+
+        Raises `Rejected` unless that is seen.
+        """
+        functions = {value.function for value in self.named}
+        values = [value for value in dict.fromkeys(self.read.values()) if value.function in functions]
+        for one, other in combinations(values, 2):
+            told = [str(at.get(str(self._quantity(value)))) for value in (one, other)]
+            if (one.function, one.orders) != (other.function, other.orders) or told[0] == told[1]:
+                continue
+            if not any(map(_is_apart, *self._places((one, other), at))):
+                raise Rejected(f"{one.name} and {other.name} may be the same at the point")
+
+    def _places(self, values: Sequence[Value], at: Mapping[str, Any]) -> list[list[Any]]:
+        """The arguments of values at the point; what occurs in them only is a prime number, each another."""
+        inside = [with_values(value.arguments, self.put) for value in values]
+        spoken = {atom for e in expressions_in(self.said) for atom in atoms_of(e)}
+        point: dict[Any, Any] = {}
+        for place, atom in enumerate(
+            sorted({a for arguments in inside for e in arguments for a in atoms_of(e)}, key=str)
+        ):
+            number = sympy.Integer(sympy.prime(90 + place))
+            may_be = all(getattr(number, f"is_{kind}") is known for kind, known in assumed_of(atom).items())
+            if str(atom) not in at and (atom in spoken or not may_be):
+                raise Rejected(f"nothing says where {atom} is at the point")
+            point[atom] = sympy.sympify(str(at[str(atom)])) if str(atom) in at else number
+        found = [[e.xreplace(point) for e in arguments] for arguments in inside]
+        if any(not (place.is_real and place.is_finite) for places in found for place in places):
+            raise Rejected("an argument of a function is not seen to have a value at the point")
+        return found
+
+
+def _is_apart(one: Any, other: Any) -> bool:
+    """Whether two numbers differ."""
+    return bool(abs(sympy.N(one - other, DIGITS)) > sympy.Float(10) ** (-DIGITS // 2))
+
+
+def _plain(values: Iterable[Value]) -> dict[Any, tuple[Any, ...]]:
+    """The arguments of a function that are different symbols, by function."""
+    ordered = sorted(set(values), key=lambda value: (-len(value.orders), value.name), reverse=True)
+    return {
+        value.function: value.arguments for value in ordered
+        if len(set(value.arguments)) == len(value.arguments) and all(e.is_Symbol for e in value.arguments)
+    }  # fmt: skip
+
+
+def _values(expressions: Iterable[Any]) -> Iterator[tuple[Any, Value]]:
+    """The values of functions in expressions, but for those inside others and those of what is bound."""
+    for whole in expressions:
+        parts = [e for e in different_parts(whole, lambda e: isinstance(e, VALUES)) if isinstance(e, VALUES | BINDING)]
+        limits = [limit for e in parts if isinstance(e, BINDING) for limit in getattr(e, "limits", [e.args[1:]])]
+        bound = {symbol for limit in limits for symbol in limit[0].free_symbols}
+        for e in parts:
+            value = None if isinstance(e, BINDING) or e.free_symbols & bound else value_of(e)
+            if value is not None:
+                yield e, value
+
+
+def _parts(expressions: Iterable[Any], kind: Any) -> Iterator[Any]:
+    return (e for whole in expressions for e in parts_of(whole) if isinstance(e, kind))
+
+
+def value_of(e: Any) -> Value | None:
+    """The value of a function, or of a derivative of one by its arguments; None for what is none."""
+    if isinstance(e, AppliedUndef):
+        return Value(e.func, (), tuple(map(sympy.expand, e.args)))
+    if isinstance(e, sympy.Subs):
+        inner = value_of(e.args[0])  # `e.expr` has other symbols in it
+        return inner and inner.at(dict(zip(e.variables, e.point, strict=True)))
+    if not isinstance(e, sympy.Derivative) or not isinstance(e.expr, AppliedUndef):
+        return None
+    arguments = e.expr.args
+    if not all(v in arguments and sum(a.has(v) for a in arguments) == 1 for v in e.variables):
+        return None
+    orders = tuple(sorted(1 + arguments.index(v) for v in e.variables))
+    return Value(e.expr.func, orders, tuple(map(sympy.expand, arguments)))
