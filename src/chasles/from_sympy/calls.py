@@ -14,6 +14,7 @@ from typing import Any
 import sympy
 from sympy.core.function import AppliedUndef
 
+from chasles.checker.expressions.enclosed import sign_of_number
 from chasles.checker.expressions.quantities import is_unreal
 from chasles.checker.sparse import Rejected
 from chasles.from_sympy.atoms import assumed_of
@@ -23,7 +24,6 @@ from chasles.from_sympy.opening import atoms_of, different_parts, parts_of
 
 VALUES = AppliedUndef | sympy.Derivative | sympy.Subs
 BINDING = sympy.Sum | sympy.Product | sympy.Integral | sympy.Limit
-DIGITS = 50
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,7 +110,7 @@ class Calls:
             told = [str(at.get(str(self._quantity(value)))) for value in (one, other)]
             if (one.function, one.orders) != (other.function, other.orders) or told[0] == told[1]:
                 continue
-            if not any(map(_is_apart, *self._places((one, other), at))):
+            if not any(sign_of_number(a - b) for a, b in zip(*self._places((one, other), at), strict=True)):
                 raise Rejected(f"{one.name} and {other.name} may be the same at the point")
 
     def _places(self, values: Sequence[Value], at: Mapping[str, Any]) -> list[list[Any]]:
@@ -130,11 +130,6 @@ class Calls:
         if any(not (place.is_real and place.is_finite) for places in found for place in places):
             raise Rejected("an argument of a function is not seen to have a value at the point")
         return found
-
-
-def _is_apart(one: Any, other: Any) -> bool:
-    """Whether two numbers differ."""
-    return bool(abs(sympy.N(one - other, DIGITS)) > sympy.Float(10) ** (-DIGITS // 2))
 
 
 def _plain(values: Iterable[Value]) -> dict[Any, tuple[Any, ...]]:
