@@ -24,6 +24,7 @@ from chasles.statements.inequalities import says_that
 from chasles.statements.inversion import COVER, problems_of_inverse
 from chasles.statements.problem import Goal, Problem
 from chasles.verdict import Holds, HoldsUnder
+from chasles.vocabulary.sizes import Size
 
 from .decided import chapter_session
 
@@ -401,6 +402,7 @@ def test_what_cannot_be_said_is_refused() -> None:
 
 x, y, a = (w.scalar(name, name, name, w.LENGTH) for name in "xya")
 mass, u = w.scalar("mass", "m", "a mass", w.MASS), w.vector("u", "u", "a vector")
+P, Q = (w.square(name, name, "a matrix", size=Size("n")) for name in "PQ")
 SUM, DIFFERENCE = Condition("1", x + y, a, on=(x, y)), Condition("2", x - y, w.number(0) * a, on=(x, y))
 
 
@@ -413,6 +415,8 @@ SUM, DIFFERENCE = Condition("1", x + y, a, on=(x, y)), Condition("2", x - y, w.n
         (Claim("6", w.rate(x), w.rate(a) / 2, given=(SUM, DIFFERENCE)), "the rate of x, which conditions determine"),
         (Claim("7", w.rate(w.det(w.CPM(u) @ w.CPM(u))), w.number(0)), "the rate of a determinant"),
         (Claim("8", *says_that(w.dot(u, u) >= 0)), ""),
+        (Claim("9", (P @ Q).T, Q.T @ P.T), "matrices of any size"),
+        (Claim("10", P @ Q, Q @ P, sic=True), "matrices of any size"),
     ],
 )
 def test_what_coq_is_not_told_has_a_reason(claim: Claim, reason: str) -> None:

@@ -24,7 +24,7 @@ from chasles.from_sympy.any_size import verdict_at_any_size
 from chasles.from_sympy.calls import Calls
 from chasles.from_sympy.changed_forms import where_forms_change
 from chasles.from_sympy.complex_symbols import by_parts, expressions_in
-from chasles.from_sympy.components import in_components, sides_of, without_implication
+from chasles.from_sympy.components import claimed, in_components, sides_of, without_implication
 from chasles.from_sympy.contradiction import contradiction
 from chasles.from_sympy.decimals import as_decimals
 from chasles.from_sympy.exponents import require_moderate
@@ -109,7 +109,7 @@ def prove(
     if used := [text for text in (*definitions(said, asked), *sorted(poles)) if text in verdict.unused]:
         unused = tuple(text for text in verdict.unused if text not in used)
         verdict = HoldsUnder((*used, *verdict.needs), verdict.certificate, verdict.witness, unused)
-    return replace(verdict, asked=said)
+    return replace(verdict, asked=(*said, claimed(lhs, rhs, given)))
 
 
 def _raised_in_sympy(error: BaseException) -> bool:

@@ -19,12 +19,12 @@ import sympy
 from chasles.checker.sparse import Rejected
 from chasles.coq.exponentials import exponential, logarithm
 from chasles.coq.expressions import Unsaid
-from chasles.coq.of_sympy import ScalarStatement
+from chasles.coq.of_sympy import ScalarStatement, SympyStatement
 from chasles.coq.own_inequalities import OwnInequalities, as_asked
 from chasles.coq.plain import PlainExpressions, text_of
 from chasles.coq.proof import theorem
 from chasles.coq.roots import root, words_named
-from chasles.coq.sentences import NOW, Claimed, equal_rates, holding, introduced
+from chasles.coq.sentences import NOW, Claimed, claiming, equal_rates, holding, introduced
 from chasles.coq.turns import inverse, turned
 from chasles.verdict import Holds, HoldsUnder, Verdict
 
@@ -48,38 +48,50 @@ AS_SPELLED = ("intros.", "repeat apply conj; reflexivity.")
 
 
 def as_theorem(
-    verdict: Verdict, lhs: Any, rhs: Any, given: Any = (), nonzero: Any = (), name: str = "identity"
+    verdict: Verdict,
+    lhs: Any,
+    rhs: Any,
+    given: Any = (),
+    nonzero: Any = (),
+    claimed: Any = None,
+    name: str = "identity",
 ) -> Claimed:
     """What the verdict of `chasles.prove` on this question says, for Coq, if it holds: a statement and its proof.
 
-    Where there is no proof, or not even a statement, `why_not` says why. Raises TypeError for what does not hold.
+    Where the sides stand for an inequality, or for what joins several relations, that is `claimed`. Where there is no
+    proof, or not even a statement, `why_not` says why. Raises TypeError for what does not hold.
     """
     if not isinstance(verdict, Holds | HoldsUnder):
         raise TypeError(f"the verdict is {verdict.name}: only what holds is a theorem")
-    claim = Claimed(name, "asked", name, f"{lhs} = {rhs}")
+    claim = Claimed(name, "asked", name, f"{lhs} = {rhs}" if claimed is None else str(claimed))
     said = ""
     try:
         if "induction" in verdict.certificate:
             raise Unsaid("no proof is written of what is shown by induction")
-        question = as_asked((lhs, rhs, given, nonzero))
+        question = as_asked((lhs, rhs, given, nonzero), claimed)
         needs = tuple(need for need in verdict.needs if need not in question.spelled)
-        statement = ScalarStatement(question.asked, needs, question.values)
-        own = None
-        if question.stand:
+        statement = ScalarStatement(question.asked, needs, question.values, claimed)
+        own: SympyStatement = statement
+        if question.compared:
             with suppress(ValueError):  # then it is said by what stands for the inequalities
                 own = OwnInequalities(statement, question.compared, question.stand)
-        said = holding(name, own.said if own else statement)
-        if all(left == right for left, right in statement.goals) and not statement.timed:
-            steps: Iterable[str] = AS_SPELLED
-        else:
-            by_cases = statement.is_of_cases(verdict.certificate)
-            steps = BY_CASES if by_cases else _ScalarProof(statement, verdict.certificate).steps()
-        proof = theorem(name, own.steps(steps) if own else steps)
+        whole = own if claimed is None else own.claiming(claimed)
+        said = holding(name, whole)
+        steps = _steps(statement, verdict.certificate)
+        steps = own.steps(steps) if isinstance(own, OwnInequalities) else steps
+        proof = theorem(name, steps if whole is own else claiming(own, whole, steps))
     except (Rejected, Unsaid) as reason:
         return replace(claim, said=said, why_not=str(reason))
     except (ArithmeticError, LookupError, ValueError, sympy.PolynomialError):
         return replace(claim, said=said, why_not="no proof is written of what is shown in this way")
     return replace(claim, said=said, proof=proof)
+
+
+def _steps(said: ScalarStatement, certificate: Mapping[str, Any]) -> Iterable[str]:
+    """The steps that show both sides to be equal."""
+    if all(left == right for left, right in said.goals) and not said.timed:
+        return AS_SPELLED
+    return BY_CASES if said.is_of_cases(certificate) else _ScalarProof(said, certificate).steps()
 
 
 class _ScalarProof:

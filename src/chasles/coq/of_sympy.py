@@ -12,6 +12,7 @@ from typing import Any
 
 import sympy
 from sympy.core.function import AppliedUndef
+from sympy.core.relational import Relational
 from sympy.matrices import MatrixBase, MatrixExpr
 from sympy.matrices.expressions.matexpr import MatrixElement
 
@@ -22,10 +23,12 @@ from chasles.checker.expressions.unevaluated import explicit, written_out
 from chasles.coq.expressions import APPLIED, ATOM, LOOSE, PLUS, Spelled, Spelling, Unsaid
 from chasles.coq.names import CoqNames
 from chasles.coq.statement import CoqStatement
-from chasles.coq.sympy_words import DECIDED, OF_TWO, SympyWords
+from chasles.coq.sympy_words import DECIDED, OF_TWO, SympyWords, is_exponential
 from chasles.statements import Goal, Hypothesis, Problem
 from chasles.vocabulary.functions import FunctionOf
 
+TERM_BY_TERM = {sympy.Sum: sympy.Add, sympy.Product: sympy.Mul}
+MOST_TERMS = 50
 BY_CASES = (sympy.sign, sympy.Piecewise, sympy.Heaviside, *OF_TWO)
 SIGNS = {
     "positive": "0 < {}",
@@ -36,6 +39,8 @@ SIGNS = {
     "less": "{} < {}",
     "at most": "{} <= {}",
 }
+COMPARED = {"==": "=", "!=": "<>", "<": "<", "<=": "<="}
+JOINED = {sympy.And: " /\\ ", sympy.Or: " \\/ ", sympy.Implies: " -> ", sympy.Equivalent: " <-> "}
 RELATIONS = {" != 0": "nonzero", " >= 0": "nonnegative", " > 0": "positive"}
 
 
@@ -48,6 +53,23 @@ def in_entries(value: Any) -> Any:
     if isinstance(value, MatrixBase | MatrixExpr):
         return explicit(value)
     return written_out(value) if isinstance(value, sympy.Expr) else value
+
+
+def term_by_term(value: Any) -> Any:
+    """The scalar, or list of conditions, with sums and products of so many terms as SymPy leaves them, unevaluated."""
+    if isinstance(value, list | tuple):
+        return type(value)(map(term_by_term, value))
+    if isinstance(value, MatrixBase | MatrixExpr) or not (isinstance(value, sympy.Basic) and value.has(*TERM_BY_TERM)):
+        return value
+    if not isinstance(value, sympy.Sum | sympy.Product):
+        together = {"evaluate": False} if isinstance(value, sympy.Add | sympy.Mul | sympy.Pow) else {}
+        return value.func(*map(term_by_term, value.args), **together)
+    *inner, (index, low, high) = value.limits
+    if not (high - low).is_Integer or high - low > MOST_TERMS:
+        raise Unsaid(f"{value}, with any number of terms or with very many")
+    term = value.func(value.function, *inner) if inner else value.function
+    terms = [term_by_term(term.subs(index, low + k)) for k in range(high - low + 1)]
+    return TERM_BY_TERM[value.func](*terms, evaluate=False) if len(terms) > 1 else terms[0] if terms else value.doit()
 
 
 def in_parts(asked: Asked) -> Asked:
@@ -82,17 +104,80 @@ class _ScalarSpelling(Spelling):
         return super()._number(node)
 
 
-class ScalarStatement(CoqStatement):
+class SympyStatement(CoqStatement):
+    """A statement in the words of expressions of SymPy, with names as in another one, if any.
+
+    Where an inequality is claimed, or what joins several relations, the goals are their sides.
+    """
+
+    def __init__(
+        self, words: SympyWords, problem: Problem, like: SympyStatement | None = None, claimed: Any = None
+    ) -> None:
+        self.words, self.claimed = words, claimed
+        names = CoqNames(like.names if like else None)
+        self._clock = words.atoms.get(words.time)
+        if isinstance(self._clock, w.Symbol):
+            names.symbols[self._clock] = "t"
+        super().__init__(problem, names)
+        self.timed = words.time is not None
+        self.spelling = _ScalarSpelling(self.names, self.applied)
+
+    def claiming(self, claimed: Any) -> SympyStatement:
+        """The statement that from the same premises something else follows."""
+        relations = [part for part in sympy.preorder_traversal(claimed) if isinstance(part, Relational)]
+        goals = tuple(Goal("", self.words(each.lhs), self.words(each.rhs)) for each in relations)
+        return SympyStatement(self.words, replace(self.problem, goals=goals), self, claimed)
+
+    @property
+    def equations(self) -> list[str]:
+        """What is claimed."""
+        return super().equations if self.claimed is None else [self._relation(self.claimed)]
+
+    def _relation(self, e: Any) -> str:
+        """What a relation says, or what joins some."""
+        if isinstance(e, sympy.Not):
+            return f"~ ({self._relation(e.args[0])})"
+        if e.func in JOINED and (len(e.args) == 2 or e.func in (sympy.And, sympy.Or)):
+            return JOINED[e.func].join(f"({self._relation(part)})" for part in e.args)
+        if not isinstance(e, Relational) or len(e.args) != 2:
+            raise Unsaid(f"{e} is no word of the theories")
+        e = e.reversed if isinstance(e, sympy.Gt | sympy.Ge) else e
+        return f"{self.side(e.lhs)} {COMPARED[e.rel_op]} {self.side(e.rhs)}"
+
+    def _hypothesis(self, hypothesis: Hypothesis) -> str:
+        return SIGNS[hypothesis.kind].format(*(self.spelling.number(each, PLUS) for each in hypothesis.subjects))
+
+    def moves(self, node: w.Node) -> bool:
+        """Whether a symbol is a function of time, or time itself."""
+        return super().moves(node) or (self.timed and node == self._clock)
+
+    def applied(self, node: w.Node, name: str) -> str:
+        """A symbol or rate at the instant."""
+        return name if node == self._clock else super().applied(node, name)
+
+    @property
+    def binders(self) -> list[tuple[str, str]]:
+        """What the statement is for all of, with types."""
+        return [(name, kind) for name, kind in super().binders if name != "t"]
+
+    def side(self, e: Any, most: int = LOOSE) -> str:
+        """An expression, in brackets if it is looser than `most`."""
+        return self.spelling.number(self.words(e), most)
+
+
+class ScalarStatement(SympyStatement):
     """What was asked, under what the verdict needs. Raises `Unsaid` where there are no words for it.
 
     `values` are what a proof says symbols and functions by: their definitions, or what has their name and a sign.
     """
 
-    def __init__(self, asked: Asked, needs: tuple[str, ...], values: dict[Any, Any]) -> None:
+    def __init__(self, asked: Asked, needs: tuple[str, ...], values: dict[Any, Any], claimed: Any = None) -> None:
         self.asked, self.values = asked, values
         said = sympy.Tuple(*asked.expressions)
         rates = (rate.xreplace(values) for rate in said.atoms(sympy.Derivative))
-        self.words = words = SympyWords(sympy.Tuple(*said, *values.values(), *rates))
+        self.words = words = SympyWords(
+            sympy.Tuple(*said, *values.values(), *rates, *[claimed] * (claimed is not None))
+        )
         self.goals = [(left, asked.right[place]) for place, left in asked.left.items()]
         self.given = [
             ((count, *place), pair) for count, item in enumerate(asked.given) for place, pair in item.pairs.items()
@@ -105,13 +190,11 @@ class ScalarStatement(CoqStatement):
             for pairs in (self.goals, [pair for _, pair in self.given])
         )
         assumed = tuple(dict.fromkeys((*self._signs(), *self._divisors(), *self._needs(needs))))
-        names = CoqNames()
-        self._clock = words.atoms.get(words.time)
-        if isinstance(self._clock, w.Symbol):
-            names.symbols[self._clock] = "t"
-        super().__init__(Problem(goals, conditions=conditions, hypotheses=assumed), names)
-        self.timed = words.time is not None
-        self.spelling = _ScalarSpelling(self.names, self.applied)
+        for power in sorted(said.atoms(sympy.Pow), key=str):
+            base = power.base.xreplace(values)
+            if is_exponential(power) and not (base.is_positive or power.base in self.positive):
+                raise Unsaid(f"{power}, whose base is not seen to be positive")
+        super().__init__(words, Problem(goals, conditions=conditions, hypotheses=assumed))
 
     def is_of_cases(self, certificate: Mapping[str, Any]) -> bool:
         """Whether something is spoken of whose value is told by cases, all else being rational and at rest."""
@@ -153,23 +236,3 @@ class ScalarStatement(CoqStatement):
         hypothesis = Hypothesis(kind, (self.words(value),))
         self.assumed[hypothesis] = value
         return hypothesis
-
-    def _hypothesis(self, hypothesis: Hypothesis) -> str:
-        return SIGNS[hypothesis.kind].format(*(self.spelling.number(each, PLUS) for each in hypothesis.subjects))
-
-    def moves(self, node: w.Node) -> bool:
-        """Whether a symbol is a function of time, or time itself."""
-        return super().moves(node) or (self.timed and node == self._clock)
-
-    def applied(self, node: w.Node, name: str) -> str:
-        """A symbol or rate at the instant."""
-        return name if node == self._clock else super().applied(node, name)
-
-    @property
-    def binders(self) -> list[tuple[str, str]]:
-        """What the statement is for all of, with types."""
-        return [(name, kind) for name, kind in super().binders if name != "t"]
-
-    def side(self, e: Any, most: int = LOOSE) -> str:
-        """An expression, in brackets if it is looser than `most`."""
-        return self.spelling.number(self.words(e), most)

@@ -6,8 +6,7 @@ What stands for inequalities in a question of `prove` has values, which a proof 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from copy import copy
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any
 
 import sympy
@@ -15,12 +14,13 @@ from sympy.core.function import AppliedUndef
 
 from chasles.checker.expressions.asked import Asked, listed
 from chasles.checker.expressions.quantities import is_atom
-from chasles.coq.names import CoqNames
-from chasles.coq.of_sympy import ScalarStatement, in_entries, in_parts
+from chasles.coq.expressions import Unsaid
+from chasles.coq.of_sympy import ScalarStatement, SympyStatement, in_entries, in_parts, term_by_term
 from chasles.coq.sentences import asserted, introduced
+from chasles.coq.sympy_words import SAID, SympyWords
 from chasles.from_sympy.complex_symbols import expressions_in
-from chasles.from_sympy.inequalities import COMPARED, STRICT, Said, without_inequalities
-from chasles.statements import Hypothesis
+from chasles.from_sympy.inequalities import COMPARED, STRICT, Said, signed, without_inequalities
+from chasles.statements import Hypothesis, Problem
 
 Values = dict[Any, Any]
 """What atoms of a question are said by."""
@@ -31,7 +31,7 @@ class OwnQuestion:
     """A question with its own sides and equations, beside those that `stand` for its inequalities `compared`.
 
     The former are first, as `prove` has them. By `values` its symbols and functions are said; `spelled` are the
-    equations as the verdict spells them.
+    equations as the verdict spells them. `claimed` is what joins the relations of a claim that is none by two sides.
     """
 
     asked: Asked
@@ -39,30 +39,38 @@ class OwnQuestion:
     spelled: frozenset[str] = frozenset()
     compared: tuple[Any, ...] = ()
     stand: tuple[Any, ...] = ()
+    claimed: Any = None
 
 
-def as_asked(said: Said) -> OwnQuestion:
-    """The question as it was asked."""
+def as_asked(said: Said, claimed: Any = None) -> OwnQuestion:
+    """The question as it was asked. Raises `Unsaid` for functions that are said by others, or by none."""
+    for e in expressions_in(said):
+        functions = {part.func for part in e.atoms(sympy.Function) if not isinstance(part, AppliedUndef)}
+        if unsaid := sorted(functions - SAID, key=str):
+            raise Unsaid(f"{unsaid[0]} is no word of the theories")
+    said = tuple(map(term_by_term, said))
     told = without_inequalities(said)
     if told is said:
-        return OwnQuestion(in_parts(Asked(*map(in_entries, said))))
+        return OwnQuestion(in_parts(Asked(*map(in_entries, said))), claimed=claimed)
     items = [item for _, item in listed(said[2], "given")]
     stated = [item for item in items if not isinstance(item, (*COMPARED, sympy.Ne)) and item is not sympy.true]
     new = told[2][: max(0, len(told[2]) - len(stated))]
     asked = Asked(*map(in_entries, (*said[:2], [*new, *stated], told[3])))
     spelled = frozenset(item.text for item in Asked(*map(in_entries, told)).given)
     compared = tuple(item for item in items if isinstance(item, COMPARED))
-    return OwnQuestion(in_parts(asked), _values(said, told, new), spelled, compared, tuple(new))
+    return OwnQuestion(in_parts(asked), _values(said, told, new, compared), spelled, compared, tuple(new), claimed)
 
 
-def _values(said: Said, told: Said, new: list[Any]) -> Values:
+def _values(said: Said, told: Said, new: list[Any], compared: Iterable[Any]) -> Values:
     """By what each atom is said, if not by itself: its definition, or one of the same name that has a sign."""
     rest = set(_atoms((*told[:2], told[2][len(new) :], told[3])))
     equations = (item for item in new if isinstance(item, sympy.Equality))
     defined = {item.lhs: item.rhs for item in equations if is_atom(item.lhs) and item.lhs not in rest}
-    named = {str(atom): atom for atom in _atoms(told)}
-    signed = {atom: named[str(atom)] for atom in _atoms(said) if named.get(str(atom), atom) != atom}
-    return {**defined, **{atom: defined.get(other, other) for atom, other in signed.items()}}
+    # SymPy may have evaluated what is told, so that no symbol is left of it.
+    named = {str(atom): other for item in compared for atom, other in signed(item).items()}
+    named |= {str(atom): atom for atom in _atoms(told)}
+    apart = {atom: named[str(atom)] for atom in _atoms(said) if named.get(str(atom), atom) != atom}
+    return {**defined, **{atom: defined.get(other, other) for atom, other in apart.items()}}
 
 
 def _atoms(said: Any) -> Iterator[Any]:
@@ -78,7 +86,7 @@ SETTLED = (
 """The step by which what is put in is what is assumed of it."""
 
 
-class OwnInequalities:
+class OwnInequalities(SympyStatement):
     """A statement with the inequalities of the question, in place of the symbols and equations that stand for them.
 
     Raises ValueError where the symbols are not seen to be said by the question's, and for what moves.
@@ -93,18 +101,11 @@ class OwnInequalities:
         words = plain.words
         new = {words.atoms[symbol] for symbol in self._values}
         of_given = zip(plain.given, plain.problem.conditions, strict=True)
-        hypotheses = [*(Hypothesis(_kind(each), (words(each.lts), words(each.gts))) for each in compared)]
+        hypotheses = [_assumed(words, each) for each in compared]
         hypotheses += [each for each in plain.problem.hypotheses if each.subjects[0] not in new and self._stays(each)]
-        self.said = copy(plain)
-        vars(self.said).pop("premises", None)
-        self.said.problem = replace(
-            plain.problem,
-            conditions=tuple(goal for ((count, *_), _), goal in of_given if count >= len(stand)),
-            hypotheses=tuple(dict.fromkeys(hypotheses)),
-        )
-        self.said.names = CoqNames(plain.names)
-        self.said.names.symbols = {node: name for node, name in plain.names.symbols.items() if node not in new}
-        vars(self.said)["premises"] = [*{each.says: each for each in self.said.premises}.values()]
+        conditions = tuple(goal for ((count, *_), _), goal in of_given if count >= len(stand))
+        problem = Problem(plain.problem.goals, conditions=conditions, hypotheses=tuple(dict.fromkeys(hypotheses)))
+        super().__init__(words, problem, plain)
 
     def _stays(self, assumed: Hypothesis) -> bool:
         """Whether something is still assumed: what is seen of the signs of new symbols is not."""
@@ -118,14 +119,20 @@ class OwnInequalities:
     def steps(self, plain: Iterable[str]) -> Iterator[str]:
         """The steps, with those that show it of what stands for the inequalities."""
         yield from asserted("plain'", self._plain, plain)
-        yield f"intros {introduced(self.said)}."
+        yield f"intros {introduced(self)}."
         values = {self._plain.names.symbols[self._plain.words.atoms[d]]: v for d, v in self._values.items()}  # type: ignore[index]
         given = (f"({self._plain.side(values[name])})" if name in values else name for name, _ in self._plain.binders)
         yield f"repeat apply conj; apply (plain' {' '.join(given)}); {SETTLED}."
 
 
-def _kind(item: Any) -> str:
-    return "less" if isinstance(item, STRICT) else "at most"
+def _assumed(words: SympyWords, item: Any) -> Hypothesis:
+    """An inequality; of what is compared with zero, the sign."""
+    strict = isinstance(item, STRICT)
+    if item.lts.is_zero:
+        return Hypothesis("positive" if strict else "nonnegative", (words(item.gts),))
+    if item.gts.is_zero:
+        return Hypothesis("negative" if strict else "nonpositive", (words(item.lts),))
+    return Hypothesis("less" if strict else "at most", (words(item.lts), words(item.gts)))
 
 
 def _solved(stand: Sequence[Any], new: set[Any]) -> dict[Any, Any]:

@@ -52,12 +52,12 @@ def equal_rates(name: str, value: str, sides: str, steps: str, scalar: bool = Tr
 
 def holding(name: str, said: CoqStatement) -> str:
     """The definition of the statement, under its name."""
-    return f"Definition {name} : Prop :=\n{for_all(said, equations(said))}.\n"
+    return f"Definition {name} : Prop :=\n{for_all(said, said.equations)}.\n"
 
 
 def failing(name: str, said: CoqStatement) -> str:
     """The definition of its negation."""
-    return f"Definition {name} : Prop := ~ (\n{for_all(said, equations(said))}).\n"
+    return f"Definition {name} : Prop := ~ (\n{for_all(said, said.equations)}).\n"
 
 
 def satisfiable(name: str, said: CoqStatement) -> str:
@@ -68,17 +68,19 @@ def satisfiable(name: str, said: CoqStatement) -> str:
 
 def asserted(name: str, said: CoqStatement, steps: Iterable[str]) -> Iterator[str]:
     """The steps by which it is known, under a name, what a statement says."""
-    yield from (f"assert ({name} :\n{for_all(said, equations(said))}).", "{", *steps, "}")
+    yield from (f"assert ({name} :\n{for_all(said, said.equations)}).", "{", *steps, "}")
+
+
+def claiming(sides: CoqStatement, said: CoqStatement, steps: Iterable[str]) -> Iterator[str]:
+    """The steps by which a relation follows from an equation that says the same, and from the same premises."""
+    yield from asserted("sides'", sides, steps)
+    now = NOW * said.timed
+    yield f"intros {introduced(said)}{now}. specialize (sides' {introduced(sides)}{now}). as_claimed sides'."
 
 
 def introduced(said: CoqStatement) -> str:
     """The names of all that a statement is about and of all that it assumes."""
     return " ".join([*(name for name, _ in said.binders), *(each.name for each in said.premises)])
-
-
-def equations(said: CoqStatement) -> list[str]:
-    """What the goals say."""
-    return [said.spelling.equation(goal.left, goal.right) for goal in said.problem.goals]
 
 
 def for_all(said: CoqStatement, goals: Sequence[str]) -> str:

@@ -44,6 +44,8 @@ class CoqStatement:
         self.spelling = Spelling(self.names, self.applied, entries)
         self.rules = {bare_rate(left): right for left, right in problem.rules}
         self.nodes = list(self._nodes())
+        if any(not isinstance(extent, int) for node in self.nodes for extent in node.shape):
+            raise Unsaid("matrices of any size: the theories have those of known sizes")
         for node in self.nodes:
             if isinstance(node, w.Symbol) and node.stands_for is not None:
                 self.rules[node] = node.stands_for
@@ -188,6 +190,11 @@ class CoqStatement:
 
     def _any_moves(self, *nodes: w.Node) -> bool:
         return any(self.moves(part) for node in nodes for part in opened(node))
+
+    @property
+    def equations(self) -> list[str]:
+        """What the goals say."""
+        return [self.spelling.equation(*goal.sides) for goal in self.problem.goals]
 
     @property
     def binders(self) -> list[tuple[str, str]]:

@@ -11,6 +11,7 @@ from sympy.core.function import AppliedUndef
 from sympy.matrices.expressions.matexpr import MatrixElement
 
 from chasles import vocabulary as w
+from chasles.checker.expressions.complexes import OF_COMPLEX
 from chasles.coq.expressions import Unsaid
 from chasles.vocabulary.dimension import NO_DIMENSION
 from chasles.vocabulary.fitting import SCALAR
@@ -37,6 +38,10 @@ IN_OTHER_WORDS = {
 """Functions that others are written for, as SymPy does it."""
 DECIDED = {sympy.Lt: "Rlt_dec", sympy.Le: "Rle_dec", sympy.Eq: "Req_EM_T"}
 """What Coq decides of two numbers."""
+SAID = frozenset({
+    *FUNCTIONS, *QUOTIENTS, *OF_TWO, *IN_OTHER_WORDS, *OF_COMPLEX, sympy.cos, sympy.sin, sympy.atan2, sympy.Piecewise,
+})  # fmt: skip
+"""Functions with a word, or written in others; those of complex numbers, in their parts."""
 
 
 def is_exponential(power: Any) -> bool:
@@ -114,6 +119,12 @@ class SympyWords:
             return reduce(lambda rest, each: self._chosen(each, rest, otherwise), condition.args, then)
         if isinstance(condition, sympy.Or):
             return reduce(lambda rest, each: self._chosen(each, then, rest), condition.args, otherwise)
+        if isinstance(condition, sympy.Not):
+            return self._chosen(condition.args[0], otherwise, then)
+        if isinstance(condition, sympy.Implies | sympy.Equivalent) and len(condition.args) == 2:
+            first, second = condition.args
+            unless = then if isinstance(condition, sympy.Implies) else self._chosen(second, otherwise, then)
+            return self._chosen(first, self._chosen(second, then, otherwise), unless)
         if isinstance(condition, sympy.Ne):
             return self._chosen(sympy.Eq(*condition.args, evaluate=False), otherwise, then)
         condition = condition.reversed if isinstance(condition, sympy.Gt | sympy.Ge) else condition

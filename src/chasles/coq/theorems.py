@@ -94,7 +94,7 @@ def _claimed(claim: Claimed, problem: Problem, certificate: Mapping[str, Any]) -
             yield replace(claim, why_not="no proof is written of what is shown by such squares")
             return
         sides = question.left, question.right
-        found = as_theorem(verdict, *sides, question.given, question.nonzero, claim.name)
+        found = as_theorem(verdict, *sides, question.given, question.nonzero, name=claim.name)
         yield replace(claim, said=found.said, proof=found.proof, why_not=found.why_not)
         return
     yield _written(claim, problem, holding, lambda said: proof_of(claim.name, said, certificate))

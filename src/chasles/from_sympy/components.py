@@ -89,6 +89,12 @@ def without_implication(claim: Any, given: Any) -> tuple[Any, Any]:
     return claim.args[1], [*given, claim.args[0]]
 
 
+def claimed(lhs: Any, rhs: Any, given: Any) -> Any:
+    """The inequality, or what joins several relations, for which two sides stand; None for an equation."""
+    claim = None if rhs is not None else without_implication(lhs, given)[0]
+    return None if isinstance(claim, sympy.Equality) else claim
+
+
 class _Unknown:
     """The class of what has no instances: of what is not imported yet."""
 

@@ -94,3 +94,11 @@ Ltac by_cases := unfold sign, Rabs, Rmax, Rmin in *;
   repeat match goal with H : context [if ?c then _ else _] |- _ => destruct c end;
   repeat match goal with H : ~ 0 < ?x, K : ~ ?x < 0 |- _ => assert (x = 0) by lra; replace x with 0 by lra; clear H K end;
   first [ lra | reckon | exfalso; lra | contradiction | apart; lra | nra | field; nra ].
+(* What is claimed of two numbers or more, by an equation that says the same. *)
+Lemma at_most_by l r a b : l = r -> 0 <= l -> b - a = r -> a <= b.
+Proof. intros E P D. lra. Qed.
+Ltac as_claimed H := unfold sign in H;
+  repeat match type of H with context [if ?c then _ else _] => destruct c end;
+  first
+  [ exfalso; lra | refine (at_most_by _ _ _ _ H _ _); [first [apply Rabs_pos | nonnegative] | first [ring | reckon]]
+  | lra | above | nonnegative | nra | intuition lra ].
