@@ -207,3 +207,19 @@ def test_a_power_of_many_factors_is_not_written_out() -> None:
     with at_most(calls=20_000_000):
         found = chasles.read(page, {"symbols": {"L": "scalar", "x": "scalar", "y": "positive", "A": "matrix"}}, "tex")
     assert found.counts["read"] == 3
+
+
+def test_what_another_section_says_otherwise_is_a_premise_in_its_own() -> None:
+    page = r"""
+# Global
+$$ R = B A $$
+$$ B = R A^{-1} $$
+# Local
+$$ A B = R $$
+$$ A^{-1} A B = A^{-1} R $$
+$$ B = A^{-1} R $$
+"""
+    found = chasles.read(page, {"symbols": dict.fromkeys("ABR", "matrix")}, "md").equations
+    assert [each.verdict for each in found] == ["defined", "holds-under", "open", "holds-under", "holds-under"]
+    assert found[2].finding
+    assert found[2].finding.instead

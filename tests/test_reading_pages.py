@@ -338,6 +338,30 @@ def test_mathematics_in_hypertext(body: str, expected: str | None, line: int) ->
     assert all(each.section == "Two" for each in found if "h2" in body)
 
 
+CONFIGURED = {
+    "JavaScript": r"MathJax = {tex: {macros: {RR: '{\\bf R}', 'pair': ['{#1}_{#2}', 2]}}, svg: {a: 'no'}};",
+    "Python": "mathjax3_config = {'tex': {\n 'macros': {\n  # 'RR': 'no',\n  'RR': r'{\\bf R}',\n"
+              "  'pair': [r'{#1}_{#2}', 2],\n }}}\nother = {'pair': 'no'}",
+    "YAML": "tex:\n  macros:\n    RR: '{\\bf R}'\n    pair: [\"{#1}_{#2}\", 2]\n  other: no\n",
+    "KaTeX": r'macros: {"\\RR": "{\\bf R}", "\\pair": "{#1}_{#2}"}',
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("language", CONFIGURED)
+def test_macros_of_mathjax_are_expanded(language: str) -> None:
+    expected = [r"\mathbf{R}=a_{b}"]
+    assert texts(displayed(r"$$\RR = \pair{a}{b}$$", "md", macros=CONFIGURED[language])) == expected
+    assert texts(displayed(rf"<script>{CONFIGURED[language]}</script> \[\RR = \pair a b\]", "html")) == expected
+
+
+def test_a_display_may_have_empty_lines_and_no_prose() -> None:
+    assert texts(displayed("$$\na = b\n\nb = c\n$$\n\n$$a = c$$", "md")) == ["a=b\\\\b=c", "a=c"]
+    assert texts(displayed("\\f[\na = b\n\n\\quad + c\n\\f]", "md")) == ["a=b+c"]
+    broken = displayed("$$\na = b\n\nwhere the letter is\n\n$$a = c$$", "md")
+    assert [each.fault for each in broken] == ["$$ has no $$", ""]
+    assert texts(broken[1:]) == ["a=c"]
+
+
 @pytest.mark.parametrize("indent", [1, None])
 def test_the_cells_of_a_notebook_keep_their_lines(indent: int | None) -> None:
     kinds = {"code": ["x = '$$no = more$$'"], "markdown": ["# One\n", 'so \\"that\n', "$$\\frac{a}{b} = c$$"]}

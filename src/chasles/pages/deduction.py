@@ -212,6 +212,8 @@ class Deduction:
         is_case = key is not None and self._said_here[1].get(key, claim.right) != claim.right
         if is_case and isinstance(finding.verdict, Fails):
             return self._posed_or_defined(claim, meant, with_fields(finding, unless=None))
+        if finding.said_elsewhere and not meant:
+            return with_fields(self._posed(claim, True, finding.verdict), instead=finding.instead)
         if not finding.open or (finding.instead and not finding.verdict.true):
             return finding  # what is likely a slip is no premise of what follows
         if (lead.is_posed or lead.is_case) and not finding.doubt and not is_defining(claim):

@@ -16,7 +16,8 @@ class PageFinding:
     `against` are the premises of a refutation; `instead` is what is true in place of what fails, or likely is a slip;
     `given` are premises that a person says, and needs no more. The verdict of an `open` one says why it was not proved;
     where there is a `doubt`, it is found only if letters are what is proposed, and that says of which kind. It is open
-    `unless` other claims of the page rest on the open equations named, under which it fails.
+    `unless` other claims of the page rest on the open equations named, under which it fails; what is true instead is
+    `said_elsewhere` where an open equation or another section says it: then it may as well be one of another case.
     """
 
     role: str
@@ -28,3 +29,4 @@ class PageFinding:
     given: tuple[str, ...] = ()
     doubt: str = ""
     unless: tuple[frozenset[str], PageFinding] | None = None
+    said_elsewhere: bool = False

@@ -206,7 +206,8 @@ def _lines(atoms: list[Atom], environment: str) -> Iterator[tuple[list[Atom], bo
     if len(whole) == 1 + has_brace and whole[-1].kind == "GRID" and not whole[-1].is_marked:
         name, rows = whole[-1].text, _rows(whole[-1].arguments[0])
         is_system = (has_brace or "cases" in name) and name in SYSTEMS and all(map(_relations, rows))
-        is_system = is_system or (name == "array" and not has_brace and bool(rows) and bool(_relations(rows[0])))
+        bare = rows[:1] if name == "array" else rows if name == "matrix" else []
+        is_system = is_system or (not has_brace and bool(bare) and all(map(_relations, bare)))
         if WRAPPERS.fullmatch(name) or is_system:
             inside, environment = whole[-1].arguments[0], name
     rows = _rows(inside)

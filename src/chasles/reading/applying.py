@@ -18,6 +18,7 @@ from chasles.vocabulary.motion_vectors import MotionByVector
 from chasles.vocabulary.parts import part
 from chasles.vocabulary.pieces import Precedence
 from chasles.vocabulary.rotation_vectors import RotationByVector
+from chasles.vocabulary.shorthand import Shorthand
 
 OF_VECTORS = ("exp", "log", "sqrt", "operatorname{Exp}")
 """What may be of columns, too."""
@@ -171,7 +172,7 @@ def made_of(
 def of_matrix(function: str, nodes: Sequence[Node], ctx: FittingContext) -> list[Fit]:
     """A function of a square matrix, or of a column, that no word says: a quantity of its own."""
     rows, columns = nodes[0].shape if len(nodes) == 1 and not nodes[0].fault else (1, 0)
-    is_known = rows == columns or (columns == 1 and function in OF_VECTORS)
+    is_known = rows == columns or (columns == 1 and (function in OF_VECTORS or function.startswith("operatorname")))
     return ctx.of_its_own(rf"\{function}\left({latex(nodes[0])}\right)") if is_known else []
 
 
@@ -181,6 +182,8 @@ def _of_matrices(node: Node) -> str:
         return f"{name}^{node.exponent}" if (name := _of_matrices(node.base)) else ""
     if isinstance(node, FunctionOf | Call):
         return node.function
+    if isinstance(node, Shorthand):
+        return f"operatorname{{{node.function}}}"
     return "operatorname{Exp}" if isinstance(node, RotationByVector | MotionByVector) else ""
 
 

@@ -104,11 +104,11 @@ EQUAL = frozenset({"=", ":=", "=:"})
 RELATIONS = frozenset({*EQUAL, "<", ">"}) | _commands(
     "equiv triangleq leq geq neq approx sim simeq cong propto ll gg in subset subseteq ni doteq Rightarrow "
     "Leftrightarrow Longleftrightarrow implies iff rightarrow leftarrow longrightarrow Longrightarrow mapsto models "
-    "prec succ lesssim gtrsim perp parallel asymp"
+    "prec succ preceq succeq preccurlyeq succcurlyeq lesssim gtrsim perp parallel asymp leadsto rightsquigarrow"
 )
 IN_ASCII = _pairs(r":= := =: =: => \Rightarrow -> \rightarrow <= \leq >= \geq")
 """Signs of relation that are typed as two characters."""
-IMPLICATIONS = _commands("implies Rightarrow Longrightarrow")
+IMPLICATIONS = _commands("implies Rightarrow Longrightarrow leadsto rightsquigarrow")
 """Between two equations: what stands before is a condition of what follows."""
 OPERATORS = frozenset("+-*/") | _commands("times cdot pm mp wedge otimes oplus circ bullet star div odot boxplus")
 

@@ -5,14 +5,14 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 from fractions import Fraction
-from itertools import product
+from itertools import chain, product
 
 from chasles.reading.applying import applied, made_of, with_marks
-from chasles.reading.atoms import Atom, Terms, said_of
+from chasles.reading.atoms import Atom, Atoms, Terms, said_of
 from chasles.reading.case_grids import ENVIRONMENTS, case_fits
 from chasles.reading.context import KINDS, FittingContext
 from chasles.reading.fits import UNUSUAL, Fit, Shape, kept
-from chasles.reading.glyphs import Glyph, in_latex, latex_of, letter_of, spelled
+from chasles.reading.glyphs import Glyph, in_latex, latex_of, letter_of, spelled, text_of_atom
 from chasles.reading.letter_table import named_apart
 from chasles.reading.matrices import block_fits, grid_fits, row_of_blocks
 from chasles.reading.quotients import exponential_fits, fraction_fits, of_atoms
@@ -116,7 +116,7 @@ def _thin(letter: Glyph, ctx: FittingContext) -> list[Fit]:
 def _nucleus(atom: Atom, letter: Glyph, ctx: FittingContext) -> list[Fit]:
     """What is no letter of the notation: numbers, brackets, fractions, matrices, accents over expressions."""
     rest = replace(letter, base="", accents=())
-    if any(letter.before):
+    if any(letter.before) and atom.kind not in ("GROUP", "GRID"):
         return []
     spellings = ctx.notation.spellings
     match atom.kind:
@@ -134,8 +134,13 @@ def _nucleus(atom: Atom, letter: Glyph, ctx: FittingContext) -> list[Fit]:
             fits = ctx.of_its_own(latex_of(atom))
         case "BRACKET" if atom.inside and atom.text in ("()", "[]"):
             return _column(atom, rest, ctx)
-        case "GRID" if any(said_of(each) in (*DOTS, r"\cdot") for row in atom.rows for each in row):
+        case "GRID" if any(map(_leaves_out, chain.from_iterable(atom.rows))):
             fits = ctx.of_its_own(latex_of(atom))
+        case "BRACKET" if len(atom.inside) > 2 and any(_leaves_out(row) for each in atom.inside for row in each.rows):
+            fits = ctx.of_its_own(latex_of(atom))
+        case "GROUP" | "GRID" if any(letter.before):
+            inner = of_atoms((replace(atom, before=((), ())),), ctx)
+            return ctx.of_its_own(in_latex(text_of_atom(atom)), [fit.node for fit in inner if fit.node is not None])
         case "EVENT":
             fits = ctx.of_its_own(in_latex(atom.text))
         case "COMMAND_OF_TWO" if atom.text == r"\binom":
@@ -157,6 +162,11 @@ def _nucleus(atom: Atom, letter: Glyph, ctx: FittingContext) -> list[Fit]:
         case _:
             return []
     return with_marks(fits, rest, ctx)
+
+
+def _leaves_out(cell: Atoms) -> bool:
+    """Whether dots stand there for what is left out."""
+    return said_of(cell) == r"\cdot" or any(piece.text in DOTS for piece in cell)
 
 
 def _constant(letter: Glyph, ctx: FittingContext) -> list[Fit]:

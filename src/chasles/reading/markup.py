@@ -17,6 +17,11 @@ CODE = re.compile(
 )
 
 
+EMPTY_LINE = re.compile(r"\n[ \t>]*\n")
+PROSE = re.compile(r"\$|^[ \t>]*#|(?<![\\A-Za-z{])[A-Za-z]{2,}(?:[ \n][a-z]{2,}){2}(?!})", re.MULTILINE)
+"""A sign of another formula, a heading, or three words in a row."""
+
+
 class PageBlock(NamedTuple):
     """A block of a page: "math", "code", "prose" or the "end" of such; its content and what follows begin there."""
 
@@ -39,6 +44,14 @@ def fenced(text: str, start: int, end: int, is_inside: bool) -> PageBlock:
     closing = re.compile(rf"^[ \t>]*{fence[2]}{{{len(fence[1])},}}[ \t]*$", re.MULTILINE).search(text, end)
     block = _content(text, "math" if "math" in kind else "code", end, closing)
     return block._replace(after=closing.end()) if closing else block
+
+
+def spaced(text: str, start: int, closer: str) -> PageBlock | None:
+    """A display that begins here and has empty lines in it, and no prose."""
+    end = text.find(closer, start) if closer in ("$$", r"\f]", r"\f}") else -1
+    if end < 0 or not EMPTY_LINE.search(text, start, end) or PROSE.search(text, start, end):
+        return None
+    return PageBlock("math", start, end + len(closer), text[start:end])
 
 
 def indented(text: str, start: int, end: int) -> PageBlock:

@@ -11,9 +11,10 @@ from typing import Any, Literal
 from chasles.reading.hypertext import of_html, of_notebook
 from chasles.reading.lexemes import BadPage, Token, spelled
 from chasles.reading.macros import MOST_WASTED, MacroTable, Source
-from chasles.reading.markup import PageBlock, fenced, indented
+from chasles.reading.markup import PageBlock, fenced, indented, spaced
+from chasles.reading.mathjax_macros import configured_macros
 from chasles.reading.printed import PrintedEquation, PrintedPage, Remark
-from chasles.reading.tex_page import LONGEST_REMARK, MOST_CHARACTERS, Included, TexPage
+from chasles.reading.tex_page import CLOSING, LONGEST_REMARK, MOST_CHARACTERS, Included, TexPage
 
 Kind = Literal["tex", "md", "rst", "html", "ipynb", "equation"]
 
@@ -49,11 +50,14 @@ def printed_page(
 ) -> PrintedPage:
     r"""The displayed equations of a page in its order; with `is_inline` also the equations between single dollars.
 
-    A text of the kind "equation" is one equation. `macros` is LaTeX that defines macros. `included` gives path and
+    A text of the kind "equation" is one equation. `macros` is LaTeX that defines macros, or has a table of MathJax's
+    macros, as a page of HTML may have itself. `included` gives path and
     text of what \input names, which is passed over without it. Raises `BadPage` for a page of more than 5 MB and for
     files that include each other; a display that is broken is found, with its `fault`.
     """
+    macros = configured_macros(macros) or macros
     if len(text) <= MOST_CHARACTERS and (as_markdown := {"html": of_html, "ipynb": of_notebook}.get(kind)):
+        macros += configured_macros(text) if kind == "html" else ""
         text, kind = as_markdown(text), "md"
     pages = {"md": _MarkdownPage, "rst": _StructuredPage}
     page = pages.get(kind, TexPage)(is_inline, included)
@@ -125,6 +129,10 @@ class _MarkdownPage(TexPage):
             self.take(empty_line, fault, Token("", *source.place(block.start)), "", source, block.label or "")
 
     def display(self, opening: Token, opener: str, environment: str, source: Source) -> None:
+        block = None if source.waiting else spaced(source.text, source.at, CLOSING.get(opener, ""))
+        if block:
+            self.take_block(block, source)
+            return
         raw, fault = self.content(opening, opener, source)
         label = LABEL_AFTER.match(source.text, source.at) if opener == "$$" else None
         if fault is None or opener != "$":

@@ -15,6 +15,7 @@ SCRIPTLESS = commands.RELATIONS | commands.OPERATORS | {ROW_END, "&", ",", ";", 
 TURNS = (r"\top", r"\intercal")
 """Signs of a transpose that some set behind a letter without raising them."""
 _INFIX = commands.RELATIONS | commands.OPERATORS | {"&", ROW_END, r"\quad"}
+BEGINNING = commands.LETTERS | commands.MARKS | commands.STYLES.keys()
 _OPEN = _INFIX | {"(", "[", r"\{"}
 _CLOSE = _INFIX | {")", "]", r"\}", ",", ";", "."}
 
@@ -136,6 +137,9 @@ class _Respelling:
             raise _bad(f"an argument is missing after {owner.text}", owner)
         if text == "{":
             return self.group()
+        if text in ("'", r"\prime"):
+            self.at += 1
+            return with_scripts([], (None, 1, ()), owner)
         return self.deeper(lambda: self.nucleus(single_digit=True))
 
     def group(self) -> list[Atom]:
@@ -211,12 +215,21 @@ class _Respelling:
         elif text == "." and self.ahead() == self.ahead(1) == ".":
             self.at += 2
             text = r"\ldots"
+        elif text == "." and self.is_product():
+            text = r"\cdot"
         elif text.isdigit() or (text == "." and self.ahead().isdigit()):
             text = text if single_digit else self.rest_of_number(text)
         return [single(token._replace(text=text))]
 
     def ahead(self, count: int = 0) -> str:
         return self.raw[self.at + count].text if self.at + count < len(self.raw) else ""
+
+    def is_product(self) -> bool:
+        """Whether a full stop stands right between two factors, as in a.b, where no sentence ends and no word."""
+        before, behind = self.raw[self.at - 2].text if self.at > 1 else "", self.ahead()
+        ends = before in ("}", ")") or before.isalpha() or before in commands.LETTERS
+        is_word = before.isalpha() and self.ahead(1) == "."
+        return ends and not is_word and (behind == "(" or behind.isalpha() or behind in BEGINNING)
 
     def plain_name(self, text: str) -> str:
         """The name of a function that is typed in letters, as in 2cos(x), where its argument follows.

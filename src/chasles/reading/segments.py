@@ -42,6 +42,8 @@ def segments(marks: Atoms) -> list[tuple[Atoms, bool]]:
                 continue
             if not _relations(part) and (PROSE.match(behind) or [token.text for token in part] in ABBREVIATIONS):
                 continue
+            if {word, behind} <= {"", "quad"} and _is_heading(part):
+                continue
             is_prose = condition and CONDITIONS.match(word) and not _relations(part)
             if (part and part[-1].text == ":") or is_prose:  # a heading, or as in "for small angles"
                 continue
@@ -72,6 +74,11 @@ def chains_of(equation: PrintedEquation) -> list[Chain]:
 
 def _relations(part: Sequence[Atom]) -> list[str]:
     return [token.text for token in part if token.text in RELATIONS]
+
+
+def _is_heading(part: Sequence[Atom]) -> bool:
+    """Whether it is one upright word, as before a formula or between two."""
+    return len(part) == 1 and bool(re.match(r"\\operatorname\{\w{2,}\}$", part[0].text)) and not part[0].is_marked
 
 
 def _is_membership(part: Atoms) -> bool:

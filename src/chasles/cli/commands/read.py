@@ -32,7 +32,9 @@ POLLED = 0.5
 )
 @click.argument("pages", metavar="PAGE...", nargs=-1, required=True, type=click.Path(path_type=Path))
 @click.option("--notation", metavar="FILE", help="What the letters are: a TOML file, a module, a chapter.")
-@click.option("--macros", type=click.Path(path_type=Path), help="A file with LaTeX macros that the page uses.")
+@click.option(
+    "--macros", type=click.Path(path_type=Path), help="A file with LaTeX or MathJax macros that the page uses."
+)
 @click.option("--inline", is_flag=True, help="Read the equations between single dollars too.")
 @click.option("--input", "follow", is_flag=True, help="Read the files that the page names with \\input too.")
 @click.option("--propose", is_flag=True, help="Print a first notation for the letters of the page instead.")
