@@ -59,7 +59,7 @@ def refuted(
     verdict = verdict_on(attempt, session, is_brief=is_open and is_false and not told)
     if may_fail and not is_false and isinstance(verdict, Fails):
         instead, unsure = _instead(claim, premises, session, consequences)
-    again = bool(unsure) and "" in unsure
+    again = unsure is not None and "" in unsure
     left_open = PageFinding("claim", verdict, claim, open=True, instead=instead, said_elsewhere=again)
     if not isinstance(verdict, Fails) or not (told or (instead and may_fail and not again)) or of_its_own:
         return left_open
