@@ -21,6 +21,7 @@ from chasles.checker.expressions.proof import check_proof
 from chasles.checker.sparse import Rejected
 from chasles.from_sympy import Question, ask
 from chasles.from_sympy.any_size import verdict_at_any_size
+from chasles.from_sympy.at_points import without_points
 from chasles.from_sympy.calls import Calls
 from chasles.from_sympy.changed_forms import where_forms_change
 from chasles.from_sympy.complex_symbols import by_parts, expressions_in
@@ -199,6 +200,7 @@ def _said(exact: bool, *said: Any) -> tuple[Any, ...]:
     if rhs is None:
         lhs, conditions[0] = without_implication(lhs, conditions[0])
     said = in_components((*(sides_of(lhs) if rhs is None else (lhs, rhs)), *conditions))
+    said = without_points(said)
     return by_parts(tuple(map(as_decimals, said)) if exact else said)
 
 

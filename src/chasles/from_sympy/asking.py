@@ -118,7 +118,12 @@ class _Asking:
         self.met = set(reader.met)
         size = shape[0] * shape[1]
         self.goal = Goal("", matrix_of(nodes[:size], shape), matrix_of(nodes[size : 2 * size], shape))
-        self.equations = [self._hypothesis(item) for item in given.equations]
+        self.equations = []
+        self.of_rates: set[Node] = set()
+        for item in given.equations:
+            before = {*reader.divisors}
+            self.equations.append(self._hypothesis(item))
+            self.of_rates |= reader.divisors.keys() - before if item.derived else set()
         for divisor in evident(given, expressions[declared : declared + 2 * size] if size == 1 else ()):
             reader.declare(reader(divisor), DivisorText(divisor_of(divisor).text, evident=True))
 
@@ -160,6 +165,7 @@ class _Asking:
             roots=frozenset((*words, *(root.word for root in reader.roots.values()))),
             substituted=tuple((atom, value) for _, atom, value in self.given.substitutions),
             formal=bool(self.elementary.origins),
+            of_rates=frozenset(map(divisors.get, self.of_rates)),
         )
         if is_about_motion(reader, self.given):
             with suppress(Rejected):  # what the checker does not read it does not follow

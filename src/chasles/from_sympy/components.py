@@ -80,11 +80,14 @@ def _is_entire(equation: Any) -> bool:
 
 
 def without_implication(claim: Any, given: Any) -> tuple[Any, Any]:
-    """The claim that follows from what is said to imply it, and what is given then; others as they are."""
+    """The claim that follows from what is said to imply it, and what is given then; others as they are.
+
+    What is given holds at all times: what speaks of functions of time is no such claim.
+    """
     said = isinstance(claim, sympy.Implies) and (
         isinstance(claim.args[0], Relational) or _joins_relations(claim.args[0])
     )
-    if not said or not isinstance(given, list | tuple):
+    if not said or not isinstance(given, list | tuple) or claim.args[0].has(AppliedUndef):
         return claim, given
     return claim.args[1], [*given, claim.args[0]]
 

@@ -48,7 +48,8 @@ def contradiction(question: Question, effort: float = EFFORT) -> Contradictory |
 
     Without effort only what is seen without completing the equations to a Groebner basis is found.
     """
-    conditions = [h for h in question.problem.hypotheses if h.equations or h.nonvanishing]
+    stated = (h for h in question.problem.hypotheses if h not in question.of_rates)
+    conditions = [h for h in stated if h.equations or h.nonvanishing]
     found = _impossible(question, conditions, effort)
     if found is None:
         return None

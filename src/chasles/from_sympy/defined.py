@@ -40,9 +40,10 @@ def values_put_in(spoken: Sequence[Any], given: Pairs, kinds: Any = sympy.Symbol
         pair = case.pairs[place]
         if pair and isinstance(pair[side], kinds):
             with suppress(Rejected):
-                case = without_defined(case, pair, side)
-                places.append((place, side))
+                found = without_defined(case, pair, side)
                 values = {known: put(e, *pair[:: 1 - 2 * side]) for known, e in values.items()}
+                case = found
+                places.append((place, side))
                 values[pair[side]] = pair[1 - side]
     rest = list(filter(None, case.pairs))
     lost = any(e.has(sympy.zoo, sympy.nan, sympy.oo) for e in (*case.sides[0], *(e for pair in rest for e in pair)))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import partial
+from itertools import combinations
 from typing import Any
 
 import sympy
@@ -45,7 +46,7 @@ def without_inequalities(said: Said) -> Said:
     apart = [item for item in items if isinstance(item, sympy.Ne)]
     if not apart and not any(isinstance(item, COMPARED) for item in items):
         return said
-    stated = [item for item in items if item not in apart]
+    stated = _joined([item for item in items if item not in apart])
     said = (*said[:2], stated, [*(item for _, item in listed(said[3], "nonzero")), *apart])
     for symbol in sorted({s for item in stated if isinstance(item, COMPARED) for s in item.free_symbols}, key=str):
         said = _with_angle(said, symbol)
@@ -89,6 +90,15 @@ def _plain(item: Any) -> Iterator[Any]:
         yield item
 
 
+def _joined(items: list[Any]) -> list[Any]:
+    """The same, with an equation for two inequalities that say of two sides that neither is greater."""
+    for one, other in combinations([item for item in items if isinstance(item, sympy.Ge | sympy.Le)], 2):
+        if sympy.expand(one.gts - one.lts + other.gts - other.lts) == 0:
+            rest = [item for item in items if item not in (one, other)]
+            return _joined([*rest, sympy.Eq(one.gts, one.lts, evaluate=False)])
+    return items
+
+
 def _follows(item: Any, other: Any) -> bool:
     """Whether an inequality says less than another, which compares the same with a number that is closer."""
     if not (isinstance(item, COMPARED) and isinstance(other, COMPARED)):
@@ -108,7 +118,7 @@ def signed(item: Any) -> dict[Any, Any]:
         e, other, kind = other, e, SIGNS[type(item.reversed)]
     if not other.is_zero or not isinstance(e, sympy.Symbol | AppliedUndef):
         return {}
-    assumed = {**e.assumptions0, kind: True}
+    assumed = {**(e.assumptions0 if e.is_Symbol else assumed_of(e)), kind: True}
     return {e: sympy.Symbol(e.name, **assumed) if e.is_Symbol else sympy.Function(e.name, **assumed)(*e.args)}
 
 

@@ -34,7 +34,8 @@ class Question:
     true by themselves. `sources` give the texts of what the user said for that of what follows
     from it, `origins` what each word stands for; `roots` follow from the other coordinates of a point, and so do the
     atoms `substituted`. If it is `formal`, words stand for values of functions: a point of the problem need not be one
-    of the question. If it is `nonnegative`, both sides are scalars that visibly are.
+    of the question. If it is `nonnegative`, both sides are scalars that visibly are. By what is `of_rates`
+    only rates of what is given are divided.
     """
 
     problem: Problem
@@ -49,6 +50,7 @@ class Question:
     sampling: Sampling | None = None
     formal: bool = False
     nonnegative: bool = False
+    of_rates: frozenset[Hypothesis | None] = frozenset()
 
     def variants(self) -> Iterator[tuple[int, Problem]]:
         """Problems that say the same, and may be easier to prove, with what the certificate calls them.

@@ -32,9 +32,7 @@ class GivenEquation:
     @property
     def functions(self) -> set[Any]:
         """The functions of which it speaks."""
-        atoms = {e for pair in self.pairs.values() for side in pair for e in atoms_of(side)}
-        functions = {e.expr if isinstance(e, sympy.Derivative) else e for e in atoms}
-        return {e for e in functions if isinstance(e, AppliedUndef)}
+        return {call for pair in self.pairs.values() for side in pair for call in side.atoms(AppliedUndef)}
 
 
 class Asked:

@@ -14,7 +14,7 @@ from sympy.core.function import AppliedUndef
 
 from chasles.checker.expressions.defined_functions import is_entire
 from chasles.checker.expressions.enclosed import sign_of_multiple, sign_of_number, written
-from chasles.checker.expressions.quantities import NUMBERS, with_values
+from chasles.checker.expressions.quantities import NUMBERS, SIGNS, is_atom, with_values
 from chasles.checker.expressions.readings import MOST_PARTS, at_integer
 from chasles.checker.expressions.switches import SWITCHES, deciding, factored, visible_signs
 from chasles.checker.sparse import Rejected
@@ -159,7 +159,23 @@ class CheckedCase:
             cases[str(remainder)] = replace(case, facts=facts, meant=meant, values=values, inside=self.within())
         return cases
 
+    def _at_an_instant(self) -> CheckedCase:
+        """The case with symbols for functions and their rates: of what holds at an instant no rate follows."""
+        atoms = {part for e in (*self.spoken, *self.equations) for part in e.atoms(AppliedUndef, sympy.Derivative)}
+        if {*map(str, atoms)} & self.names or not all(map(is_atom, atoms)):
+            raise Rejected("what is a rate of a case that lasts for an instant is not seen")
+        case = self
+        for atom in sorted(atoms, key=lambda e: (isinstance(e, AppliedUndef), str(e))):
+            known = {kind: True for kind in (*SIGNS, *NUMBERS) if getattr(atom, f"is_{kind}")}
+            symbol = sympy.Symbol(str(atom), real=True, **known)
+            case = case.each(partial(_with_value, put={atom: symbol}))
+            case = replace(case, meant=(*case.meant, (symbol, atom)), values=(*case.values, (atom, symbol)))
+        return case
+
     def _with(self, factor: Any, sign: int, positive: Any) -> CheckedCase:
+        moving = {part for e in self.spoken for call in e.atoms(AppliedUndef) for part in (call, *call.args)}
+        if not sign and factor.has(*moving):
+            return (still := self._at_an_instant())._with(still.here(factor), 0, positive)
         zeros = self.zeros if sign else (*self.zeros, self.back(factor))
         values = {e: sympy.expand(e + (sign * positive - factor) / sympy.diff(factor, e)) for e in self._free(factor)}
         if not values or sign not in visible_signs(factor):

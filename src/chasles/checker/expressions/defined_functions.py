@@ -78,7 +78,7 @@ BY_OTHERS = {
     sympy.sinc: lambda e: _apart(e.args[0], 0, sympy.sin(e.args[0]) / e.args[0], 1),
     sympy.KroneckerDelta: lambda e: _apart(e.args[0], e.args[1], 0, 1) if len(e.args) == 2 else e,
     **dict.fromkeys(map(type, (sympy.GoldenRatio, sympy.TribonacciConstant)), lambda e: e.expand(func=True)),
-    sympy.Subs: lambda e: e.doit(), sympy.Pow: _principal,
+    sympy.Pow: _principal,
 }  # fmt: skip
 
 

@@ -106,9 +106,8 @@ def written(part: Any, sign_of: Sign) -> Any:
         for one, other in combinations(sorted(part.args, key=str), 2):
             sign = sign_of(one - other)
             if sign is not None:
-                first = sign >= 0 if isinstance(part, sympy.Max) else sign <= 0
-                least = other if first else one
-                return part.func(*(e for e in part.args if e != least))
+                lost = other if (sign >= 0 if isinstance(part, sympy.Max) else sign <= 0) else one
+                return part.func(*(e for e in part.args if e != lost))
         return None
     sign = sign_of(part.args[0])
     if sign is None:

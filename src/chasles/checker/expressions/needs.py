@@ -64,9 +64,7 @@ def _is_said(said: list[_SaidNeed], odd: frozenset[Terms], sign: int) -> bool:
 def _is_evident(reading: Proven, place: int) -> bool:
     """Whether something visibly does not vanish."""
     base = reading.inverses[place]
-    if reading.is_number(base):
-        return bool(reading.sign(base))
-    return not may_vanish(reading, base)
+    return bool(reading.sign(base)) if reading.is_number(base) else not may_vanish(reading, base)
 
 
 def _is_excluded(reading: Proven, place: int, said: list[_SaidNeed]) -> bool:

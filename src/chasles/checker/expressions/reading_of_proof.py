@@ -128,6 +128,7 @@ class Proven(KnownRoots):
             self._eliminate(asked, e, text)
         self.functions = Functions(self)
         self.arcs = Arcs(self, self.functions)
+        self.exp, self.log, self.arc = self.functions.exp, self.functions.log, self.arcs.arc  # type: ignore[method-assign]
         self._state(certificate, units, {str(e) for e in self.atoms.values()})
         self.complete = self.adds_roots = True
 
@@ -168,18 +169,6 @@ class Proven(KnownRoots):
         """A variable that is the value of a function."""
         function, arguments = Spoken(self, {str(e): self.atom(e) for e in self.atoms.values()}).call(text)
         self.functions.state(name, function, arguments)
-
-    def exp(self, value: Polynomial) -> Polynomial:
-        """The exponential of a sum, as the certificate names its factors."""
-        return self.functions.exp(value)
-
-    def log(self, value: Polynomial, evident: bool = False) -> Polynomial:
-        """The logarithm of a product, as the certificate names its terms."""
-        return self.functions.log(value, evident)
-
-    def arc(self, y: Polynomial, x: Polynomial) -> Polynomial:
-        """The angle of a point, as the certificate names it."""
-        return self.arcs.arc(y, x)
 
     def powered(self, base: Polynomial, exponent: Polynomial) -> Polynomial:
         """A power of what is positive."""

@@ -57,9 +57,7 @@ def hidden_in(e: Any) -> Iterator[Any]:
     bound = {limit[0] for part in e.atoms(sympy.Sum, sympy.Product) for limit in part.limits}
     parts = e.atoms(sympy.Pow, sympy.Function, *SCALARS)
     parts |= {1 / sympy.Determinant(part.base) for part in e.atoms(sympy.MatPow) if part.exp.is_negative}
-    for part in sorted(parts, key=str):
-        if not part.free_symbols & bound:
-            yield written_out(part)
+    yield from (written_out(part) for part in sorted(parts, key=str) if not part.free_symbols & bound)
 
 
 def _inverse(matrix: Any) -> Any:
@@ -75,8 +73,7 @@ def _power(e: Any) -> Any:
 
 
 def _product(e: Any) -> Any:
-    factors = [explicit(part) if isinstance(part, MatrixExpr | MatrixBase) else written_out(part) for part in e.args]
-    return reduce(mul, factors)
+    return reduce(mul, (explicit(e) if isinstance(e, MatrixExpr | MatrixBase) else written_out(e) for e in e.args))
 
 
 def require_running(e: Any) -> None:

@@ -11,7 +11,6 @@ import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from fractions import Fraction
 from functools import partial
 from itertools import product
 from typing import Any
@@ -28,7 +27,7 @@ from chasles.checker.expressions.intervals import Enclosure
 from chasles.checker.expressions.needs import RELATIONS
 from chasles.checker.expressions.quantities import NUMBERS, SIGNS, atoms_of, require_independent
 from chasles.checker.expressions.readings import READINGS, Floor, at_integer
-from chasles.checker.expressions.switches import deciding
+from chasles.checker.expressions.switches import SWITCHES, deciding
 from chasles.checker.sparse import Rejected
 
 PLAIN = re.compile(r"[A-Za-z0-9_+\-*/(), .\[\]]*")
@@ -218,6 +217,8 @@ def _without_motions(case: CheckedCase, times: set[Any]) -> CheckedCase:
 def put(e: Any, atom: Any, value: Any) -> Any:
     """An expression with a value for a quantity and its rates."""
     e = at_integer(e, {atom: value})
+    if e.has(sympy.Derivative) and value.has(*SWITCHES, Floor, sympy.Mod):
+        raise Rejected(f"{value} may have no derivative")
     return e.doit() if e.has(sympy.Derivative) else e
 
 
@@ -288,9 +289,7 @@ def _values(case: CheckedCase, at: Mapping[str, Any]) -> EnclosedValues:
     for atom in atoms:
         if str(atom) not in at:
             raise Rejected(f"no value is given for {atom}")
-        value = at[str(atom)]
-        number = sympy.Rational(value.numerator, value.denominator) if isinstance(value, Fraction) else value
-        point[atom] = sympy.sympify(number)
+        point[atom] = sympy.sympify(at[str(atom)])
     values = EnclosedValues(point)
     for atom, value in point.items():
         sign = value if value.is_Rational else sympy.Integer(values.sign(value))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import sympy as sp
@@ -11,6 +11,7 @@ from chasles import vocabulary as w
 from chasles.checker.expansion import Formless, expanded
 from chasles.checker.expressions.principal import Bounds, PrincipalValues, in_fewer_squares
 from chasles.checker.expressions.rates import MOST_RATES
+from chasles.checker.expressions.switches import SWITCHES, deciding
 from chasles.checker.expressions.visible import signs_of
 from chasles.checker.sparse import Rejected
 from chasles.statements import Hypothesis, Problem
@@ -114,6 +115,7 @@ class EntriesOfWords:
             case w.Symbol():
                 return _shaped(node, self._quantity(node))
             case w.Rate(of):
+                self._divide(e for e in deciding(sorted(self(of).atoms(*SWITCHES), key=str)) if e.has(TIME))
                 return self._with_given_rates(self(of).diff(TIME))
             case FunctionOf(function, arguments):
                 return _one(self._value(function, [self._shorter(self(of)[0]) for of in arguments]))
@@ -125,8 +127,7 @@ class EntriesOfWords:
                 return _shaped(node, (sp.Piecewise(*zip(each, [*where, True], strict=True)) for each in entries))
             case w.Quotient(numerator, denominator):
                 divisor = self(denominator)[0]
-                factors = (factor.as_base_exp()[0] for factor in sp.Mul.make_args(divisor))
-                self.divisors |= dict.fromkeys(factors)
+                self._divide([divisor])
                 return self(numerator) / divisor
             case w.Norm(of):
                 return _one(sp.sqrt(self._shorter(sum(entry**2 for entry in self(of)))))
@@ -134,6 +135,10 @@ class EntriesOfWords:
             return sp.ImmutableMatrix(expanded(node, lambda of: self(of).tolist(), sp.Rational))
         except Formless:
             raise Rejected(f"{w.plain(node)} cannot stand beside what has no polynomial form") from None
+
+    def _divide(self, divisors: Iterable[Any]) -> None:
+        """Take note of the factors of what must not vanish."""
+        self.divisors |= dict.fromkeys(part.as_base_exp()[0] for e in divisors for part in sp.Mul.make_args(e))
 
     def _with_given_rates(self, entries: Any) -> Any:
         """The entries with what is given for the rates of symbols, and for higher rates what follows of it."""
