@@ -247,3 +247,24 @@ def test_compiled_over_a_batch():
         np.testing.assert_allclose(slope[k], [float(energy.diff(a).subs(at)) for a in q], rtol=1e-12, atol=1e-13)
         wanted = [[float(energy.diff(a, b).subs(at)) for a in q] for b in q]
         np.testing.assert_allclose(second[k], wanted, rtol=1e-12, atol=1e-13)
+
+
+R = sp.Rational
+SMALL_SLOPES = [
+    *(x ** R(5, 2) + x ** R(4, 3), (1 + y) * sp.Max(x - 1, 0) ** R(3, 2), x**4 / (1 + x**4), y * x / (z + x)),
+    *((x - y) / (x + y), x ** R(5, 2) / (y ** R(5, 2) + x ** R(5, 2)), sp.exp(x / 9) / (sp.exp(x / 9) + sp.exp(-y))),
+    *(x / sp.sqrt(x**2 + y**2), z * x / sp.sqrt(x**2 + y**2 + 1), sp.atan(y / x), (1 - x * y) / (z + 2 * x * y)),
+]
+
+
+def test_slopes_keep_their_digits_each_for_itself(in_numpy):
+    """Where a function is flat, and where a root vanishes of which a higher power is taken."""
+    made = chasles.compile(sp.Matrix(SMALL_SLOPES), [x, y, z], jacobian=True)
+    exact = [sp.lambdify([x, y, z], [f.diff(s) for s in (x, y, z)], "mpmath") for f in SMALL_SLOPES]
+    for point in ((1e3, 0.7, 0.3), (1e-4, 0.8, 1e3), (3e2, 1e-7, 0.4), (2.0, 5e3, 1e-3), (1.0, 1.0, 1.0)):
+        for slopes, wanted in zip(made(*point)[1], exact, strict=True):
+            with mpmath.workdps(80):
+                rows = [float(sp.re(slope)) for slope in wanted(*map(mpmath.mpf, point))]
+            np.testing.assert_allclose(slopes, rows, rtol=1e-13)
+    assert not made(0.0, 1.0, 1.0)[1][0].any()
+    assert not made(1.0, 1.0, 1.0)[1][1].any()

@@ -136,6 +136,8 @@ def test_a_branch_is_no_limit():
         sp.acos(x) / sp.sqrt(1 - x**2),
     ]
     kernel = chasles.compile([*expressions, sp.asinh(sp.sqrt(x)) / sp.sqrt(x)], [x, y])
+    # A root is divided by, and beside it what vanishes.
+    assert chasles.compile(y**2 * (1 / sp.sqrt(1 - x**2 / y**2) - 1), [x, y])(0.6, 1.0) == pytest.approx(0.25)
     assert chasles.compile((x ** R(1, 9) - 1) / (x**3 - 1), [x])(1.0) == pytest.approx(1 / 27)
     assert chasles.compile((sp.log(x**2 + 3) - 2 * sp.log(2)) / (x - 1), [x])(1.0) == 0.5
     assert np.isfinite(chasles.compile(sp.coth(x + x / y) - sp.coth(x / y) / y, [x, y])(1.0, 2.0))

@@ -51,7 +51,7 @@ def pulled_back(
     for number in reversed(rates):
         rate = rates[number]
         # What is not chosen may have no value: its part is not multiplied by zero, but never taken.
-        terms = by.get(number, {}).items() if build.rated(number).op is Op.SELECT else rate.terms
+        terms = by.get(number, {}).items() if build.is_choice(number) else rate.terms
         for key, adjoint in adjoints.pop(number, {}).items():
             share = adjoint if rate.divisor is None else build.divide(adjoint, rate.divisor)
             for operand, factor in terms:
@@ -65,8 +65,8 @@ def pulled_back(
 def _forward(build: Builder, rates: Rates, seeds: Mapping[int, Sums[Key]]) -> dict[int, Sums[Key]]:
     found: dict[int, Sums[Key]] = dict(seeds)
     for number, rate in rates.items():
-        step = build.rated(number)
-        if step.op is Op.SELECT:
+        step = build.step(number)
+        if build.is_choice(number):
             sums = _of_choice(build, step, found)
         else:
             sums = {}
@@ -97,7 +97,7 @@ def _below_choices(build: Builder, rates: Rates) -> set[int]:
     """The choices, and what they depend on."""
     found: set[int] = set()
     for number in reversed(rates):
-        if number in found or build.rated(number).op is Op.SELECT:
+        if number in found or build.is_choice(number):
             found.update((number, *(operand for operand, _ in rates[number].terms)))
     return found
 
@@ -130,7 +130,7 @@ def _work_back(
     for number in reversed(rates):
         rate, bits = rates[number], of.get(number, 0)
         count = bits.bit_count()
-        if build.rated(number).op is Op.SELECT:
+        if build.is_choice(number):
             total += count * by[number].bit_count()
             continue
         total += count * _price(build, rate.divisor)

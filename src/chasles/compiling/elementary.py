@@ -129,8 +129,11 @@ def power(build: Builder, base: int, exponent: Fraction) -> int:
         root = _where_nonnegative(build, root, build.function("cbrt", root))
     for _ in range(twos):
         root = build.square_root(root)
-    total = _whole_power(build, root, left)
-    return build.multiply(total, _whole_power(build, base, whole))
+    total = build.multiply(_whole_power(build, root, left), _whole_power(build, base, whole))
+    if exponent > 1 and root != base:
+        # The slope of a root is infinite at zero, and that of its third power is not.
+        build.rate_by(total, (base, build.multiply(build.constant(exponent), power(build, base, exponent - 1))))
+    return total
 
 
 def _parted(number: int, prime: int) -> tuple[int, int]:

@@ -82,7 +82,7 @@ class Scalars:
                 stated = expression.args[-1][0]
                 if isinstance(expression, NearZero) and len(stated.args) == 2 and stated.args[0].is_Number:
                     # In the derivative of one term and a number nothing cancels.
-                    build.rate_as(value, self.of(stated))
+                    build.rate_by(value, (self.of(stated), build.one))
                 return value
             case sympy.log():
                 return self._logarithm(expression.args[0])

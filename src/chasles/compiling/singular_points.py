@@ -109,6 +109,8 @@ def _over_one(expression: Any, differences: DividedDifferences) -> tuple[Any, di
         found = {factor: -power * exponent for factor, power in split if differences.vanish(factor)}
         others = [factor ** (power * exponent) for factor, power in split if factor not in found]
         return sympy.Mul(*others, *(b ** (-e * exponent) for b, e in below.items())), found
+    if expression.is_Pow:
+        return expression, {}
     parts = [_over_one(part, differences) for part in expression.args]
     common: dict[Any, int] = {}
     for _, below in parts:

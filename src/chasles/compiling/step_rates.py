@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from dataclasses import replace as with_fields
 from fractions import Fraction
 
+from chasles.compiling.quotient_rates import slopes_of_quotient
 from chasles.lowering.builder import Builder
 from chasles.lowering.functions import FUNCTIONS
 from chasles.lowering.program import Op, Step
@@ -31,15 +32,15 @@ Rates = dict[int, StepRate]
 def rates_of(build: Builder, entries: Iterable[int], variables: Iterable[int]) -> Rates:
     """The rates of those steps that change with the variables and that entries depend on."""
     needed = set(entries)
-    steps = [build.rated(number) for number in range(max(needed, default=-1) + 1)]
-    for number in reversed(range(len(steps))):
+    count = max(needed, default=-1) + 1
+    for number in reversed(range(count)):
         if number in needed:
-            needed.update(steps[number].operands)
+            needed.update(build.changes_with(number))
     changing, found = set(variables), {}
-    for number, step in enumerate(steps):
-        if number in needed and any(k in changing for k in step.operands):
+    for number in range(count):
+        if number in needed and any(k in changing for k in build.changes_with(number)):
             changing.add(number)
-            found[number] = _rate(build, number, step, changing)
+            found[number] = _rate(build, number, build.step(number), changing)
     return found
 
 
@@ -47,6 +48,8 @@ def _rate(build: Builder, number: int, step: Step, changing: Collection[int]) ->
     a, b = (*step.operands, build.zero)[:2]
     divisor = None
     match step.op:
+        case _ if number in build.slopes:
+            terms = list(build.slopes[number])
         case Op.ADD:
             terms = [(a, build.one), (b, build.one)]
         case Op.SUBTRACT:
@@ -57,7 +60,7 @@ def _rate(build: Builder, number: int, step: Step, changing: Collection[int]) ->
         case Op.MULTIPLY:
             terms = [(a, b), (b, a)]
         case Op.DIVIDE:
-            terms, divisor = [(a, build.one), (b, build.negate(number))], b
+            terms, divisor = slopes_of_quotient(build, number, changing), b
         case Op.NEGATE:
             terms = [(a, build.negate(build.one))]
         case Op.SQUARE_ROOT:
@@ -69,6 +72,11 @@ def _rate(build: Builder, number: int, step: Step, changing: Collection[int]) ->
             terms = under.terms(build, build.multiply(times, build.function("stumpff", build.one, a)))
         case Op.COSINE:
             terms = [(a, build.negate(build.sine(a)))]
+        case Op.ARCTANGENT2 if b == build.one and build.step(a).op is Op.DIVIDE:
+            # Neither the quotient nor its square need be in range.
+            above, below = build.step(a).operands
+            terms = [(above, below), (below, build.negate(above))]
+            divisor = build.add(build.multiply(above, above), build.multiply(below, below))
         case Op.ARCTANGENT2:
             terms, divisor = [(a, b), (b, build.negate(a))], build.add(build.multiply(a, a), build.multiply(b, b))
         case Op.FUNCTION:

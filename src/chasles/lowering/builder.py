@@ -27,7 +27,7 @@ class Builder:
         self._numbers: dict[Step, int] = {}
         self._steps: list[Step] = []
         self._foldable: set[int] = set()
-        self._rated: dict[int, Step] = {}
+        self.slopes: dict[int, tuple[tuple[int, int], ...]] = {}
         self.zero = self.constant(0)
         self.one = self.constant(1)
 
@@ -40,13 +40,18 @@ class Builder:
         """One of the steps."""
         return self._steps[number]
 
-    def rated(self, number: int) -> Step:
-        """The step by which one of the steps changes: itself, unless it is said to change as another one does."""
-        return self._rated.get(number, self._steps[number])
+    def is_choice(self, number: int) -> bool:
+        """Whether a step changes as one of two others does."""
+        return self._steps[number].op is Op.SELECT and number not in self.slopes
 
-    def rate_as(self, number: int, other: int) -> None:
-        """Let a step change as an earlier one does, which has the same value but for rounding."""
-        self._rated[number] = Step(Op.ADD, (other, self.zero))
+    def changes_with(self, number: int) -> tuple[int, ...]:
+        """The steps by whose rates that of a step is told: its operands, unless slopes are told of it."""
+        return tuple(k for k, _ in self.slopes[number]) if number in self.slopes else self._steps[number].operands
+
+    def rate_by(self, number: int, *slopes: tuple[int, int]) -> int:
+        """A step of which it is told by which earlier steps it changes, and how fast: what its own rate loses."""
+        self.slopes[number] = slopes
+        return number
 
     def like(self, step: Step, operands: Sequence[int]) -> int:
         """The step that does to the operands what another one does to its own."""
