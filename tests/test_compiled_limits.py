@@ -155,6 +155,7 @@ def test_at_the_limit_itself_all_have_values(kernel):
     [
         *(sp.sin(x) / x**2, sp.cos(x) / x, 1 / sp.sin(x), sp.sin(y) / x, sp.sin(x + y) / x, sp.sin(x) / (x + y), 1 / x),
         *(sp.exp(x) / x, sp.sinh(x) / x**2, sp.log(1 + y) / x, sp.coth(x), (sp.exp(x) - 1 - y) / x),
+        *(1 / (sp.erf(y) - 2) / x, sp.cos(sp.atan2(0, y)) / x),
     ],
     ids=str,
 )
@@ -352,3 +353,66 @@ def test_what_is_shared_is_looked_at_once():
     with at_most(calls=10_000_000):
         found = without_removable(whole)
     assert found.has(sp.sin)
+
+
+e = sp.exp
+GROWING = [
+    *(
+        1 / (1 + e(-x)),
+        e(x) / (1 + e(x)),
+        e(x) / (e(x) + e(y) + e(2 * z)),
+        sp.log(e(x) + e(y)),
+        sp.log(e(x) + 2 * e(y) + 1),
+    ),
+    *(
+        (e(x) - e(-x)) / (e(x) + e(-x)),
+        (e(2 * x) - 1) / (e(2 * x) + 1),
+        x**3 / (e(x) - 1),
+        x**2 * e(x) / (e(x) - 1) ** 2,
+    ),
+    *(sp.log(1 - e(-(x**2))), sp.cosh(x) ** -2, 1 / (e((x - y) / z) - 1), (1 - e(-x)) / (1 - y * e(-x) / 2)),
+    *((1 + x**2) ** y / (1 + (1 + x**2) ** y), 1 / (1 + (x**2 + y**2) ** -z), z**y / (z**y + (1 + x**2) ** y)),
+    *(y**2 * sp.log(y), y * (sp.log(y / z) - 1), -y * sp.log(y) - (1 - y) * sp.log(1 - y), sp.sqrt(y) * sp.log(y) * x),
+]
+
+
+def test_what_grows_beyond_all_bounds_is_no_part_of_what_does_not(monkeypatch):
+    monkeypatch.setenv("CC", "no-such-compiler")
+    made = chasles.compile(sp.Matrix(GROWING), [x, y, z], jacobian=True)
+    rows = [sp.lambdify([x, y, z], [f, *(f.diff(s) for s in (x, y, z))], "mpmath") for f in GROWING]
+    for point in ((800.0, 0.4, 0.7), (-800.0, 0.4, 0.7), (37.5, 0.4, 2.0), (-3.0, 0.1, 900.0), (0.3, 1e-200, 0.9)):
+        values, slopes = made(*point)
+        for number, row in enumerate(rows):
+            with mpmath.workdps(900):
+                wanted = [float(value) for value in row(*map(mpmath.mpf, point))]
+            got = [values[number], *slopes[number]]
+            np.testing.assert_allclose(got, wanted, rtol=1e-12, atol=1e-300, err_msg=str(GROWING[number]))
+    values, slopes = made(1.0, 0.0, 0.5)
+    assert not values[-4:].any()
+    assert slopes[-4].tolist() == [0.0, 0.0, 0.0]
+    assert slopes[-2][1] == np.inf
+
+
+def test_any_number_of_points_may_meet(monkeypatch):
+    """Chains of decays, of three and of four rates."""
+    monkeypatch.setenv("CC", "no-such-compiler")
+    rates, t = sp.symbols("a b c d"), sp.Symbol("t")
+    chains = [
+        sp.prod(some[:-1]) * sum(e(-k * t) / sp.prod(j - k for j in some if j != k) for k in some)
+        for some in (rates[:3], rates)
+    ]
+    made = chasles.compile(sp.Matrix(chains), [*rates, t], jacobian=True)
+    rows = [sp.lambdify([*rates, t], [f, *(f.diff(s) for s in (*rates, t))], "mpmath") for f in chains]
+    for point in (
+        (1, 1, 1, 1, 2),
+        (1, 1, 1, 3, 0.5),
+        (0.5, 0.5, 2, 2, 1),
+        (1, 1.001, 1, 0.999, 3),
+        (9, 0.1, 2, 0.1, 4),
+    ):
+        values, slopes = made(*point)
+        for value, slope, row in zip(values, slopes, rows, strict=True):
+            with mpmath.workdps(300):
+                apart = [mpmath.mpf(number) + mpmath.mpf(k) / 10**40 for k, number in enumerate(point)]
+                wanted = [float(number) for number in row(*apart)]
+            np.testing.assert_allclose([value, *slope], wanted, rtol=1e-11, atol=1e-14)

@@ -24,8 +24,23 @@ _MOST_TERMS = 8
 """Longer sums are derived as they stand."""
 
 
-def slopes_of_quotient(build: Builder, number: int, changing: Collection[int]) -> list[tuple[int, int]]:
-    """The slopes of a quotient by steps that it is made of, each times what is divided by."""
+def rate_of_quotient(
+    build: Builder, number: int, changing: Collection[int]
+) -> tuple[list[tuple[int, int]], int | None]:
+    """The slopes of a quotient by steps that it is made of, and by what they are to be divided."""
+    a, b = build.step(number).operands
+    _, factors = _factors(build, b)
+    hyperbolic = [k for k in factors if build.step(k).function == "cosh"]
+    if a in changing or len(hyperbolic) != len(factors):
+        return _slopes(build, number, changing), b
+    # Where they overflow the quotient is zero, and so is its slope.
+    args = [(build.step(k).operands[0], factors[k]) for k in hyperbolic]
+    by = [build.multiply(build.constant(-times), build.function("tanh", arg)) for arg, times in args]
+    return [(arg, build.multiply(number, slope)) for (arg, _), slope in zip(args, by, strict=True)], None
+
+
+def _slopes(build: Builder, number: int, changing: Collection[int]) -> list[tuple[int, int]]:
+    """The slopes, each times what is divided by."""
     a, b = build.step(number).operands
     root = build.step(b).op is Op.SQUARE_ROOT
     radicand = build.step(b).operands[0] if root else b

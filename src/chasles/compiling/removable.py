@@ -16,6 +16,8 @@ from typing import Any
 import sympy
 from sympy.concrete.expr_with_limits import ExprWithLimits
 
+from chasles.compiling.growth import in_range
+from chasles.compiling.many_points import with_points_together
 from chasles.compiling.near_zero import near_zero, without_cancellation
 from chasles.compiling.singular_points import without_singular_points
 from chasles.compiling.sums_of_angles import (
@@ -52,8 +54,9 @@ def without_removable(expression: sympy.Basic) -> sympy.Basic:
     divided, found = divisors(parts), expression
     if divided or any(isinstance(part, tuple(QUOTIENTS)) for part in parts):
         table = dict(_by_roots(parts, divided))
+        table |= {part: with_points_together(part) for part in parts if part.is_Add}
         found = _with_limits(Substitution(table).of(expression) if table else expression)
-    return without_cancellation(without_singular_points(found))
+    return without_cancellation(in_range(without_singular_points(found)))
 
 
 def _by_roots(parts: Collection[sympy.Basic], divided: Collection[sympy.Expr]) -> Iterator[tuple[Any, Any]]:

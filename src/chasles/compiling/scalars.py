@@ -17,7 +17,7 @@ from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 from sympy.simplify.cse_main import Unevaluated
 
-from chasles.compiling.elementary import functions_by_class, power
+from chasles.compiling.elementary import PowerTimesLog, functions_by_class, power
 from chasles.compiling.taylor import NearZero
 from chasles.lowering.builder import Builder
 from chasles.lowering.refusal import LoweringError
@@ -86,6 +86,9 @@ class Scalars:
                 return value
             case sympy.log():
                 return self._logarithm(expression.args[0])
+            case PowerTimesLog():
+                base, exponent, of = expression.args
+                return self._power_times_log(base, Fraction(int(exponent.p), int(exponent.q)), of)
             case sympy.UnevaluatedExpr():
                 return self.of(expression.args[0])
             case sympy.logic.boolalg.Boolean():
@@ -128,15 +131,29 @@ class Scalars:
             return self.build.multiply(self.of(of.exp), self._logarithm(base))
         build = self.build
         if isinstance(of, sympy.Add) and sympy.S.One in of.args:
-            rest = [term for term in of.args if term is not sympy.S.One]
-            if len(rest) > 1 or not isinstance(rest[0], sympy.exp):
-                return build.function("log1p", self._sum(rest))
-            # log(1 + exp(a)) is a + log(1 + exp(-a)), of which that is taken that does not overflow.
-            a = self.of(rest[0].exp)
-            below = build.less(a, build.zero)
-            small = build.function("exp", build.select(below, a, build.negate(a)))
-            return build.add(build.select(below, build.zero, a), build.function("log1p", small))
+            return build.function("log1p", self._sum([term for term in of.args if term is not sympy.S.One]))
         return build.function("log", self.of(of))
+
+    def _power_times_log(self, base: Any, exponent: Fraction, of: Any) -> int:
+        build, b, whole, log = self.build, self.of(base), self.of(of), self._logarithm(of)
+        others = [] if base == of else [f.as_base_exp() for f in sympy.Mul.make_args(of) if f != base]
+        factors = [(self.of(f), self.of(times)) for f, times in others]
+
+        def raised(to: Fraction) -> int:
+            """The power times the logarithm."""
+            product = build.multiply(power(build, b, to), log)
+            zero = build.select(build.equal(b, build.zero), build.zero, product)
+            return zero if base == of else build.select(build.equal(whole, build.zero), zero, product)
+
+        value = raised(exponent)
+        if exponent < 1:
+            slope = build.add(build.multiply(build.constant(exponent), log), build.one)
+            slope = build.divide(slope, power(build, b, 1 - exponent))
+        else:
+            inner = raised(exponent - 1) if exponent > 1 else log
+            slope = build.add(build.multiply(build.constant(exponent), inner), power(build, b, exponent - 1))
+        by_others = [(f, build.divide(build.multiply(times, power(build, b, exponent)), f)) for f, times in factors]
+        return build.rate_by(value, (b, slope), *by_others)
 
     def _product(self, factors: Sequence[sympy.Expr]) -> int:
         above: list[int] = []

@@ -195,4 +195,8 @@ def _sides_apart(divisor: Any) -> Iterator[Any]:
             if type(value) is type(f):
                 yield f.args[0] - value.args[0]
             elif value.is_number and hasattr(f, "inverse"):
-                yield f.args[0] - f.inverse()(value)
+                with suppress(ValueError):
+                    at = f.inverse()(value)
+                    # SymPy says so here of a value that there is not.
+                    at.evalf()
+                    yield f.args[0] - at

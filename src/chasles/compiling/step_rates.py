@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from dataclasses import replace as with_fields
 from fractions import Fraction
 
-from chasles.compiling.quotient_rates import slopes_of_quotient
+from chasles.compiling.quotient_rates import rate_of_quotient
 from chasles.lowering.builder import Builder
 from chasles.lowering.functions import FUNCTIONS
 from chasles.lowering.program import Op, Step
@@ -60,7 +60,7 @@ def _rate(build: Builder, number: int, step: Step, changing: Collection[int]) ->
         case Op.MULTIPLY:
             terms = [(a, b), (b, a)]
         case Op.DIVIDE:
-            terms, divisor = slopes_of_quotient(build, number, changing), b
+            terms, divisor = rate_of_quotient(build, number, changing)
         case Op.NEGATE:
             terms = [(a, build.negate(build.one))]
         case Op.SQUARE_ROOT:

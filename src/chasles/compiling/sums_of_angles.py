@@ -84,8 +84,8 @@ def with_series(function: Any) -> Any:
         case sympy.log():
             above, below = sympy.fraction(function.args[0])
             return log1p(sympy.Mul(above - below, 1 / below))
-        case sympy.atan2():
-            return sympy.atan(sympy.Mul(function.args[0], 1 / function.args[1]))
+        case sympy.atan2(args=(y, x)) if not (slope := sympy.Mul(y, 1 / x)).is_number:
+            return sympy.atan(slope)
     return function
 
 

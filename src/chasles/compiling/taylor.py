@@ -73,11 +73,15 @@ class TaylorPolynomial(sympy.Function):  # type: ignore[misc]
         return first if a.is_zero else None
 
 
-class NearZero(sympy.Piecewise):  # type: ignore[misc]
-    """What holds where an angle is small, and what is stated of all others; its powers are taken after the choice."""
+class WholeChoice(sympy.Piecewise):  # type: ignore[misc]
+    """A choice of which powers are taken after it."""
 
     def _eval_power(self, exponent: sympy.Expr) -> None:
         return None
+
+
+class NearZero(WholeChoice):
+    """What holds where an angle is small, and what is stated of all others."""
 
 
 @lru_cache(2**12)

@@ -53,6 +53,12 @@ class Builder:
         self.slopes[number] = slopes
         return number
 
+    def held(self, number: int) -> int:
+        """A step of the same value that counts as a constant where derivatives are formed."""
+        self._steps.append(self._steps[number])
+        self.slopes[len(self._steps) - 1] = ()
+        return len(self._steps) - 1
+
     def like(self, step: Step, operands: Sequence[int]) -> int:
         """The step that does to the operands what another one does to its own."""
         if step == HALF_TURN:
