@@ -9,8 +9,8 @@ import pytest
 import sympy as sp
 
 from chasles.exact.numbers import NotDecided, is_zero
+from chasles.exact.polynomial_roots import Root, real_roots, same_number
 from chasles.exact.principal_axes import columns_of, principal_axes
-from chasles.exact.roots import Root, real_roots, same_number
 from chasles.exact.spectra import (
     diagonal,
     each_eigenvalue,

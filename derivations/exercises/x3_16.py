@@ -8,7 +8,7 @@ from chasles.derivations.s08_dynamics import inertia_about_point, mass_is_positi
 
 from chasles.exact.evaluate import Value
 from chasles.exact.principal_axes import in_axes
-from chasles.exact.roots import same_number
+from chasles.exact.polynomial_roots import same_number
 from chasles.exact.spectra import diagonal, each_eigenvalue, residues_of, signature, smallest_belongs_to
 from chasles.exercises.draw import Draw
 from chasles.exercises.picture import Arrow, Picture, Point

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -63,14 +64,16 @@ def test_no_bar_moves(monkeypatch: pytest.MonkeyPatch) -> None:
     drawn: list[int] = []
 
     class Bar:
-        done = 0
+        def __init__(self, **options: Any) -> None: ...
 
-        def __init__(self, total: int, doing: str) -> None:
+        def add_task(self, doing: str, total: int) -> None:
             drawn.append(total)
 
-        def end(self) -> None: ...
+        def nothing(self, *_: Any) -> None: ...
 
-    monkeypatch.setattr(waiting, "_Wait", Bar)
+        start = advance = stop = nothing
+
+    monkeypatch.setattr("rich.progress.Progress", Bar)
     assert list(waiting.progress("ab", 2, "Doing")) == ["a", "b"]
     with waiting.silent():
         assert list(waiting.progress("abc", 3, "Doing")) == ["a", "b", "c"]

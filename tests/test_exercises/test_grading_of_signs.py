@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 import sympy as sp
 
-from chasles.exact.roots import Root
+from chasles.exact.polynomial_roots import Root
 from chasles.exercises import agreement, grading
 from chasles.exercises.data import DataError
 from chasles.exercises.worksheet import Worksheet

@@ -9,7 +9,7 @@ import pytest
 import sympy as sp
 
 from chasles.exact.numbers import is_zero
-from chasles.exact.roots import Root
+from chasles.exact.polynomial_roots import Root
 from chasles.exercises.data import DataError
 from chasles.exercises.solving import solve
 

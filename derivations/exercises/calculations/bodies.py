@@ -15,7 +15,7 @@ from chasles.derivations.exercises.calculations.surds import SurdField
 from chasles.exact.evaluate import column_of, matrix_of
 from chasles.exact.grounds import NotDecided
 from chasles.exact.numbers import is_zero, normal
-from chasles.exact.square_roots import independent_atoms
+from chasles.exact.tower_elements import independent_atoms
 
 MOST_ROOTS, MOST_ROOTS_BESIDE = 4, 3
 """Square roots, that of three among them, with which a cut prism takes seconds: alone, and beside others."""

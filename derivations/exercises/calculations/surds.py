@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from chasles.exact.grounds import NotDecided, RationalFunctions
-from chasles.exact.square_roots import NotInTower, in_tower, independent_atoms, spelled
+from chasles.exact.tower_elements import NotInTower, in_tower, independent_atoms, spelled
 from chasles.exact.tower import QuadraticTower, Surd
 
 

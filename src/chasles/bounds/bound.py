@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any
 
 AGAINST = {
@@ -64,14 +64,7 @@ class Bound:
 
     def as_data(self) -> dict[str, Any]:
         """The bound as plain data."""
-        return {
-            "program": self.program,
-            "reason": self.reason,
-            "guarantees": [
-                {"result": g.result, "against": g.against, "units": g.units, "inputs": g.inputs}
-                for g in self.guarantees
-            ],
-        }
+        return {"program": self.program, "reason": self.reason, "guarantees": list(map(asdict, self.guarantees))}
 
     @staticmethod
     def from_data(data: Mapping[str, Any]) -> Bound:

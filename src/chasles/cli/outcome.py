@@ -17,7 +17,7 @@ from chasles.statements import Chapter, Entry
 
 if TYPE_CHECKING:
     from chasles.cli.rechecking import Rechecked
-    from chasles.report.decisions import Decided
+    from chasles.report.findings import Decided
 
 SHOWN = 3
 """How many rejected verdicts have a line of their own."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from time import perf_counter
 
@@ -13,7 +13,7 @@ from chasles.checker.sparse import Rejected
 from chasles.decisions.memory import Memory
 from chasles.decisions.processes import spread
 from chasles.decisions.session import Decision
-from chasles.report.decisions import Decided
+from chasles.report.findings import Pairs
 from chasles.statements import Entry, Inverse
 from chasles.statements.premises import IN_FULL
 from chasles.verdict import Contradictory, Fails
@@ -32,7 +32,7 @@ class Rechecked:
     rejected: tuple[tuple[Entry, str], ...]
 
 
-def recheck(decided: Sequence[Decided], memory: Memory) -> Rechecked:
+def recheck(decided: Pairs, memory: Memory) -> Rechecked:
     """Check every certificate and every counterexample that the memory has not checked when it recalled it."""
     started = perf_counter()
     certified = [(entry, decision, _prove) for entry, decision in decided if decision.certificate is not None]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
@@ -18,7 +18,7 @@ from chasles.coq.sentences import Claimed
 from chasles.coq.theorems import claims_of
 from chasles.decisions.decision import Decision, key_of
 from chasles.lowering.declaration import Decide
-from chasles.report.decisions import Decided
+from chasles.report.findings import Pairs
 from chasles.report.waiting import progress
 from chasles.report.words import number_of
 from chasles.statements import Problem
@@ -115,7 +115,7 @@ def _digest(part: Chunk) -> str:
     return sha256(part.said().encode()).hexdigest()
 
 
-def written(folder: Path, decided: Sequence[Decided], decide: Decide, anew: bool = False) -> Theorems:
+def written(folder: Path, decided: Pairs, decide: Decide, anew: bool = False) -> Theorems:
     """Write the theorems of decisions and kernels, checked by Coq if it is installed: then only proofs that it accepts.
 
     Unless all are to be checked `anew`, those that it accepted in an earlier run are not checked again.

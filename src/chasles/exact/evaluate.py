@@ -5,7 +5,7 @@ The values may hold free symbols, as the unknowns of equations do. Nothing is ro
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
@@ -65,11 +65,6 @@ class _ExactValues(Interpreter):
     def reduced(self, matrix: Matrix) -> Matrix:
         return each(matrix, normal)
 
-    def product(self, left: Matrix, right: Matrix) -> Matrix:
-        """The matrix product, each product of entries in normal form before it is added."""
-        columns = list(zip(*right, strict=True))
-        return [[_sum(normal(a * b) for a, b in zip(row, column, strict=True)) for column in columns] for row in left]
-
     def quotient(self, numerator: Matrix, denominator: Node) -> Matrix:
         below = self.scalar(denominator)
         if is_zero(below):
@@ -104,7 +99,3 @@ class _ExactValues(Interpreter):
             )
         matrix: Matrix = value.tolist()
         return matrix
-
-
-def _sum(terms: Iterable[Any]) -> Any:
-    return normal(sp.Add(*terms))

@@ -21,8 +21,8 @@ from chasles.exact.enclosures import NoEnclosure, enclosed, sign_by_enclosure
 from chasles.exact.grounds import NotDecided, RationalFunctions
 from chasles.exact.independent import by_sine_and_cosine, coefficients, vanishes, without_squares
 from chasles.exact.separation import NotAlgebraic, is_algebraic_zero
-from chasles.exact.square_roots import NotInTower, has_roots_of_atoms, in_tower, independent_atoms, is_surd, spelled
 from chasles.exact.tower import NegativeRadicand, QuadraticTower
+from chasles.exact.tower_elements import NotInTower, has_roots_of_atoms, in_tower, independent_atoms, is_surd, spelled
 
 __all__ = ["NotDecided", "angle", "compare", "decimals", "is_zero", "normal", "root", "sign"]
 

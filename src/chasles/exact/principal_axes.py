@@ -18,7 +18,7 @@ from sympy.polys.matrices import DomainMatrix
 from chasles.evaluation.matrices import determinant
 from chasles.exact.fields import NumberField
 from chasles.exact.numbers import is_zero, normal, root, sign
-from chasles.exact.roots import Root, X, merged, place_of, same_number, value_of
+from chasles.exact.polynomial_roots import Root, X, merged, place_of, same_number, value_of
 from chasles.exact.spectra import characteristic, eigenvalues_by_block
 
 CHOICE_OF_AXES = (

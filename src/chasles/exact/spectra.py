@@ -16,7 +16,7 @@ from sympy.polys.matrices import DomainMatrix
 from chasles.exact.evaluate import column_of
 from chasles.exact.fields import NumberField
 from chasles.exact.numbers import is_zero, normal, sign
-from chasles.exact.roots import Root, merged, real_roots, remainders
+from chasles.exact.polynomial_roots import Root, merged, real_roots, remainders
 
 
 def characteristic(matrix: Any) -> list[Any]:

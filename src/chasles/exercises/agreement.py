@@ -12,7 +12,7 @@ from mpmath.libmp import round_nearest, to_int
 
 from chasles.exact.enclosures import NoEnclosure, enclosed
 from chasles.exact.numbers import NotDecided, is_zero
-from chasles.exact.roots import Root
+from chasles.exact.polynomial_roots import Root
 from chasles.exact.tower import TooManyRoots
 
 BITS = 256

@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from chasles.exact.grammar import NotANumber, read_number
-from chasles.exact.roots import Root, X
+from chasles.exact.polynomial_roots import Root, X
 from chasles.exercises.data import DataError, exact_number, read_as
 from chasles.nearest import nearest
 from chasles.statements.exercise import Answer, Array, Else, Exercise, ListOf, Record, Scalar, Shape, Truth, Tuple, Word

@@ -28,19 +28,25 @@ def drawn(picture: Picture) -> Any:
 
     Raises ImportError, with what to install, where matplotlib is missing.
     """
-    try:
-        from matplotlib.backends.backend_agg import FigureCanvasAgg
-        from matplotlib.figure import Figure
-    except ImportError as error:
-        raise ImportError("pictures are drawn by matplotlib: pip install 'chasles[plots]'") from error
-    figure = Figure(figsize=(6, 6), layout="constrained")
-    FigureCanvasAgg(figure)
+    figure = blank_figure("pictures", (6, 6))
     graphs = [item for item in picture.items if isinstance(item, Graph)]
     if graphs:
         _draw_graph(figure.add_subplot(), picture.title, graphs[0])
         return figure
     axes = figure.add_subplot(projection="3d")
     _Drawing(axes, picture).draw()
+    return figure
+
+
+def blank_figure(what: str, size: tuple[float, float]) -> Any:
+    """A figure of that size in inches. Raises ImportError, which says how such pictures are drawn."""
+    try:
+        from matplotlib.backends.backend_agg import FigureCanvasAgg
+        from matplotlib.figure import Figure
+    except ImportError as error:
+        raise ImportError(f"{what} are drawn by matplotlib: pip install 'chasles[plots]'") from error
+    figure = Figure(figsize=size, layout="constrained")
+    FigureCanvasAgg(figure)
     return figure
 
 

@@ -145,7 +145,6 @@ def _scan_angle(found: Variables, symbol: w.Symbol, multiple: Fraction, order: i
     if old is not None:
         new = Fraction(gcd(old.numerator, new.numerator), lcm(old.denominator, new.denominator))
     found.angles[symbol] = new
-    found.angle_orders[symbol] = max(found.angle_orders.get(symbol, 0), order)
     if order:
         found.orders[symbol] = max(found.orders.get(symbol, 0), order)
         _reach(found, symbol, order)

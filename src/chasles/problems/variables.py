@@ -59,7 +59,6 @@ class Variables:
     orders: dict[Symbol, int] = field(default_factory=dict)
     reached: dict[Symbol, int] = field(default_factory=dict)
     angles: dict[Symbol, Fraction] = field(default_factory=dict)
-    angle_orders: dict[Symbol, int] = field(default_factory=dict)
     norms: dict[Node, None] = field(default_factory=dict)
     running: frozenset[Symbol] = frozenset()
     densities: frozenset[str] = frozenset()

@@ -1,4 +1,4 @@
-"""Counterexamples that are easy to evaluate by hand: one entry, only the values it depends on, small numbers."""
+"""The search for a counterexample that is easy to evaluate by hand: one entry, what it depends on, small numbers."""
 
 from __future__ import annotations
 

@@ -18,15 +18,13 @@ from rich.text import Text
 
 from chasles.decisions.session import Decision
 from chasles.report.details import indented, number_in_words, objections, printed
-from chasles.report.findings import SLIPS, slips
+from chasles.report.findings import SLIPS, Pairs, slips
 from chasles.report.screen import Screen
 from chasles.report.words import VERDICTS, labelled, number_of, seconds
 from chasles.statements import Entry
 
-Decided = tuple[Entry, Decision]
 
-
-def verdict_table(screen: Screen, decided: Sequence[Decided]) -> Iterator[RenderableType]:
+def verdict_table(screen: Screen, decided: Pairs) -> Iterator[RenderableType]:
     """Number, verdict, what the statement says and needs, section by section; a list where a table has no room."""
     if screen.narrow:
         yield from _list(screen, decided)
@@ -52,7 +50,7 @@ def is_finding(decision: Decision) -> bool:
     return not decision.verdict.true or bool(decision.verdict.unused)
 
 
-def findings(screen: Screen, decided: Sequence[Decided]) -> Iterator[RenderableType]:
+def findings(screen: Screen, decided: Pairs) -> Iterator[RenderableType]:
     """For each equation that is wrong as printed: what it says, why, and what is right; and hypotheses not needed."""
     for entry, decision in decided:
         if is_finding(decision):
@@ -61,7 +59,7 @@ def findings(screen: Screen, decided: Sequence[Decided]) -> Iterator[RenderableT
             yield indented(line for lines in (printed(entry), objections(entry, decision)) for line in lines)
 
 
-def _list(screen: Screen, decided: Sequence[Decided]) -> Iterator[RenderableType]:
+def _list(screen: Screen, decided: Pairs) -> Iterator[RenderableType]:
     section = None
     for entry, decision in decided:
         if entry.section != section:
@@ -163,7 +161,7 @@ class Tally:
         }
 
 
-def tallies(decided: Sequence[Decided]) -> list[Tally]:
+def tallies(decided: Pairs) -> list[Tally]:
     """A tally for each section, in the book's order."""
     found: dict[str, Tally] = {}
     for entry, decision in decided:
@@ -196,7 +194,7 @@ def summary_table(screen: Screen, sections: Sequence[Tally]) -> Iterator[Rendera
         yield from (_in_words(tally) for tally in (*sections, total))
 
 
-def wrong_as_printed(decided: Sequence[Decided]) -> Iterator[RenderableType]:
+def wrong_as_printed(decided: Pairs) -> Iterator[RenderableType]:
     """The numbers of the equations that are wrong, on a line for each kind of slip; nothing if all are right."""
     found = slips(decided)
     for slip, pairs in found.items():

@@ -18,7 +18,8 @@ from chasles.vocabulary import Node
 
 DecisionsByName = Mapping[str, Decision]
 """By the name of the statement."""
-Pairs = Sequence[tuple[Entry, Decision]]
+Decided = tuple[Entry, Decision]
+Pairs = Sequence[Decided]
 
 
 SLIPS = {"print": "wrong in the book", "scan": "lost by the scan", "both": "lost by the scan and wrong in the book"}

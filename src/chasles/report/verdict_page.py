@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from chasles.decisions.decision import WORST_FIRST
-from chasles.decisions.session import Decision, Session
+from chasles.decisions.session import Session
 from chasles.report.details import number_in_words
 from chasles.report.equations import in_both
 from chasles.report.errata_page import errata_page
 from chasles.report.findings import (
+    Decided,
     DecisionsByName,
     Pairs,
     Replacement,
@@ -22,7 +23,7 @@ from chasles.report.findings import (
 from chasles.report.markdown import escaped, table
 from chasles.report.waiting import progress
 from chasles.report.words import VERDICTS, counted, number_of
-from chasles.statements import Chapter, Entry, Section
+from chasles.statements import Chapter, Section
 
 HEAD = ("number", "role", "verdict", "needs", "right instead")
 ABOUT = """\
@@ -36,8 +37,6 @@ equation is wrong, the last column says what is right, and whether the search fo
 declared: then it is marked as a gap of the search. [ERRATA.md](ERRATA.md) says why each of these is wrong.
 
 `chasles emit` writes this page; `chasles decide` decides again."""
-
-Group = list[tuple[Entry, Decision]]
 
 
 def pages(book: Chapter, session: Session) -> dict[str, str]:
@@ -71,15 +70,15 @@ def _totals(book: Chapter, decided: Pairs) -> Iterator[str]:
         )
 
 
-def _sections(decided: Pairs) -> Iterator[tuple[Section, dict[str, Group]]]:
+def _sections(decided: Pairs) -> Iterator[tuple[Section, dict[str, list[Decided]]]]:
     """The statements of each section by their number."""
-    sections: dict[Section, dict[str, Group]] = {}
+    sections: dict[Section, dict[str, list[Decided]]] = {}
     for entry, decision in decided:
         sections.setdefault(entry.section, {}).setdefault(entry.number, []).append((entry, decision))
     yield from sections.items()
 
 
-def _row(number: str, group: Group) -> tuple[str, ...]:
+def _row(number: str, group: list[Decided]) -> tuple[str, ...]:
     roles = dict.fromkeys(entry.statement.role for entry, _ in group)
     worst = min((decision.verdict.name for _, decision in group), key=WORST_FIRST.index)
     needs = dict.fromkeys(text for _, decision in group for text in decision.verdict.needs)

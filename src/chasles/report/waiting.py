@@ -6,7 +6,7 @@ import os
 import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
-from threading import Event, Thread
+from threading import Timer
 from typing import TypeVar
 
 PATIENCE = 0.8
@@ -30,37 +30,21 @@ def progress(things: Iterable[_T], total: int, doing: str) -> Iterator[_T]:
     if _silences or not sys.stderr.isatty():
         yield from things
         return
-    wait = _Wait(total, doing)
+    from rich.progress import Progress
+
+    from chasles.report.screen import console_on
+
+    bar = Progress(console=console_on(sys.stderr, os.environ), transient=True)
+    task = bar.add_task(doing, total=total)
+    # It moves in a thread of its own, also while a single thing takes long.
+    appears = Timer(PATIENCE, bar.start)
+    appears.daemon = True
+    appears.start()
     try:
         for thing in things:
             yield thing
-            wait.done += 1
+            bar.advance(task)
     finally:
-        wait.end()
-
-
-class _Wait:
-    """A bar with a thread of its own, so that it moves and appears while a single thing takes long."""
-
-    def __init__(self, total: int, doing: str) -> None:
-        self.done = 0
-        self._total, self._doing, self._over = total, doing, Event()
-        self._thread = Thread(target=self._draw, daemon=True)
-        self._thread.start()
-
-    def end(self) -> None:
-        """Wipe the bar."""
-        self._over.set()
-        self._thread.join()
-
-    def _draw(self) -> None:
-        if self._over.wait(PATIENCE):
-            return
-        from rich.progress import Progress
-
-        from chasles.report.screen import console_on
-
-        with Progress(console=console_on(sys.stderr, os.environ), transient=True) as bar:
-            task = bar.add_task(self._doing, total=self._total)
-            while not self._over.wait(0.1):
-                bar.update(task, completed=self.done)
+        appears.cancel()
+        appears.join()
+        bar.stop()

@@ -8,6 +8,7 @@ from typing import Any
 
 from markupsafe import Markup
 
+from chasles.exercises.drawing import blank_figure
 from chasles.report.html.drawn import drawn
 from chasles.report.html.measured import ErrorAtAngle, ErrorCurve
 from chasles.report.html.pictures import inline
@@ -51,14 +52,8 @@ def _largest(errors: Sequence[tuple[float, ErrorAtAngle]]) -> str:
 
 
 def _figure(curve: ErrorCurve) -> Any:
-    try:
-        from matplotlib.backends.backend_agg import FigureCanvasAgg
-        from matplotlib.figure import Figure
-    except ImportError as error:
-        raise ImportError("plots are drawn by matplotlib: pip install 'chasles[plots]'") from error
+    figure = blank_figure("plots", (5.2, 2.6))
     sides = [side for side in (False, True) if any(place.near_pi is side for place in curve.places)]
-    figure = Figure(figsize=(5.2, 2.6), layout="constrained")
-    FigureCanvasAgg(figure)
     panels = figure.subplots(1, len(sides), sharey=True, squeeze=False)[0]
     for axes, side in zip(panels, sides, strict=True):
         _panel(axes, [place for place in curve.places if place.near_pi is side and place.small >= SMALLEST])

@@ -12,7 +12,6 @@ from markupsafe import Markup
 from chasles import __version__
 from chasles.bounds.bound import Bound
 from chasles.decisions.decision import WORST_FIRST
-from chasles.decisions.session import Decision
 from chasles.report.details import number_in_words
 from chasles.report.emission_records import emitted_kernels
 from chasles.report.equations import labelled_equations
@@ -29,10 +28,8 @@ from chasles.report.html.palette import DARK, LIGHT
 from chasles.report.html.shown import DerivationView, KernelRow, NumberShown, StatementShown, badge_of
 from chasles.report.html.statements import part_of, place_of_part
 from chasles.report.words import VERDICTS
-from chasles.statements import Chapter, Entry, Section
+from chasles.statements import Chapter, Section
 from chasles.vocabulary import Symbol, latex, walk
-
-Pair = tuple[Entry, Decision]
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,7 +112,7 @@ def _errata(
 
 
 def _sections(
-    book: Book, decided: Sequence[Pair], kernels: Mapping[str, KernelRow], roads: Sequence[DerivationView]
+    book: Book, decided: Pairs, kernels: Mapping[str, KernelRow], roads: Sequence[DerivationView]
 ) -> Iterator[SectionView]:
     """The sections in the book's order; a derivation is where its number is first."""
     leading: dict[str, list[DerivationView]] = {}
@@ -135,7 +132,7 @@ def _sections(
 def _number(
     book: Book,
     number: str,
-    group: Sequence[Pair],
+    group: Pairs,
     kernels: Mapping[str, KernelRow],
     roads: Sequence[DerivationView],
     times: int,

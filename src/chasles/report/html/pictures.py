@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import defaultdict
 from io import StringIO
 from itertools import count
 from typing import Any
@@ -32,6 +33,8 @@ LEFT_OUT = ("stroke-linejoin: miter", "stroke-linecap: square", "stroke-linecap:
 """How ends and corners are drawn makes no difference at this size."""
 SVG = "{http://www.w3.org/2000/svg}"
 HREF = "{http://www.w3.org/1999/xlink}href"
+Names = defaultdict[str, str]
+"""New names of the parts that others refer to, by the old ones."""
 KINDS = ((DrawnBody, "bodies"), (Line, "lines"), (Arrow, "arrows"), (Curve, "curves"), (Point, "points"))
 
 
@@ -41,7 +44,8 @@ def inline(figure: Any, place: str, title: str, words: str) -> Markup:
     `place` is the beginning of the names of its parts, which no other part of the page has.
     """
     root = fromstring(_drawn(figure))
-    names = _Names(place)
+    numbers = count(1)
+    names: Names = defaultdict(lambda: f"{place}-{next(numbers)}")
     svg = Element("svg", {"class": "picture", "viewBox": root.get("viewBox", ""), "role": "img",
                           "aria-labelledby": f"{place}-title {place}-text"})  # fmt: skip
     SubElement(svg, "title", id=f"{place}-title").text = title
@@ -80,21 +84,7 @@ def _drawn(figure: Any) -> str:
     return written.getvalue()
 
 
-class _Names:
-    """Names of the parts that others refer to, counted."""
-
-    def __init__(self, place: str) -> None:
-        self._place = place
-        self._names: dict[str, str] = {}
-        self._numbers = count(1)
-
-    def __call__(self, name: str) -> str:
-        if name not in self._names:
-            self._names[name] = f"{self._place}-{next(self._numbers)}"
-        return self._names[name]
-
-
-def _slim(element: Element, names: _Names) -> list[Element]:
+def _slim(element: Element, names: Names) -> list[Element]:
     """The element without what is not drawn; a group without attributes is only what is in it."""
     tag = element.tag.removeprefix(SVG)
     if tag in ("metadata", "style"):
@@ -111,17 +101,17 @@ def _slim(element: Element, names: _Names) -> list[Element]:
     return [slim]
 
 
-def _attributes(tag: str, element: Element, names: _Names) -> Any:
+def _attributes(tag: str, element: Element, names: Names) -> Any:
     """The attributes that are needed, by their short names, the numbers rounded."""
     is_cited = tag == "clipPath" or (tag == "path" and "id" in element.attrib)
     for name, value in element.attrib.items():
         if name == "id":
             if is_cited:
-                yield "id", names(value)
+                yield "id", names[value]
         elif name == HREF:
-            yield "href", f"#{names(value[1:])}"
+            yield "href", f"#{names[value[1:]]}"
         elif name == "clip-path":
-            yield name, f"url(#{names(value[5:-1])})"
+            yield name, f"url(#{names[value[5:-1]]})"
         elif name == "style":
             if style := _style(value):
                 yield name, style

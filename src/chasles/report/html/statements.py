@@ -13,7 +13,7 @@ from chasles.report.by_hand import Refutation, refutations
 from chasles.report.details import number_in_words
 from chasles.report.equations import Sentence, labelled_equations
 from chasles.report.findings import Replacement, likely_slip, replacements
-from chasles.report.html.certificates import proof_in_words
+from chasles.report.html.certificates import CODE, proof_in_words
 from chasles.report.html.citing import Book, Link, place_of_number
 from chasles.report.html.differences import mark_differences
 from chasles.report.html.formulas import equation_tree, latex_for_mathml, markup, math, tree_of, with_formulas
@@ -26,7 +26,6 @@ from chasles.verdict import Fails, IllFormed
 from chasles.vocabulary import Node, Rate, plain, symbols_of
 
 Sides = tuple[Node, Node]
-CODE = Markup("<code>{}</code>")
 
 
 def place_of_part(entry: Entry) -> str:

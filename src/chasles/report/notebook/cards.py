@@ -19,10 +19,11 @@ from chasles.pages.page_equation import PageEquation
 from chasles.repairs.repair import Repair
 from chasles.report.details import number_in_words
 from chasles.report.equations import signature_in_words
+from chasles.report.html.certificates import CODE
 from chasles.report.html.derivations import derivation_view
 from chasles.report.html.formulas import with_formulas
 from chasles.report.html.shown import Card, Fact, badge_of
-from chasles.report.html.statements import CODE, as_printed, equation, expression, part_of
+from chasles.report.html.statements import as_printed, equation, expression, part_of
 from chasles.report.notebook.alone import Alone, cited, entry_of, rests_on, sections_of
 from chasles.report.records import certificate_hash
 from chasles.report.words import number_of, point_in_words

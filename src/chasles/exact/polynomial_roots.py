@@ -19,7 +19,7 @@ from sympy import CRootOf, Poly, Symbol, latex
 from chasles.exact.enclosures import enclosed
 from chasles.exact.fields import NumberField
 from chasles.exact.numbers import NotDecided, compare, is_zero, normal, root
-from chasles.exact.square_roots import independent_atoms
+from chasles.exact.tower_elements import independent_atoms
 
 X = Symbol("x")
 DIGITS = 30
