@@ -34,11 +34,6 @@ LARGEST_TURN = 1000
 """Denominators of multiples of pi that an angle is compared with."""
 
 
-_forms: set[Any] = set()
-"""Normal forms that take long to find: each is its own."""
-MOST_FORMS = 2_000
-
-
 def normal(value: Any) -> Any:
     """The number, or the rational expression in free symbols, in normal form: zero exactly if it is equal to zero.
 
@@ -46,7 +41,7 @@ def normal(value: Any) -> Any:
     Raises ValueError for the square root of a negative number, ZeroDivisionError for a division by zero.
     """
     expression = sp.sympify(value) if isinstance(value, int | Fraction) else value
-    return expression if expression.is_Rational or expression in _forms else _normal(expression)
+    return expression if expression.is_Rational else _normal(expression)
 
 
 @lru_cache(maxsize=20_000)
@@ -62,13 +57,9 @@ def _normal(expression: Any) -> Any:
         return _with_atoms(expression)
     tower = QuadraticTower(RationalFunctions(atoms))
     try:
-        found = spelled(tower, in_tower(tower, expression))
+        return spelled(tower, in_tower(tower, expression))
     except NotInTower:
         return _with_atoms(expression)
-    if len(_forms) == MOST_FORMS:
-        _forms.clear()
-    _forms.add(found)
-    return found
 
 
 def is_zero(value: Any) -> bool:

@@ -26,11 +26,11 @@ def in_tower(tower: QuadraticTower, expression: Any) -> Surd:
     if expression.is_Mul:
         return reduce(tower.multiply, [in_tower(tower, factor) for factor in expression.args])
     if expression not in tower.known:
-        tower.known[expression] = _read_in(tower, expression)
+        tower.known[expression] = _read(tower, expression)
     return tower.known[expression]
 
 
-def _read_anew(tower: QuadraticTower, expression: Any) -> Surd:
+def _read(tower: QuadraticTower, expression: Any) -> Surd:
     if expression.is_Add:
         return reduce(tower.add, [in_tower(tower, term) for term in expression.args])
     if expression.is_Pow and expression.exp.is_Rational:
@@ -68,24 +68,6 @@ def _is_constructible(turns: Any, most: int) -> bool:
     part = int((turns / 2).q)
     degree = int(sp.totient(part)) if part < MOST_PARTS else 0
     return 0 < degree <= most and not degree & (degree - 1)
-
-
-_read: dict[Any, tuple[Surd, tuple[Surd, ...]]] = {}
-"""What was read, by the roots that the tower had then; and the roots that it has with it."""
-MOST_READ = 5_000
-
-
-def _read_in(tower: QuadraticTower, expression: Any) -> Surd:
-    """The element that the number is. It depends on the roots in the tower alone: it is read once for these."""
-    key = expression, tower.ground.atoms, tuple(tower.radicands)
-    if key not in _read:
-        found = _read_anew(tower, expression)
-        if len(_read) == MOST_READ:
-            _read.clear()
-        _read[key] = found, tuple(tower.radicands)
-    found, radicands = _read[key]
-    tower.radicands[:] = radicands
-    return found
 
 
 def _power(tower: QuadraticTower, base: Any, above: int, below: int) -> Surd:
