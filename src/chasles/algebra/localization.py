@@ -35,7 +35,7 @@ class Localization:
             total = self.ring.constant(Fraction(1))
             for factor, exponent in zip(self.nonzero, exponents, strict=False):
                 for _ in range(exponent):
-                    total = _times(total, factor)
+                    total = times(total, factor)
             self._products[exponents] = total
         return self._products[exponents]
 
@@ -62,7 +62,7 @@ class Ratio:
         return self + (-other)
 
     def __mul__(self, other: Ratio) -> Ratio:
-        numerator = _times(self.numerator, other.numerator)
+        numerator = times(self.numerator, other.numerator)
         return Ratio(self.field, numerator, joined(self.denominator, other.denominator))
 
     def over(self, denominator: tuple[int, ...]) -> Polynomial:
@@ -70,7 +70,7 @@ class Ratio:
         missing = tuple(
             wanted - (self.denominator[k] if k < len(self.denominator) else 0) for k, wanted in enumerate(denominator)
         )
-        return _times(self.numerator, self.field.power_product(missing)) if any(missing) else self.numerator
+        return times(self.numerator, self.field.power_product(missing)) if any(missing) else self.numerator
 
     def divided(self, constant: Fraction, exponents: tuple[int, ...]) -> Ratio:
         """The fraction divided by a constant times a product of powers of nonzero factors.
@@ -86,7 +86,7 @@ class Ratio:
 
     def multiplied(self, exponents: tuple[int, ...]) -> Ratio:
         """The same fraction, above and below multiplied by powers of nonzero factors."""
-        numerator = _times(self.numerator, self.field.power_product(exponents))
+        numerator = times(self.numerator, self.field.power_product(exponents))
         return Ratio(self.field, numerator, joined(self.denominator, exponents))
 
     @property
@@ -102,7 +102,8 @@ def quotient(above: Ratio, below: Ratio, scale: Fraction, exponents: tuple[int, 
     return Ratio(field, numerator, above.denominator).divided(scale, exponents)
 
 
-def _times(one: Polynomial, other: Polynomial) -> Polynomial:
+def times(one: Polynomial, other: Polynomial) -> Polynomial:
+    """The product, counted as work before it is formed; raises `OutOfTime` if that is more than what is left."""
     afford(len(one) * len(other))
     spend(len(one) * len(other))
     return one * other

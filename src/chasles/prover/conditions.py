@@ -10,12 +10,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import reduce
+from functools import cache, reduce
 from itertools import combinations_with_replacement
 from operator import add
 
 from chasles.algebra.groebner import Combination
-from chasles.algebra.localization import Ratio
+from chasles.algebra.localization import Ratio, times
 from chasles.algebra.rings import Polynomial
 from chasles.evaluation.matrices import Matrix, each, product, transposed
 from chasles.points.adjustment import solution
@@ -154,13 +154,14 @@ def _adjugate(context: Context, gram: list[list[Polynomial]]) -> tuple[Polynomia
     """Determinant and adjugate of a small matrix, reduced by the hypotheses on the way."""
     one = context.field.ring.constant(Fraction(1))
 
-    def minor(rows: list[int], columns: list[int]) -> Polynomial:
+    @cache
+    def minor(rows: tuple[int, ...], columns: tuple[int, ...]) -> Polynomial:
         if not rows:
             return one
         total = context.field.ring.constant(Fraction(0))
         for k, column in enumerate(columns):
             if gram[rows[0]][column] != 0:
-                term = gram[rows[0]][column] * minor(rows[1:], columns[:k] + columns[k + 1 :])
+                term = times(gram[rows[0]][column], minor(rows[1:], columns[:k] + columns[k + 1 :]))
                 total = total + term if k % 2 == 0 else total - term
         return _reduced(context, total)
 
@@ -168,7 +169,7 @@ def _adjugate(context: Context, gram: list[list[Polynomial]]) -> tuple[Polynomia
         found = minor(whole[:row] + whole[row + 1 :], whole[:column] + whole[column + 1 :])
         return found if (row + column) % 2 == 0 else -found
 
-    whole = list(range(len(gram)))
+    whole = tuple(range(len(gram)))
     return minor(whole, whole), [[cofactor(j, i) for j in whole] for i in whole]
 
 

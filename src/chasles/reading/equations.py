@@ -139,7 +139,7 @@ def _readings(chains: list[PrintedChain], ctx: FittingContext) -> list[Reading]:
 
 
 def _unusual(parts: tuple[Part, ...]) -> int:
-    """What a reading costs in which letters stand for two quantities, or rates are taken of what is constant."""
+    """What it costs that letters, or a letter and a function, are two quantities, or that what rests has a rate."""
     letters: dict[str, set[Symbol]] = {}
     constant = 0
     for node in (node for part in parts for side in (part.left, part.right) for node in walk(side)):
@@ -147,7 +147,8 @@ def _unusual(parts: tuple[Part, ...]) -> int:
             letters.setdefault(node.letter, set()).add(node)
         elif isinstance(node, Rate):
             constant += all(symbol.constant for symbol in symbols_of(node))
-    return 5 * sum(len(symbols) - 1 for symbols in letters.values()) + 3 * bool(constant)
+    twice = sum("(" in each and each.partition("(")[0] in letters for each in letters)
+    return 5 * (twice + sum(len(symbols) - 1 for symbols in letters.values())) + 3 * bool(constant)
 
 
 def _chain(said: PrintedChain, ctx: FittingContext) -> list[tuple[int, tuple[Part, ...]]]:

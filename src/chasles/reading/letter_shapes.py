@@ -122,7 +122,9 @@ class _PieceShapes:
                     raise Misshapen
             case "BRACKET" if atom.inside and (text in ("()", "[]") or (text == r"\langle\rangle" and atom.inside[2:])):
                 cells = [self.terms(each) for each in atom.inside]
-                shape = cells[0] if len(cells) == 1 else _stacked([[cell] for cell in cells])
+                if len(cells) > 1:  # a column that is printed in a line, also where a T says so
+                    return _stacked([[cell] for cell in cells])
+                shape = cells[0]
             case "BRACKET":
                 return SCALAR if text == "||" else None
             case "GRID" if atom.text.endswith(("matrix", "array")):

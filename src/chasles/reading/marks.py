@@ -63,6 +63,8 @@ def letter_fits(letter: Glyph, ctx: FittingContext, is_function: bool = False) -
     found: list[Fit] = []
     longest: Glyph | None = None
     for node, rest in ctx.notation.letters.meanings(letter, is_function):
+        if isinstance(node, Identity | Zero) and SIZE.fullmatch(rest.loose.sub):
+            continue  # its size
         said = named_apart(node, ctx.notation.names) if isinstance(node, Symbol) and letter.arguments else node
         fits = with_marks([_of_symbol(said)], rest, ctx)
         longest = longest or (rest if fits else None)
@@ -109,6 +111,7 @@ def _thin(letter: Glyph, ctx: FittingContext) -> list[Fit]:
     if not letter.sub or letter.base.startswith(r"\math"):
         return []
     bold = ctx.notation.letters.meanings(replace(letter, base=rf"\mathbf {letter.base}"))
+    bold = (each for each in bold if not isinstance(each[0], Identity | Zero))
     found = [(node, replace(rest, base="")) for node, rest in bold if rest.sub == letter.sub]
     return [fit for node, rest in found for fit in with_marks([_of_symbol(node)], rest, ctx)]
 
