@@ -110,3 +110,19 @@ def test_what_is_said_anew_in_another_section_is_a_definition() -> None:
 def test_a_rate_follows_and_what_is_said_behind_defines() -> None:
     assert verdicts(r"$$x \equiv y z$$", r"$$\dot x \equiv \dot y z + y \dot z$$") == ["defined", "holds"]
     assert verdicts("$$a x = b$$", "$$a = 2 c$$", "$$b = 2 c x$$") == ["holds", "defined", "defined"]
+
+
+def test_a_slip_is_told_of_what_a_letter_is_by_its_kind_beside_what_the_page_says_of_it() -> None:
+    page = r"""
+$$R = \begin{bmatrix} n & o & a \end{bmatrix}$$
+$$R R = 1$$
+$$q = p - m a$$
+$$H = \frac{p}{m} \cdot p - g m = \frac{\|q\|^2}{m} - g m$$
+$$x = y + z = y + h$$
+"""
+    letters = {"R": "rotation", **dict.fromkeys("noapq", "vector"), **dict.fromkeys("Hgmxyzh", "scalar")}
+    found = read(page, {"symbols": letters}).equations
+    wrong = [each for each in found if each.verdict == "fails"]
+    assert [each.line for each in wrong] == [3, 5]
+    assert wrong[0].finding
+    assert "R is a rotation" in wrong[0].finding.against

@@ -161,12 +161,14 @@ def all_said(claim: Claim, premises: Premises, generation: int) -> Known:
 
 
 def known_of(claim: Claim, premises: Premises) -> Iterator[Known]:
-    """What the page says of a claim's symbols: what is not left open; and all of it that is said in this section."""
+    """What is known of a claim's symbols: by their kinds; what the page does not leave open; all of this section."""
     defined = premises.defined()
     deep = chosen_rules(claim.printed, defined)
     known = premises.restricting(free_quantities(claim.printed, deep), deep)
     posed = tuple(each for each in known if not each.open)[-MOST_POSED:]
     first = chosen_rules(sides_of(claim, posed), defined), posed
+    if any(map(premises.facts, symbols_in(claim.printed))) and any(first):
+        yield {}, ()
     yield first
     table = {**defined, **premises.proved, **premises.opened_here}
     deep = chosen_rules(claim.printed, table)

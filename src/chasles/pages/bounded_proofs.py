@@ -112,12 +112,12 @@ def proof_of(claim: Claim, session: Session, likely: bool = False, work: float =
     return verdict if verdict.true else None
 
 
-def verdict_on(claim: Claim, session: Session, is_brief: bool = False) -> Verdict:
-    """The verdict on a claim under its premises; undecided where that takes too long.
+def verdict_on(claim: Claim, session: Session, is_brief: bool = False, work: float = LESS_WORK) -> Verdict:
+    """The verdict on a claim under its premises; undecided where that takes more than this part of the work.
 
     If `is_brief`, that is so of less that has functions: points at which it does not hold are searched for long.
     """
-    return _answer(claim, session, BRIEF if is_brief else FEW_TERMS)
+    return _answer(claim, session, BRIEF if is_brief else FEW_TERMS, work)
 
 
 def posed_on(claim: Claim, session: Session) -> Verdict:

@@ -6,7 +6,7 @@ from dataclasses import replace as with_fields
 
 from chasles.decisions.session import Session
 from chasles.pages.attempts import Known, all_said, known_of, named, with_premises
-from chasles.pages.bounded_proofs import verdict_on
+from chasles.pages.bounded_proofs import LESS_WORK, verdict_on
 from chasles.pages.consequences import Consequences
 from chasles.pages.finding import PageFinding
 from chasles.pages.notes import DEFINING, is_defining
@@ -52,27 +52,33 @@ def refuted(
     is_said_anew = any(key in premises.opened for key in rules)
     may_fail = is_asked and not (of_its_own or is_said_anew or is_defining(claim))
     is_false = consequences.may_follow(*claim.printed, rules) is False
-    instead, unsure = _instead(claim, premises, session, consequences) if is_asked and is_false else (None, None)
+    nothing: tuple[None, None, Known] = None, None, ({}, ())
+    instead, unsure, known = _instead(claim, premises, session, consequences) if is_asked and is_false else nothing
     attempt, is_open = with_premises(claim, premises, rules, ()), instead is None and (is_false or not may_fail)
     if is_open and may_define:
         return PageFinding("claim", Undecided("nothing near it is true"), claim, open=True)
     verdict = verdict_on(attempt, session, is_brief=is_open and is_false and not told)
     if may_fail and not is_false and isinstance(verdict, Fails):
-        instead, unsure = _instead(claim, premises, session, consequences)
+        instead, unsure, known = _instead(claim, premises, session, consequences)
     again = unsure is not None and "" in unsure
     left_open = PageFinding("claim", verdict, claim, open=True, instead=instead, said_elsewhere=again)
     if not isinstance(verdict, Fails) or not (told or (instead and may_fail and not again)) or of_its_own:
         return left_open
     everywhere: list[tuple[Claim, Verdict]] = []
+    work = LESS_WORK if told else 1.0  # a slip is found: now it is worth it
     for generation in range(premises.generations):
         said = all_said(claim, premises, generation)
         everything = with_premises(claim, premises, *said, everything=True)
-        found = verdict_on(everything, session)
+        found = verdict_on(everything, session, work=work)
         if isinstance(found, Fails):
             everywhere.append((everything, found))
         elif not _differs(claim, said, consequences):
             return with_fields(left_open, verdict=found)
-    refuted_claim, first = everywhere[0] if everywhere else (attempt, verdict)
+    if not everywhere:
+        everything = with_premises(claim, premises, known[0], known[1], everything=True)
+        found = verdict_on(everything, session, work=work)
+        everywhere.append((everything, found) if isinstance(found, Fails) else (attempt, verdict))
+    refuted_claim, first = everywhere[0]
     against = (*(given.number for given in refuted_claim.given), *(h.text for h in refuted_claim.assuming))
     fails = PageFinding("claim", first, refuted_claim, instead=instead, against=against)
     return with_fields(left_open, unless=(unsure, fails)) if unsure and not told else fails
@@ -92,8 +98,8 @@ def _is_new_value(claim: Claim) -> bool:
 
 def _instead(
     claim: Claim, premises: Premises, session: Session, consequences: Consequences
-) -> tuple[Repair | None, frozenset[str] | None]:
-    """A true equation but for one slip under what the page says, and on which open equations that rests.
+) -> tuple[Repair | None, frozenset[str] | None, Known]:
+    """A true equation but for one slip under what the page says, on which open equations that rests, and under what.
 
     One of these over again, or what another section says, is as well one of another case: the claim never fails then.
     """
@@ -107,5 +113,5 @@ def _instead(
             said = [{each.left, each.right} for each in posed if each.open] + [{*rule.printed} for rule in opened]
             again = [""] if {found.left, found.right} in said + premises.stated[: premises.begun[2]] else []
             names = (*map(named, opened), *(each.hypothesis.text for each in posed if each.open))
-            return found, frozenset([*again, *names])
-    return None, None
+            return found, frozenset([*again, *names]), known
+    return None, None, ({}, ())

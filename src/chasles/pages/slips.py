@@ -14,7 +14,7 @@ from itertools import count, islice
 
 from chasles import vocabulary as w
 from chasles.decisions.session import Session
-from chasles.pages.attempts import with_premises
+from chasles.pages.attempts import named, with_premises
 from chasles.pages.bounded_proofs import LESS_WORK, proof_of
 from chasles.pages.consequences import Consequences
 from chasles.pages.edited_marks import one_mark_away
@@ -47,14 +47,17 @@ def true_but_for_a_slip(
     said_of = {symbol for symbol, _ in premises.definitions}
     spoken_of = (symbol for symbol, _ in free_quantities(claim.printed, known[0]))
     edits = one_mark_away(*claim.printed, spoken_of, lambda symbol: symbol in said_of or bool(premises.facts(symbol)))
-    tested = islice(edits, FEWER_TESTS if any(each.open for each in known[1]) else MOST_TESTS)
-    slips = (edit for edit in tested if _is_slip(claim, edit[:2], premises))
+    tested = [*islice(edits, FEWER_TESTS if any(each.open for each in known[1]) else MOST_TESTS)]
+    shown = _shown(claim, premises)
+    if claim.left in shown:  # it was printed before, and mostly right
+        tested.sort(key=lambda edit: edit[0] != claim.left)
+    slips = (edit for edit in tested if _is_slip(claim, edit[:2], premises, shown))
     found = ((*edit, consequences.may_follow(*edit[:2], *known)) for edit in slips)
     unknown = count()
     agreeing = (edit for edit in found if edit[-1] is not False)
     for left, right, said, likely in islice(agreeing, MOST_EDITS):
         meant = with_fields(claim, left=left, right=right, sic=True)
-        if meant.fault or _cancels(claim, (left, right)) or _is_one_product(left, right):
+        if meant.fault or _cancels(claim, (left, right)) or _says_nothing(left, right):
             continue
         if likely is None and next(unknown) >= MOST_UNKNOWN:
             continue
@@ -65,30 +68,45 @@ def true_but_for_a_slip(
     return None
 
 
-def _is_slip(claim: Claim, sides: tuple[w.Node, w.Node], premises: Premises) -> bool:
+def _shown(claim: Claim, premises: Premises) -> set[w.Node]:
+    """What known quantities are said to be, and what that was proved to be in the same equation."""
+    shown = {rule.right for rule in (*premises.defined().values(), *premises.proved.values())}
+    for each in premises.told.get(claim.number, ()):
+        shown |= {each.right} if each.left in shown and named(each) not in premises.unproved else set()
+    return shown
+
+
+def _is_about_known(claim: Claim, premises: Premises, shown: set[w.Node]) -> bool:
+    """Whether a side is a known quantity, or what one was shown to be; or all letters are known."""
+    known = {**premises.defined(), **premises.proved}
+    if any(quantity(side) in known or side in shown for side in claim.printed):
+        return True
+    said = {symbol for symbol, _ in known}
+    return all(s in said or premises.facts(s) for side in claim.printed for s, _ in quantities(side))
+
+
+def _is_slip(claim: Claim, sides: tuple[w.Node, w.Node], premises: Premises, shown: set[w.Node]) -> bool:
     """Whether what is changed is a mark; or one letter, in what is said of a quantity that is known.
 
-    Another letter, or another term, may make any condition true; of a side that is one product of two letters it leaves
-    too little to say that this was meant. A new letter was not meant for one that differs from it by its marks alone,
-    nor a function for its values.
+    In what was shown before no letter is changed. Another letter, or another term, may make any condition true; of a
+    side that is one product of two letters it leaves too little to say that this was meant. A new letter was not meant
+    for one that differs from it by its marks alone, nor a function for its values.
     """
     before, after = _symbols(claim.printed), _symbols(sides)
     if before == after:
         return True
-    known = {**premises.defined(), **premises.proved}
     is_one_letter = (before - after).total() == (after - before).total() == 1
+    if is_one_letter and sides[0] != claim.left and claim.left in shown:
+        return False
     if is_one_letter and min(_symbols((side,)).total() for side in claim.printed) == 1 and before.total() < 4:
         return False
-    spoken, said = ({symbol for symbol, _ in each} for each in (premises.spoken, known))
+    spoken = {symbol for symbol, _ in premises.spoken}
     if is_one_letter:
         (new,), (old,) = before - after, after - before
         is_bare = old.letter.startswith(f"{new.letter}(") or new.letter.startswith(f"{old.letter}(")
         if is_bare or (new not in spoken and MARKS.split(w.plain(new))[0] == MARKS.split(w.plain(old))[0]):
             return False
-    is_about_known = any(quantity(side) in known for side in claim.printed) or all(
-        symbol in said or premises.facts(symbol) for side in claim.printed for symbol, _ in quantities(side)
-    )
-    return is_one_letter and is_about_known
+    return is_one_letter and _is_about_known(claim, premises, shown)
 
 
 def _cancels(claim: Claim, sides: tuple[w.Node, w.Node]) -> bool:
@@ -96,8 +114,13 @@ def _cancels(claim: Claim, sides: tuple[w.Node, w.Node]) -> bool:
     return sum(map(_cancelling, sides)) > sum(map(_cancelling, claim.printed))
 
 
+def _says_nothing(left: w.Node, right: w.Node) -> bool:
+    """Whether the sides are the same terms, or the same product, written otherwise: that says not what was meant."""
+    one, other = (map(_unsigned, side.terms if isinstance(side, w.Sum) else (side,)) for side in (left, right))
+    return Counter(one) == Counter(other) or _is_one_product(left, right)
+
+
 def _is_one_product(left: w.Node, right: w.Node) -> bool:
-    """Whether the sides are the same product, written otherwise: that says nothing, hence nothing of what was meant."""
     one, other = (tuple(_factors(side)) for side in (left, right))
     in_order = [[each for each in side if not each.is_scalar] for side in (one, other)]
     return Counter(one) == Counter(other) and in_order[0] == in_order[1]
