@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 from math import inf
+from time import monotonic
 from typing import Any
 
 import sympy
@@ -30,7 +31,7 @@ from chasles.from_sympy.contradiction import contradiction
 from chasles.from_sympy.decimals import as_decimals
 from chasles.from_sympy.exponents import require_moderate
 from chasles.from_sympy.induction import by_induction
-from chasles.from_sympy.inequalities import definitions, without_inequalities
+from chasles.from_sympy.inequalities import Said, definitions, without_inequalities
 from chasles.from_sympy.integrals import without_integrals
 from chasles.from_sympy.opening import excerpt
 from chasles.from_sympy.splitting import Splitting
@@ -88,14 +89,8 @@ def prove(
         said = _said(exact, lhs, rhs, given, nonzero)
         of_any_size = has_letters_for_sizes(expressions_in(said))
         calls = Calls(said)
-        asked = said if of_any_size else without_inequalities(without_integrals(calls.said))
-        with within(EFFORT, budget):
-            verdict = verdict_at_any_size(*asked) if of_any_size else _decided_or_by_induction(*asked)
-            _require_values(calls, verdict)
-    except OutOfTime as error:
-        return Undecided(str(error))
-    except Rejected as error:
-        return Undecided(f"it is not read by the checker: {error}")
+        decide = verdict_at_any_size if of_any_size else _decided_or_by_induction
+        verdict, asked = _first_decided(decide, [said] if of_any_size else _readings(calls.said), calls, budget)
     except RecursionError as error:
         raise Untreatable("it is nested too deeply, or SymPy does not come to an end with it") from error
     except FAILURES as error:
@@ -111,6 +106,41 @@ def prove(
         unused = tuple(text for text in verdict.unused if text not in used)
         verdict = HoldsUnder((*used, *verdict.needs), verdict.certificate, verdict.witness, unused)
     return replace(verdict, asked=(*said, claimed(lhs, rhs, given)))
+
+
+def _readings(said: Said) -> Iterator[Said]:
+    """The question with equations for inequalities, in one or two ways."""
+    plain = without_integrals(said)
+    yield (first := without_inequalities(plain))
+    if first is not plain and (other := without_inequalities(plain, by_excess=True)) != first:
+        yield other
+
+
+def _first_decided(
+    decide: Callable[..., Verdict], readings: Iterable[Said], calls: Calls, budget: float
+) -> tuple[Verdict, Said]:
+    """The first reading that is decided, and the verdict; or what is said of the first one."""
+    ends = monotonic() + budget
+    left: list[tuple[Verdict | Untreatable, Said]] = []
+    for asked in readings:
+        try:
+            with within(EFFORT, ends - monotonic()):
+                verdict = decide(*asked)
+                _require_values(calls, verdict)
+        except OutOfTime as error:
+            left.append((Undecided(str(error)), asked))
+        except Rejected as error:
+            left.append((Undecided(f"it is not read by the checker: {error}"), asked))
+        except Untreatable as error:
+            left.append((error, asked))
+        else:
+            if not isinstance(verdict, Undecided):
+                return verdict, asked
+            left.append((verdict, asked))
+    found, asked = left[0]
+    if isinstance(found, Untreatable):
+        raise found
+    return found, asked
 
 
 def _raised_in_sympy(error: BaseException) -> bool:
@@ -217,14 +247,24 @@ def recheck(
         check_at_any_size(verdict, *said)
         return
     calls = Calls(said)
-    asked = without_inequalities(without_integrals(calls.said))
     if not isinstance(verdict, Holds | HoldsUnder | Fails):
         raise TypeError(f"the verdict is {verdict.name}: only what holds or fails can be checked")
+    reasons = []
+    for asked in _readings(calls.said):
+        try:
+            _check_reading(verdict, said, asked)
+            _require_values(calls, verdict)
+            return
+        except Rejected as reason:
+            reasons.append(reason)
+    raise reasons[0]
+
+
+def _check_reading(verdict: Holds | HoldsUnder | Fails, said: Said, asked: Said) -> None:
     for text in definitions(said, asked):
         if not isinstance(verdict, Fails) and text not in verdict.needs:
             raise Rejected(f"the verdict is on {text}, and does not say so")
     _check(verdict, asked)
-    _require_values(calls, verdict)
 
 
 def _require_values(calls: Calls, verdict: Verdict) -> None:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from chasles.algebra.groebner import Combination
 from chasles.algebra.rings import written as text_of
 from chasles.checker.expressions.algebra import primitive
 from chasles.checker.expressions.asked import Asked
@@ -37,6 +38,14 @@ ALWAYS = ("variant", "names", "witness")
 
 
 @dataclass(frozen=True, slots=True)
+class Impossible:
+    """Squares with weights of at least zero, the first positive, that add up to a combination of what is zero."""
+
+    squares: list[tuple[Polynomial, Polynomial]]
+    cofactors: Combination
+
+
+@dataclass(frozen=True, slots=True)
 class Writing:
     """Writes the certificate of a question.
 
@@ -51,7 +60,12 @@ class Writing:
     elementary: Elementary
 
     def __call__(
-        self, context: Context, done: list[ProvedEntry], witness: Mapping[str, Any], variant: int = 0
+        self,
+        context: Context,
+        done: list[ProvedEntry],
+        witness: Mapping[str, Any],
+        variant: int = 0,
+        impossible: Impossible | None = None,
     ) -> dict[str, Any]:
         """All that the checker needs, as text; `variant` says how the problem differs from the question."""
         ring = context.field.ring
@@ -78,7 +92,7 @@ class Writing:
         certificate = {part: said for part, said in certificate.items() if said or part in ALWAYS}
         try:
             with limited(MOST_PRODUCTS):
-                entries = dict(self._entries(context, done, certificate))
+                entries = dict(self._entries(context, done, certificate, impossible))
         except Rejected as reason:
             return certificate | {"unread": str(reason)}
         if not any("times" in said for said in entries.values()):
@@ -99,7 +113,7 @@ class Writing:
         for found in self.given.squares:
             with suppress(KeyError, Untreatable):
                 squares = [[_text(context, self.reader(part)) for part in pair] for pair in found.squares]
-                yield {"of": [found.label, _text(context, self.reader(found.factor))], "squares": squares}
+                yield {"of": [[found.label, _text(context, self.reader(found.factor))]], "squares": squares}
 
     def _name(self, atom: Any) -> str:
         """The name of the word for an atom, or its spelling if it has none."""
@@ -142,24 +156,27 @@ class Writing:
         return {key: written(value, name) for key, value in sorted(witness.items())}
 
     def _entries(
-        self, context: Context, done: list[ProvedEntry], certificate: Mapping[str, Any]
+        self, context: Context, done: list[ProvedEntry], certificate: dict[str, Any], impossible: Impossible | None
     ) -> Iterator[tuple[str, dict[str, Any]]]:
         """What is to be said of entries that do not vanish as they are read."""
         asked = Asked(*self.asked)
         reading = Proven(asked, certificate)
         claims = claims_of(asked, reading, certificate)
         labels = _Labels(asked, reading, certificate)
+        if impossible:
+            squares = [[text_of(context.field.ring, part) for part in pair] for pair in impossible.squares]
+            of = [[*pair] for pair in labels.cofactors(context, impossible.cofactors).items()]
+            certificate["squares"] = [*certificate.get("squares", ()), {"of": of, "squares": squares}]
         for entry in done:
             row, column = entry.place
             if reading.vanishes(claims.get((row - 1, column - 1), ZERO)):
                 continue
             times = {str(k): power for k, power in enumerate(entry.ratio.denominator) if power}
-            cofactors: dict[str, str] = {}
-            for k, cofactor in (entry.cofactors or {}).items():
-                generator = context.generators[k]
-                if generator.hypothesis is not None and generator.hypothesis.kind != "root":
-                    label, scale = labels(text_of(context.field.ring, generator.polynomial))
-                    cofactors[label] = text_of(context.field.ring, cofactor * context.field.ring.constant(scale))
+            cofactors = labels.cofactors(context, entry.cofactors or {})
+            if impossible:
+                cofactors = {
+                    f"square {len(self.given.squares)} 1,1": text_of(context.field.ring, entry.ratio.numerator)
+                }
             said: dict[str, Any] = ({"times": times} if times else {}) | ({"cofactors": cofactors} if cofactors else {})
             yield f"{row},{column}", said
 
@@ -202,6 +219,16 @@ class _Labels:
             raise Rejected(f"{text} is not seen to follow from what is given")
         label, other = self.known[key]
         return label, scale / other
+
+    def cofactors(self, context: Context, combination: Combination) -> dict[str, str]:
+        """By their labels, by what the facts are multiplied."""
+        ring, found = context.field.ring, {}
+        for k, cofactor in combination.items():
+            generator = context.generators[k]
+            if generator.hypothesis is not None and generator.hypothesis.kind != "root":
+                label, scale = self(text_of(ring, generator.polynomial))
+                found[label] = text_of(ring, cofactor * ring.constant(scale))
+        return found
 
     def _differentiate(self) -> bool:
         """Take the next derivative of everything."""

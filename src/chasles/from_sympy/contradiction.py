@@ -135,16 +135,22 @@ def _assumed(question: Question, context: Context) -> dict[int, tuple[str, Assum
     return found
 
 
+def _signs(assumed: Mapping[int, tuple[str, Assumptions]]) -> dict[int, tuple[int, bool]]:
+    signed = {k: known for k, (_, known) in assumed.items() if known.get("nonnegative") or known.get("nonpositive")}
+    return {k: (1 if known.get("nonnegative") else -1, bool(known.get("nonzero"))) for k, known in signed.items()}
+
+
+def known_signs(question: Question, context: Context) -> dict[int, tuple[int, bool]]:
+    """By the places of variables whose sign is known, that, and whether they cannot vanish."""
+    return _signs(_assumed(question, context))
+
+
 def _forbidden(
     context: Context, polynomial: Polynomial, assumed: Mapping[int, tuple[str, Assumptions]]
 ) -> list[str] | None:
     """What is assumed of the symbols by which the polynomial cannot vanish; None if it can."""
     ring = context.field.ring
-    signs = {}
-    for place, (_, known) in assumed.items():
-        if known.get("nonnegative") or known.get("nonpositive"):
-            signs[place] = (1 if known.get("nonnegative") else -1), bool(known.get("nonzero"))
-    by_sign = definite_by(ring, polynomial, signs)
+    by_sign = definite_by(ring, polynomial, _signs(assumed))
     if by_sign is not None:
         return [_said(*assumed[place]) for place in by_sign if assumed[place][0]]
     places = [k for k, degree in enumerate(ring.degrees(polynomial)) if degree]

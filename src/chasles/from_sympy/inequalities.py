@@ -31,13 +31,14 @@ End = tuple[Any, bool, Any]
 """What something is compared with, whether it is not equal to that, and the inequality that says so."""
 
 
-def without_inequalities(said: Said) -> Said:
+def without_inequalities(said: Said, by_excess: bool = False) -> Said:
     """What was said, with equations for what is given as `a > b`, and `a != b` as what does not vanish.
 
     A symbol or function that is compared with zero is read with that assumption. One between two multiples of pi is
     an angle whose tangent, sine or direction may have any value; one between a and b is (a + b d_1)/(1 + d_1), or, if
     it may be both, a + (b - a) (1 + d_1)^2/(2 + 2 d_1^2). Else a = b + d_1 for a positive d_1, and where that defines a
-    symbol, everything is said by d_1. Inequalities of functions of time hold at all times.
+    symbol, everything is said by d_1; `by_excess`, of what is between others, too. Inequalities of functions of time
+    hold at all times.
 
     Raises `Untreatable` for an inequality between functions of different variables, or with what is infinite.
     """
@@ -48,7 +49,8 @@ def without_inequalities(said: Said) -> Said:
         return said
     stated = _joined([item for item in items if item not in apart])
     said = (*said[:2], stated, [*(item for _, item in listed(said[3], "nonzero")), *apart])
-    for symbol in sorted({s for item in stated if isinstance(item, COMPARED) for s in item.free_symbols}, key=str):
+    compared = [item for item in stated if isinstance(item, COMPARED) and not by_excess]
+    for symbol in sorted({s for item in compared for s in item.free_symbols}, key=str):
         said = _with_angle(said, symbol)
     while found := next((values for item in said[2] if (values := signed(item))), None):
         put = with_values(said, found)
@@ -57,7 +59,7 @@ def without_inequalities(said: Said) -> Said:
     while compared := [item for item in said[2] if isinstance(item, COMPARED)]:
         number += 1
         symbols = sorted({s for item in compared for s in (item.lts, item.gts) if s.is_Symbol}, key=str)
-        ways = (_with_ratio(said, symbol, f"d_{number}") for symbol in symbols)
+        ways = (_with_ratio(said, symbol, f"d_{number}") for symbol in symbols if not by_excess)
         said = next(filter(None, ways), ()) or _with_excess(said, compared[0], f"d_{number}")
     return (*said[:2], [item for item in said[2] if item is not sympy.true], said[3])
 

@@ -95,7 +95,7 @@ def _variable_node(context: Context, variable: Variable) -> Node:
 
 def as_sympy(origins: Mapping[Symbol, Any], context: Context, polynomial: Polynomial) -> Any:
     """The polynomial in SymPy's spelling."""
-    total = sympy.S.Zero
+    terms = []
     for exponents, coefficient in context.field.ring.terms(polynomial):
         term = sympy.Rational(coefficient.numerator, coefficient.denominator)
         for variable, exponent in zip(context.variables, exponents, strict=True):
@@ -104,5 +104,5 @@ def as_sympy(origins: Mapping[Symbol, Any], context: Context, polynomial: Polyno
                 if variable.kind != "entry":
                     origin = getattr(sympy, variable.kind)(origin * context.unfold.coordinates.unit(variable.symbol))
                 term = term * origin**exponent
-        total = total + term
-    return total
+        terms.append(term)
+    return sympy.Add(*terms)

@@ -27,6 +27,7 @@ from chasles.verdict import Counterexample
 FEW, MANY = (4, 16), (30, 300)
 """So many points are looked at, of so many that are drawn."""
 TRIES = 20
+SMALL = 40
 TERM = 30
 """What a term of SymPy's counts as, in products."""
 
@@ -64,19 +65,20 @@ class Sampling:
     def point(self) -> Mapping[str, Any] | None:
         """A point at which everything that occurs is defined, and all conditions hold."""
         fallback = None
-        for enclosures in self._points(*MANY):
-            found = self._coordinates(enclosures)
-            if all(isinstance(value, Fraction) for value in found.values()):
-                return found
-            fallback = fallback or found
+        for free_first in (False, True):
+            for enclosures in self._points(*MANY, free_first) if fallback is None else ():
+                found = self._coordinates(enclosures)
+                if all(isinstance(value, Fraction) for value in found.values()):
+                    return found
+                fallback = fallback or found
         return fallback
 
-    def _points(self, enough: int, attempts: int) -> Iterator[Enclosures]:
+    def _points(self, enough: int, attempts: int, free_first: bool = False) -> Iterator[Enclosures]:
         sides = [entry for side in (self.left, self.right) for row in side.rows for entry in row]
         given = [(self._named(one), self._named(other)) for one, other in self.given]
         nonzero = [self._named(e) for e in self.nonzero]
         expressions = [*(self._named(e) for e in (*sides, *self.defined)), *(side for pair in given for side in pair)]
-        solved = _Solved(given)
+        solved = _Solved(given, [dummy for atom, dummy in self._dummies.items() if free_first and assumed_of(atom)])
         for attempt in range(attempts):
             check()
             random = Random(attempt)
@@ -129,16 +131,16 @@ class Sampling:
 
 
 class _Solved:
-    """The atoms that given equations determine, linear ones where the coefficient does not vanish."""
+    """The atoms that given equations determine, linear ones where the coefficient does not vanish; some atoms last."""
 
-    def __init__(self, given: Sequence[tuple[Any, Any]]) -> None:
+    def __init__(self, given: Sequence[tuple[Any, Any]], last: Sequence[Any]) -> None:
         self.values: dict[Any, Any] = {}
         self.slopes: list[Any] = []
         self.left: list[Any] = []
         self.quadratic: dict[Any, tuple[Any, Any, Any]] = {}
         for one, other in given:
             difference = self._without_denominators(one - other)
-            for atom in sorted(difference.free_symbols, key=str):
+            for atom in sorted(difference.free_symbols, key=lambda atom: (atom in last, str(atom))):
                 slope = sympy.diff(difference, atom)
                 if slope != 0 and not slope.has(atom):
                     value = -difference.xreplace({atom: sympy.S.Zero}) / slope
@@ -199,6 +201,8 @@ def _drawn(atom: Any, random: Random, attempt: int) -> Any:
     for _ in range(TRIES):
         reach = 3 if attempt < FEW[1] else 12
         value = sympy.Rational(random.randint(-4 * reach, 4 * reach), random.choice((1, 2, 3, 4, 4, 8)))
+        if attempt > FEW[1] and attempt % 3 == 2 and not atom.is_integer:
+            value /= SMALL  # what adds up to one, say
         if _agrees(atom, value):
             break
     return value

@@ -19,6 +19,7 @@ from chasles.checker.expressions.switches import deciding
 from chasles.checker.expressions.widened import holds_throughout, put, said_need
 from chasles.checker.sparse import Rejected
 from chasles.from_sympy.atoms import QuantityNames
+from chasles.from_sympy.by_squares import by_squares
 from chasles.from_sympy.complex_symbols import taken_as_real
 from chasles.from_sympy.complexes import RealParts, in_rows
 from chasles.from_sympy.defined import Pairs, WithoutDefined, values_put_in
@@ -84,7 +85,12 @@ class Splitting:
         """Whether something is spoken of that is treated by cases alone, or numbers that are treated by themselves."""
         powers = {part for e in self._whole.spoken for part in e.atoms(sympy.Pow)}
         roots = any(map(is_root_of_number, powers)) and all(map(is_numeric, powers))
-        return (roots or self._switched()) and self.possible
+        return (roots or self._switched() or self._is_bound()) and self.possible
+
+    def _is_bound(self) -> bool:
+        """Whether it is claimed of something that it is not negative, where something is given."""
+        (one, *_), (other, *_) = self._whole.sides
+        return bool(self._whole.pairs) and isinstance(one, sympy.Abs) and sympy.expand(one.args[0] ** 2 - other**2) == 0
 
     def _switched(self, kinds: tuple[type, ...] = UNREADABLE) -> bool:
         """Whether something has other forms in other cases, of these kinds or by the remainder of an integer."""
@@ -109,8 +115,11 @@ class Splitting:
             tree = self._proved(whole)
         found = None if tree else sampling.counterexample() or self._refuted()
         if tree is None and found is None:
-            self.needs, factors = before, thresholds(whole)
+            self.needs, factors = {**before}, thresholds(whole)
             tree = self._proved(whole, factors) if factors else None
+        if tree is None and found is None and whole.switches():
+            self.needs, self.decide = {**before}, by_squares(self.decide)
+            tree = self._proved(whole, named=True)
         if tree is None:
             if found is None and self._refused is not None:
                 raise self._refused
@@ -127,10 +136,13 @@ class Splitting:
         certificate = {**tree, "witness": said}
         return HoldsUnder(tuple(needs), certificate, witness) if needs else Holds(certificate, witness)
 
-    def _proved(self, case: CheckedCase, factors: Sequence[Any] | None = None) -> Mapping[str, Any] | None:
+    def _proved(
+        self, case: CheckedCase, factors: Sequence[Any] | None = None, named: bool = False
+    ) -> Mapping[str, Any] | None:
         """The certificates of a case's cases; None if one is not proved.
 
-        The cases are those of the signs of some factors, one after the other, or of what decides the forms.
+        The cases are those of the signs of some factors, one after the other, or of what decides the forms, the size
+        of which is `named` in equations, too.
         """
         if case.lost:
             self.needs[case.lost] = None
@@ -147,19 +159,22 @@ class Splitting:
         turning = modulus_of(case.spoken)
         if turning:
             by = str(turning[0]), turning[1], self._fresh("k")
-            by_remainder = self._each(case.split_by_remainder(*by), factors)
+            by_remainder = self._each(case.split_by_remainder(*by), factors, named)
             return by_remainder and {"remainders": [*by], **by_remainder}
         open_ = case.switches()
         here = sorted((sympy.expand(case.here(e)) for e in factors or ()), key=lambda e: len(e.free_symbols))
-        said = deciding(open_) if factors is None else here
+        claimed = [part.args[0] for part in open_ if named and isinstance(part, sympy.Abs | sympy.sign)]
+        said = claimed or (deciding(open_) if factors is None else here)
         factor = next((e for e in said if case.sign(e) is None), None) if open_ else None
         if factor is None:
             return self._decided(case) if factors is None or not open_ else None
-        on = {"on": str(factor), "size": self._fresh("d")}
-        by_sign = self._each(case.split(factor, on["size"]), factors)
-        return by_sign and {**on, **by_sign}
+        size = self._fresh("d")
+        by_sign = self._each(case.split(factor, size, named), factors, named)
+        return by_sign and {"on": str(factor), "size": size, **({"named": True} if named else {}), **by_sign}
 
-    def _each(self, cases: Mapping[str, CheckedCase], factors: Sequence[Any] | None) -> dict[str, Any] | None:
+    def _each(
+        self, cases: Mapping[str, CheckedCase], factors: Sequence[Any] | None, named: bool
+    ) -> dict[str, Any] | None:
         """The certificates of some cases by their names; None if one is not proved, or there are too many."""
         self._cases += len(cases) - 1
         self._parts += sum(1 for case in cases.values() for e in case.spoken for _ in sympy.preorder_traversal(e))
@@ -167,7 +182,7 @@ class Splitting:
             return None
         parts: dict[str, Any] = {}
         for name, case in cases.items():
-            found = self._proved(case, factors)
+            found = self._proved(case, factors, named)
             if found is None:
                 return None
             parts[name] = found

@@ -58,7 +58,7 @@ def _decide(problem: Problem, own: tuple[Hypothesis, ...], source: PointSource) 
     try:
         context = build(problem)
         conditions, solved = solve_conditions(context)
-        unproved = _entries(context)
+        unproved = open_entries(context)
         turned = _by_spins(context, solved, unproved, own) if source is DECLARED else None
         if turned is not None:
             return turned
@@ -168,7 +168,8 @@ def _satisfying(problem: Problem, attempts: int) -> Mapping[str, Any] | None:
     return None if witness is None else measured(context, witness)
 
 
-def _entries(context: Context) -> list[ProvedEntry]:
+def open_entries(context: Context) -> list[ProvedEntry]:
+    """The entries of all goals, of which nothing is proved yet."""
     found = []
     for number, goal in enumerate(context.problem.goals):
         for i, j, ratio in entries(difference(context, goal)):

@@ -128,7 +128,7 @@ class CheckedCase:
         signs, either = self.signs(e), isinstance(part, sympy.Abs | sympy.Max | sympy.Min)
         return next((side for side in (1, -1, 0) if signs <= {side, 0 if either else side}), None)
 
-    def split(self, factor: Any, size: str) -> dict[str, CheckedCase]:
+    def split(self, factor: Any, size: str, named: bool = False) -> dict[str, CheckedCase]:
         """The cases in which something is positive, zero and negative: what decides some form, or a polynomial."""
         symbols = factor.free_symbols & {*self.named.values()}
         terms = sympy.Poly(factor, *symbols).coeffs() if symbols and factor.is_polynomial(*symbols) else [factor]
@@ -137,7 +137,7 @@ class CheckedCase:
         if not isinstance(size, str) or size in self.names:
             raise Rejected(f"the symbol {size} is not new")
         positive = sympy.Symbol(size, positive=True)
-        return {name: self._with(factor, sign, positive) for name, sign in (("+", 1), ("0", 0), ("-", -1))}
+        return {name: self._with(factor, sign, positive, named) for name, sign in (("+", 1), ("0", 0), ("-", -1))}
 
     def split_by_remainder(self, text: str, modulus: int, name: str) -> dict[str, CheckedCase]:
         """The cases of an integer by its remainder, the quotient a new integer."""
@@ -172,14 +172,15 @@ class CheckedCase:
             case = replace(case, meant=(*case.meant, (symbol, atom)), values=(*case.values, (atom, symbol)))
         return case
 
-    def _with(self, factor: Any, sign: int, positive: Any) -> CheckedCase:
+    def _with(self, factor: Any, sign: int, positive: Any, named: bool) -> CheckedCase:
         moving = {part for e in self.spoken for call in e.atoms(AppliedUndef) for part in (call, *call.args)}
-        if not sign and factor.has(*moving):
-            return (still := self._at_an_instant())._with(still.here(factor), 0, positive)
+        if (named or not sign) and factor.has(*moving):
+            return (still := self._at_an_instant())._with(still.here(factor), sign, positive, named)
         zeros = self.zeros if sign else (*self.zeros, self.back(factor))
-        values = {e: sympy.expand(e + (sign * positive - factor) / sympy.diff(factor, e)) for e in self._free(factor)}
+        free = () if named else self._free(factor)
+        values = {e: sympy.expand(e + (sign * positive - factor) / sympy.diff(factor, e)) for e in free}
         if not values or sign not in visible_signs(factor):
-            equations = self.equations if sign else (*self.equations, factor)
+            equations = (*self.equations, factor - sign * positive) if named or not sign else self.equations
             return replace(self, equations=equations, facts=(*self.facts, (factor, sign)), zeros=zeros)
         seen = ((e, value) for e, value in values.items() if not e.is_positive or visible_signs(value) == {1})
         atom, value = next(seen, next(iter(values.items())))

@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping
 from functools import reduce
 from itertools import combinations_with_replacement
-from operator import add
+from operator import add, sub
 from typing import Any
 
 from chasles.checker.expressions.algebra import primitive
@@ -90,16 +90,17 @@ class Facts:
         return self.reading.log(one, evident=True) - self.reading.log(other, evident=True)
 
     def _square(self, place: int, entry: tuple[int, int]) -> tuple[Polynomial, bool]:
-        """What vanishes since its square and others, with weights of at least zero, add up to a multiple of a fact."""
-        (label, times), said = (self._certificate["squares"][place][part] for part in ("of", "squares"))
+        """What vanishes since its square and others, with weights of at least zero, add up to multiples of facts."""
+        of, said = (self._certificate["squares"][place][part] for part in ("of", "squares"))
         squares = [[parsed(text, self.reading.places) for text in pair] for pair in said]
-        if not label.startswith("given") or not all(is_nonnegative(self.reading, weight) for weight, _ in squares):
+        if any(k[:5] != "given" for k, _ in of) or not all(is_nonnegative(self.reading, pair[0]) for pair in squares):
             raise Rejected("a sum of squares is of nothing that is given, or has a weight that may be negative")
+        given = (parsed(times, self.reading.places) * self[label] for label, times in of)
         total = reduce(add, (weight * base * base for weight, base in squares))
-        if self.reading.normal(parsed(times, self.reading.places) * self[label] - total):
+        if self.reading.normal(reduce(sub, given, total)):
             raise Rejected("what is given is not the sum of squares that it is said to be")
         weight, base = squares[entry[0]]
-        moves = bool(self.asked.given[int(label.split()[1])].functions)
+        moves = all(bool(self.asked.given[int(label.split()[1])].functions) for label, _ in of)
         return base if is_positive(self.reading, weight) else weight * base, moves
 
     def _zero(self, name: str) -> Polynomial:

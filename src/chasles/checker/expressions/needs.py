@@ -33,7 +33,7 @@ def require_needs(
             raise Rejected(f"the proof uses {text}, and the verdict does not say so")
     said = [_SaidNeed(reading, text) for text in stated if text not in texts]
     for place in divisors:
-        if not (_is_evident(reading, place) or _is_excluded(reading, place, said)):
+        if may_vanish(reading, reading.inverses[place]) and not _is_excluded(reading, place, said):
             spelled = min(reading.divided.get(place, {reading.names[place]}))
             raise Rejected(f"the proof needs {spelled} != 0, and the verdict does not say so")
     for domain in reading.domains:
@@ -59,12 +59,6 @@ def _is_said(said: list[_SaidNeed], odd: frozenset[Terms], sign: int) -> bool:
     known = [signs for one in said for signs in one.signs]
     single = {terms: s for factors, s in known if len(factors) == 1 for terms in factors}
     return (odd, sign) in known or (odd <= single.keys() and reduce(mul, map(single.get, odd), sign) > 0)
-
-
-def _is_evident(reading: Proven, place: int) -> bool:
-    """Whether something visibly does not vanish."""
-    base = reading.inverses[place]
-    return bool(reading.sign(base)) if reading.is_number(base) else not may_vanish(reading, base)
 
 
 def _is_excluded(reading: Proven, place: int, said: list[_SaidNeed]) -> bool:

@@ -32,7 +32,8 @@ from chasles.checker.sparse import Rejected
 
 PLAIN = re.compile(r"[A-Za-z0-9_+\-*/(), .\[\]]*")
 PARTS = {
-    "on", "size", "remainders", "cases", "proof", "needs", "parts", "facts", "equal", "impossible", "witness", "defined"
+    "on", "size", "named", "remainders", "cases", "proof", "needs", "parts", "facts", "equal", "impossible", "witness",
+    "defined",
 }  # fmt: skip
 """What a certificate by cases, or of a more general question, may say."""
 Standard = Callable[[Mapping[str, Any], Sequence[str], tuple[Any, ...]], None]
@@ -103,7 +104,8 @@ class _Widened:
             parts = case.split_by_remainder(*node["remainders"])
         else:
             factors = (factor for factor in deciding(case.switches()) if str(factor) == node["on"])
-            parts = case.split(next(factors, None) or plain_expression(node["on"], case.named), node["size"])
+            factor = next(factors, None) or plain_expression(node["on"], case.named)
+            parts = case.split(factor, node["size"], "named" in node)
         for name, part in parts.items():
             self.tree(part, node["cases"][name])
 
