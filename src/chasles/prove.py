@@ -7,7 +7,6 @@ from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 from math import inf
-from time import monotonic
 from typing import Any
 
 import sympy
@@ -90,7 +89,8 @@ def prove(
         of_any_size = has_letters_for_sizes(expressions_in(said))
         calls = Calls(said)
         decide = verdict_at_any_size if of_any_size else _decided_or_by_induction
-        verdict, asked = _first_decided(decide, [said] if of_any_size else _readings(calls.said), calls, budget)
+        with within(seconds=budget):
+            verdict, asked = _first_decided(decide, [said] if of_any_size else _readings(calls.said), calls)
     except RecursionError as error:
         raise Untreatable("it is nested too deeply, or SymPy does not come to an end with it") from error
     except FAILURES as error:
@@ -116,15 +116,12 @@ def _readings(said: Said) -> Iterator[Said]:
         yield other
 
 
-def _first_decided(
-    decide: Callable[..., Verdict], readings: Iterable[Said], calls: Calls, budget: float
-) -> tuple[Verdict, Said]:
+def _first_decided(decide: Callable[..., Verdict], readings: Iterable[Said], calls: Calls) -> tuple[Verdict, Said]:
     """The first reading that is decided, and the verdict; or what is said of the first one."""
-    ends = monotonic() + budget
     left: list[tuple[Verdict | Untreatable, Said]] = []
     for asked in readings:
         try:
-            with within(EFFORT, ends - monotonic()):
+            with within(EFFORT):
                 verdict = decide(*asked)
                 _require_values(calls, verdict)
         except OutOfTime as error:
@@ -226,7 +223,8 @@ def _said(exact: bool, *said: Any) -> tuple[Any, ...]:
     """What was said: iterators written out, a relation by its sides, vectors and complex symbols by their parts."""
     said = tuple(tuple(each) if isinstance(each, Iterator) else each for each in said)
     lhs, rhs, *conditions = said
-    rhs = None if rhs in (True, sympy.true) and isinstance(lhs, Boolean) else rhs
+    stated = isinstance(lhs, Boolean) and not isinstance(lhs, sympy.Symbol)
+    rhs = None if stated and (rhs is True or rhs is sympy.true) else rhs
     if rhs is None:
         lhs, conditions[0] = without_implication(lhs, conditions[0])
     said = in_components((*(sides_of(lhs) if rhs is None else (lhs, rhs)), *conditions))
