@@ -17,7 +17,7 @@ from chasles.algebra.cones import vanishing
 from chasles.algebra.groebner import Basis, completed
 from chasles.algebra.rings import Exponents, Polynomial, Ring
 from chasles.algebra.work_limit import OutOfTime, remaining, within
-from chasles.from_sympy.certificates import Impossible
+from chasles.from_sympy.certificates import SquaresAgainst
 from chasles.from_sympy.contradiction import known_signs
 from chasles.from_sympy.question import Question
 from chasles.problems.context import build
@@ -63,7 +63,7 @@ def _refuted_by_squares(question: Question) -> Verdict | None:
     return question.answered(certified(context, (), (), entries, question.own, witness, write))
 
 
-def _impossible(ring: Ring, basis: Basis, stated: list[Polynomial], signs: Signs) -> Impossible | None:
+def _impossible(ring: Ring, basis: Basis, stated: list[Polynomial], signs: Signs) -> SquaresAgainst | None:
     degree = max((sum(e) for polynomial in stated for e, _ in ring.terms(polynomial)), default=0)
     places = [k for k in range(len(ring.names)) if any(ring.degrees(polynomial)[k] for polynomial in stated)]
     if len(places) > MOST_VARIABLES or degree > LARGEST_DEGREE:
@@ -99,7 +99,7 @@ def _monomials(size: int, places: list[int], degree: int) -> Iterator[Exponents]
             yield tuple(chosen.count(k) for k in range(size))
 
 
-def _combined(ring: Ring, basis: Basis, weighed: list[Weighed]) -> Impossible | None:
+def _combined(ring: Ring, basis: Basis, weighed: list[Weighed]) -> SquaresAgainst | None:
     """Such squares that add up to what vanishes, one of which does not; None if there are none."""
     different: dict[frozenset[tuple[Exponents, Fraction]], Weighed] = {}
     for factor, base, sure in weighed:
@@ -113,4 +113,4 @@ def _combined(ring: Ring, basis: Basis, weighed: list[Weighed]) -> Impossible | 
     total = ring.constant(Fraction(0))
     for factor, base in squares:
         total = total + factor * base * base
-    return Impossible(squares, basis.reduce(total)[0])
+    return SquaresAgainst(squares, basis.reduce(total)[0])

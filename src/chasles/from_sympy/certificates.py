@@ -38,7 +38,7 @@ ALWAYS = ("variant", "names", "witness")
 
 
 @dataclass(frozen=True, slots=True)
-class Impossible:
+class SquaresAgainst:
     """Squares with weights of at least zero, the first positive, that add up to a combination of what is zero."""
 
     squares: list[tuple[Polynomial, Polynomial]]
@@ -65,7 +65,7 @@ class Writing:
         done: list[ProvedEntry],
         witness: Mapping[str, Any],
         variant: int = 0,
-        impossible: Impossible | None = None,
+        impossible: SquaresAgainst | None = None,
     ) -> dict[str, Any]:
         """All that the checker needs, as text; `variant` says how the problem differs from the question."""
         ring = context.field.ring
@@ -156,7 +156,7 @@ class Writing:
         return {key: written(value, name) for key, value in sorted(witness.items())}
 
     def _entries(
-        self, context: Context, done: list[ProvedEntry], certificate: dict[str, Any], impossible: Impossible | None
+        self, context: Context, done: list[ProvedEntry], certificate: dict[str, Any], impossible: SquaresAgainst | None
     ) -> Iterator[tuple[str, dict[str, Any]]]:
         """What is to be said of entries that do not vanish as they are read."""
         asked = Asked(*self.asked)
