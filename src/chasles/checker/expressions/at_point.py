@@ -129,8 +129,7 @@ class AtPoint(Expressions, Reals):
         return Fraction(int(found[1] or 1), int(found[3] or 1))
 
     def _spelled(self, monomial: int) -> str:
-        factors = [self.symbolic.atoms[place] ** power for place, power in exponents(monomial)]
-        return str(sympy.Mul(*factors))
+        return str(sympy.Mul(*(self.symbolic.atoms[place] ** power for place, power in exponents(monomial))))
 
     def given(self, place: int) -> Polynomial:
         """The value of a quantity, or of a cosine or sine, of the symbolic reading."""

@@ -101,7 +101,9 @@ class Parts:
             square = re**2 + im**2
             re, im = re / square, -im / square
             self.met |= {re: None, im: None}
-        return reduce(_times, [(re, im)] * abs(int(exponent)))
+        n = abs(int(exponent))
+        terms = [sympy.binomial(n, k) * re ** (n - k) * im**k * (-1) ** (k // 2) for k in range(n + 1)]
+        return sympy.Add(*terms[::2]), sympy.Add(*terms[1::2])
 
 
 def _tidy(im: Any) -> Any:

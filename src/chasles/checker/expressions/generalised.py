@@ -41,8 +41,7 @@ class Generalised:
     @property
     def met(self) -> list[Any]:
         """What has to be defined for the symbols to stand for something."""
-        met = [e for known in self.symbols for e in defined_by(known) or (known,) if e.free_symbols]
-        return [*met, *self.finite]
+        return [*(e for known in self.symbols for e in defined_by(known) or (known,) if e.free_symbols), *self.finite]
 
     def __call__(self, e: Any) -> Any:
         """The expression in the symbols; raises `Rejected` where something that is divided by would be lost."""

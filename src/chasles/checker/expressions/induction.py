@@ -32,8 +32,7 @@ def scalar_question(lhs: Any, rhs: Any, given: Any, nonzero: Any) -> Question:
         raise Rejected("only of scalars something is shown by induction")
     for part in sorted(sympy.Tuple(*sides).atoms(*LONG), key=str):
         require_running(part)
-    conditions = ([item for _, item in listed(each, name)] for each, name in ((given, "given"), (nonzero, "nonzero")))
-    return (*sides, *conditions)
+    return (*sides, *([item for _, item in listed(*each)] for each in ((given, "given"), (nonzero, "nonzero"))))
 
 
 def letters_of(question: Question) -> list[Any]:

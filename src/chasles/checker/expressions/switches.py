@@ -12,6 +12,7 @@ from sympy.core.relational import Relational
 from chasles.checker.expressions.enclosed import sign_of_number
 from chasles.checker.expressions.visible import signs_of
 
+LARGEST_DEGREE = 60
 SWITCHES = (sympy.Max, sympy.Min, sympy.Piecewise, sympy.Heaviside, sympy.sign, sympy.Abs)
 
 
@@ -33,7 +34,9 @@ def deciding(parts: Iterable[Any]) -> Iterator[Any]:
 
 
 def factored(e: Any) -> tuple[Any, list[tuple[Any, int]]]:
-    """A number and the factors of a polynomial with their powers; itself where SymPy does not know its numbers."""
+    """A number and the factors of a polynomial with their powers; itself if its degree is high, or SymPy knows none."""
+    if any(power.exp.is_Integer and power.exp > LARGEST_DEGREE for power in e.atoms(sympy.Pow)):
+        return sympy.S.One, [(e, 1)]
     try:
         return sympy.factor_list(e, *sorted(e.free_symbols, key=str))  # type: ignore[no-any-return]
     except sympy.PolynomialError:

@@ -17,7 +17,7 @@ from chasles.checker.expressions.readings import is_integral
 from chasles.checker.expressions.visible import is_running, signs_of
 from chasles.checker.sparse import Rejected
 
-MOST_TERMS = 1000
+MOST_TERMS, MOST_FUNCTIONS = 1000, 60  # of polynomials, and of others
 MOST_POWERS = 32
 
 
@@ -68,8 +68,7 @@ def _power(e: Any) -> Any:
     base, exponent = explicit(e.base), e.exp
     if not exponent.is_Integer or abs(exponent) > MOST_POWERS:
         raise NotImplementedError(f"the exponent {exponent} is no small integer")
-    factors = [_inverse(base) if exponent < 0 else base] * abs(int(exponent))
-    return reduce(mul, factors, sympy.eye(base.rows))
+    return reduce(mul, [_inverse(base) if exponent < 0 else base] * abs(int(exponent)), sympy.eye(base.rows))
 
 
 def _product(e: Any) -> Any:
@@ -90,8 +89,9 @@ def summed(e: Any) -> Any:
     term, count = e.function, 1
     for place, (index, low, high) in enumerate(e.limits):
         outer = _integers(e.limits[place + 1 :])
-        size = sympy.expand(high - low + 1)
-        if size.is_Integer and 0 <= size * count <= MOST_TERMS:
+        size, sample = sympy.expand(high - low + 1), term.xreplace({index: high})
+        most = MOST_TERMS if sample.is_polynomial(*sample.free_symbols) else MOST_FUNCTIONS
+        if size.is_Integer and 0 <= size * count <= most:
             count *= max(1, int(size))
             put = with_values if term.has(*COMPARING) else sympy.Basic.subs
             values = [put(term, {index: low + k}) for k in range(int(size))]
@@ -102,7 +102,7 @@ def summed(e: Any) -> Any:
             before = _before(e, inside, number).xreplace({value: known for known, value in outer.items()})
             term = sympy.expand(before.xreplace({number: high + 1}) - before.xreplace({number: low}))
         elif size.is_Integer or isinstance(e, sympy.Product):
-            raise Rejected(f"{e} is not treated: it may have more than {MOST_TERMS} terms")
+            raise Rejected(f"{e} is not treated: it may have more than {most} terms")
         else:
             raise Rejected(f"{e} is not treated: nothing says that {size} is an integer")
     return term

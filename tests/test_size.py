@@ -1,0 +1,34 @@
+"""Large questions come to an end after an amount of work, on every machine alike, and most of them with a verdict."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from sympy import Abs, I, Rational, Sum, arg, ceiling, symbols
+
+from chasles.prove import Untreatable, prove, recheck
+from chasles.verdict import Fails, Holds
+
+x, y, k = symbols("x y k", real=True)
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "name"),
+    [
+        (Sum(x**k * (k * x + ceiling(x)) ** Rational(1, 3), (k, 0, 500)), 0, None),
+        (Sum(x**k / (k * x + 1), (k, 0, 400)), 0, None),
+        (x**1000 - 1 > 0, None, Fails),
+        (Abs((x + I * y) ** 31), Abs(x + I * y) ** 31, Holds),
+        (arg((x + I * y) ** 12), 0, Fails),
+    ],
+    ids=lambda case: str(case)[:30],
+)
+def test_the_work_is_bounded(left: Any, right: Any, name: type[Holds] | type[Fails] | None) -> None:
+    if name is None:
+        with pytest.raises(Untreatable, match="of so many terms"):
+            prove(left, right)
+        return
+    verdict = prove(left, right)
+    assert isinstance(verdict, name)
+    recheck(verdict, left, right)
