@@ -34,6 +34,8 @@ SAID = {
     r"with $\|\mathbf{e}\| = 1$ and $\lVert f \rVert=1$": {r"\mathbf{e}": "unit vector", "f": "unit vector"},
     r"a pendulum of mass $m$ and length $\ell$": {"m": "scalar", r"\ell": "scalar"},
     r"the axis of the rotation matrix $R$": {"R": "rotation"},
+    r"Let $m$, $c$ and $k$ be positive constants.": {"m": "scalar", "c": "scalar", "k": "scalar"},
+    r"where $a, b > 0$ and $\rho$ is the density of the fluid": {"a": "scalar", "b": "scalar", r"\rho": "scalar"},
     # What only sounds so.
     r"the center of mass $\mathbf{c}$": {},
     r"where $\mathbf{c}$ is the center of mass": {},
@@ -69,6 +71,28 @@ def test_what_is_proposed_is_what_the_prose_says(kind: Kind, signs: tuple[str, s
     assert r"""'\ell' = { is = "scalar", positive = true }""" in notation  # it has a rate
     found = read_page(page.equations, load_notation(notation))
     assert [each.verdict for each in found.equations] == ["holds-under", "holds", "holds"]
+
+
+@pytest.mark.parametrize(
+    ("text", "letters"),
+    [
+        (r"\omega_n = \sqrt{\frac{k}{m}}, \quad \zeta = \frac{c}{2\sqrt{k\,m}}", {"k", "m"}),
+        (r"f_0 = \frac{1}{2\pi\sqrt{L C_1 \lambda}}", {"L", "C_1", r"\lambda"}),
+        (r"\sqrt{1 - 2x} + \sqrt[3]{y} + \sqrt{z^2} + \sqrt{\sin u} + \sqrt{\det A}", set()),
+        (r"\sqrt{D} = 1, \quad D = b^2 - 4 a c", set()),
+    ],
+)
+def test_letters_of_products_under_roots_are_proposed_as_positive(text: str, letters: set[str]) -> None:
+    notation = proposed(printed_page(f"$$ {text} $$", "tex").equations)
+    found = {letter.strip("'") for letter, _, said in (line.partition(" = ") for line in notation.splitlines())
+             if "positive = true" in said}  # fmt: skip
+    assert {letter_in(each) for each in found} == {letter_in(each) for each in letters}
+
+
+@pytest.mark.parametrize("said", ["Let $m$ and $k$ be positive constants, and", ""])
+def test_what_holds_of_positive_letters_alone_says_so(said: str) -> None:
+    page = r"$$ w = \sqrt{\frac{k}{m}}, \quad z = \frac{c}{2\sqrt{k m}} $$ hence $$ 2 z w = \frac{c}{m} $$"
+    assert _read(f"{said} {page}")[2].endswith(" holds under m > 0, k > 0")
 
 
 def test_roles_of_structured_text_are_prose_too() -> None:

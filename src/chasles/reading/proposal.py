@@ -17,7 +17,8 @@ from chasles.reading.letter_names import BARE, IDENTITIES, OPERATORS, RATES, TRA
 from chasles.reading.letter_uses import SKEW, LetterUse, looks
 from chasles.reading.lexemes import BadPage
 from chasles.reading.printed import PrintedEquation, Remark
-from chasles.reading.prose import Told, base_of, said_of_letters
+from chasles.reading.prose import POSITIVE, Told, base_of, said_of_letters
+from chasles.reading.radicands import letters_under_roots
 from chasles.reading.shape_search import shaped_letters
 
 KNOWN = LETTERS | MARKS | TYPEFACES
@@ -41,6 +42,7 @@ def proposed(equations: Sequence[PrintedEquation], remarks: Iterable[Remark] = (
     bare = frozenset(BARE) - inertia
     marks = NameMarks.on_page(texts, OPERATORS, bare)
     uses, faults = shaped_letters(equations, texts, marks, said)
+    told = {**dict.fromkeys(letters_under_roots(texts), POSITIVE), **told}
     if any(r"tilde " in text for text in texts):
         without = NameMarks.on_page(texts, RATES, bare)
         other, fewer = shaped_letters(equations, texts, without, said)

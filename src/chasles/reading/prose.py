@@ -12,6 +12,7 @@ from chasles.reading.glyphs import Glyph, letter_in
 from chasles.reading.lexemes import BadPage
 from chasles.reading.printed import Remark
 
+POSITIVE = {"is": "scalar", "positive": True}
 _CONSTANT = {"is": "scalar", "constant": True, "positive": True}
 NOUNS: dict[str, dict[str, Any]] = {
     r"unit(?: direction| normal)? vector|unit (?:normal|axis)": {"is": "unit vector"},
@@ -25,6 +26,9 @@ NOUNS: dict[str, dict[str, Any]] = {
     r"angle": {"is": "angle"},
     r"scalar|real number": {"is": "scalar"},
     r"mass|moment of inertia|length|radius|stiffness|spring constant": _CONSTANT,
+    r"positive (?:real )?(?:constant|parameter)": _CONSTANT,
+    r"positive (?:real )?(?:number|scalar|quantity)|area|volume|density|thickness|diameter|wavelength"
+    r"|resistance|capacitance|inductance|(?:young's|elastic|shear|bulk) modulus|natural frequency": POSITIVE,
     r"gravitational acceleration|acceleration (?:due to|of) gravity": _CONSTANT,
 }
 """What a noun says of the letter that it is said of."""
@@ -53,7 +57,7 @@ GROUPS = {"SO(3)": "rotation", "S^2": "unit vector", "S^3": "unit quaternion", "
 FACE = re.compile(r"\\(?:math(?:bb|cal|rm|sf|bf|frak)|operatorname|text|boldsymbol|left|right|,|;| )\s*|[\s{}]")
 _BAR = r"(?:\\(?:left|right))?(?:\\[lr]?Vert|\\[lr]vert|\\\||\|)"
 UNIT = re.compile(rf"^{_BAR}(.+?){_BAR}=1$")
-
+SIGNED = re.compile(r"^([^<>=]+?)(>|<|\\gt|\\lt)0$")
 OPENING = re.compile(r"(?:(?:`{3,}|~{3,}|:{3,})[ \t]*)?(?:\{?math\}?|\.\. math::)$|(?:`{3,}|~{3,}|:{3,})$")
 """What opens a display in Markdown and in reStructuredText."""
 SENTENCE = re.compile(
@@ -170,6 +174,8 @@ def _parts(latex: str) -> tuple[list[str], dict[str, Any] | None]:
     """The letters that a formula names, and what it says that they are: members of a set, or of length one."""
     if unit := UNIT.match(latex.replace(" ", "")):
         return [unit[1]], {"is": "unit vector"}
+    if signed := SIGNED.match(latex.replace(" ", "")):
+        return signed[1].split(","), POSITIVE if signed[2] in (">", r"\gt") else {"is": "scalar"}
     names, _, of = latex.partition(r"\in ")
     kind = GROUPS.get(FACE.sub("", of))
     return names.split(","), {"is": kind} if kind else None
