@@ -141,7 +141,7 @@ def _nucleus(atom: Atom, letter: Glyph, ctx: FittingContext) -> list[Fit]:
             fits = ctx.of_its_own(latex_of(atom))
         case "BRACKET" if len(atom.inside) > 2 and any(_leaves_out(row) for each in atom.inside for row in each.rows):
             fits = ctx.of_its_own(latex_of(atom))
-        case "GROUP" | "GRID" if any(letter.before):
+        case "GROUP" | "GRID" if any(atom.before):
             inner = of_atoms((replace(atom, before=((), ())),), ctx)
             return ctx.of_its_own(in_latex(text_of_atom(atom)), [fit.node for fit in inner if fit.node is not None])
         case "EVENT":
