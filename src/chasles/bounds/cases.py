@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from chasles.bounds.intervals import SAFE, Array, Interval, below
 from chasles.bounds.model import Model
-from chasles.bounds.outline import NoBound, Outline, is_sign, outlined
+from chasles.bounds.outline import NoBound, Outline, is_sign, outlined, reached
 from chasles.bounds.places import Scaled
 from chasles.bounds.rotations import enclosed_forms, forms
 from chasles.bounds.running import Running, no_angles
@@ -62,18 +62,12 @@ def cases(program: Program) -> tuple[CaseOutline, ...]:
 
 def _choices(program: Program) -> tuple[int, ...]:
     """The comparisons of computed values by which cases are chosen, those of a scale left out."""
-    steps, found, seen = program.steps, set[int](), set[int]()
-    ahead = [k for result in program.results for k in result.entries]
-    while ahead:
-        number = ahead.pop()
-        if number in seen or is_scale(steps, number):
-            continue
-        seen.add(number)
-        step = steps[number]
-        if step.op is Op.SELECT and not is_sign(number, program) and steps[step.operands[0]].op is Op.LESS:
-            found.add(step.operands[0])
-        ahead += step.operands
-    return tuple(sorted(found))
+    steps = program.steps
+    entries = (k for result in program.results for k in result.entries)
+    needed = reached(entries, lambda number: () if is_scale(steps, number) else steps[number].operands)
+    choices = (k for k in needed if steps[k].op is Op.SELECT and not (is_scale(steps, k) or is_sign(k, program)))
+    compared = {steps[k].operands[0] for k in choices}
+    return tuple(sorted(k for k in compared if steps[k].op is Op.LESS))
 
 
 def errors_of_case(case: CaseOutline, model: Model, rotation: int | None) -> dict[int, TermwiseError]:
@@ -165,12 +159,7 @@ class _Rotations:
 
 def _with(outline: Outline, further: Sequence[int]) -> Outline:
     """The outline with further steps, of those that need entries of inputs alone."""
-    needed, ahead = set[int](), [outline.sources.get(k, k) for k in further]
-    while ahead:
-        number = ahead.pop()
-        if number not in needed:
-            needed.add(number)
-            ahead += outline.operands(number)
+    needed = reached((outline.sources.get(k, k) for k in further), outline.operands)
     return Outline(outline.program, tuple(sorted(needed)), outline.sources, {})
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -128,16 +128,22 @@ def with_cases(program: Program) -> Outline:
             sources[number] = other
         elif steps[other].op is Op.NOT_A_NUMBER or one == other:
             sources[number] = one
-    needed: set[int] = set()
-    ahead = [sources.get(k, k) for result in program.results for k in result.entries]
+    results = [sources.get(k, k) for result in program.results for k in result.entries]
+    needed = reached(results, lambda number: [sources.get(k, k) for k in steps[number].operands])
+    if any(steps[number].op is Op.NOT_A_NUMBER for number in needed):
+        raise NoBound("a result is not a number")
+    return Outline(program, tuple(sorted(needed)), sources, {})
+
+
+def reached(numbers: Iterable[int], read: Callable[[int], Iterable[int]]) -> set[int]:
+    """These steps and all that they depend on, by what each of them reads."""
+    found, ahead = set[int](), list(numbers)
     while ahead:
         number = ahead.pop()
-        if steps[number].op is Op.NOT_A_NUMBER:
-            raise NoBound("a result is not a number")
-        if number not in needed:
-            needed.add(number)
-            ahead += [sources.get(k, k) for k in steps[number].operands]
-    return Outline(program, tuple(sorted(needed)), sources, {})
+        if number not in found:
+            found.add(number)
+            ahead += read(number)
+    return found
 
 
 def _is_guard(number: int, step: Step, program: Program) -> bool:

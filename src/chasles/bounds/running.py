@@ -17,7 +17,7 @@ from chasles.bounds.choosing import Choices
 from chasles.bounds.functions import ENCLOSED
 from chasles.bounds.intervals import Array, Interval, exactly
 from chasles.bounds.model import Model
-from chasles.bounds.outline import NoBound, Outline
+from chasles.bounds.outline import NoBound, Outline, reached
 from chasles.bounds.places import Places, Scaled
 from chasles.lowering.program import Op, Step
 
@@ -95,13 +95,8 @@ class Running(Choices):
 
     def _read_by(self, entry: int) -> set[int]:
         """The steps that a step depends on, itself among them."""
-        found, ahead = set[int](), [entry]
-        while ahead:
-            number = ahead.pop()
-            if number not in found:
-                found.add(number)
-                ahead += () if number in self.outline.angles else self.outline.operands(number)
-        return found
+        angles, operands = self.outline.angles, self.outline.operands
+        return reached([entry], lambda number: () if number in angles else operands(number))
 
     def _step(self, number: int, step: Step) -> Scaled:
         if number in self.outline.angles:

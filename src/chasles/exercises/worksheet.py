@@ -19,7 +19,6 @@ from chasles.exact.spelling import SpelledValue, text_of, words_in_latex
 from chasles.exercises.decided import Decided, Refuted, Sentence
 from chasles.exercises.picture import Picture
 from chasles.exercises.solution import (
-    Formula,
     SolutionStep,
     chain,
     compared,
@@ -27,6 +26,7 @@ from chasles.exercises.solution import (
     equation,
     scalar_or_matrix,
     solved,
+    stated,
 )
 from chasles.problems.variables import angle_multiples
 from chasles.statements import Hypothesis, Inverse, Statement
@@ -118,9 +118,7 @@ class Worksheet(Decided):
         found = solve_linear(matrix, right_side)
         if found.unique:
             self.values[unknown] = scalar_or_matrix(found.one)
-        lines = [Formula(f"{plain(one)} = {plain(two)}", f"{latex(one)} = {latex(two)}")
-                 for one, two in (self.sides(rule, None) for rule in rules)]  # fmt: skip
-        lines.append(solved(unknown, found))
+        lines = [*(stated("", *self.sides(rule, None)) for rule in rules), solved(unknown, found)]
         self.steps.append(SolutionStep(says or rules[0].says, tuple(map(self.cite, rules)), tuple(lines)))
         return found
 

@@ -23,9 +23,3 @@ def drawn(shows: Any, place: str, draw: Callable[[], Markup]) -> Markup:
         return draw()
     key = sha256(f"{cache.engine(DRAWING, ('matplotlib',))} {place} {said}".encode()).hexdigest()
     return Markup(cache.kept(ROOM, f"{key}.svg", lambda: draw().encode(), MOST).decode())
-
-
-def are_kept() -> bool:
-    """Whether any picture is."""
-    root = cache.folder()
-    return root is not None and any((root / ROOM).glob("*.svg"))

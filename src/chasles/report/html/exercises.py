@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass
-from importlib import import_module
 from itertools import groupby
 from typing import Any
 
@@ -17,7 +15,7 @@ from chasles.exact.spelling import decimal_text, latex_of, text_of
 from chasles.exercises.solution import Citation, Formula, Solution, SolutionStep, cited
 from chasles.exercises.solving import solve_with
 from chasles.report.html.citing import Link, place_of_number, slug
-from chasles.report.html.drawn import are_kept, drawn
+from chasles.report.html.drawn import drawn
 from chasles.report.html.formulas import displayed
 from chasles.report.html.pictures import inline, said_of
 from chasles.report.html.shown import Equation
@@ -76,7 +74,6 @@ def worked_exercises(chapter: Chapter) -> tuple[WorkedView, ...]:
     book = {id(entry.statement) for entry in load(chapter.package)}
     if not all(id(entry.statement) in book for entry in chapter):
         return ()
-    _ready_to_draw()
     return tuple(spread(lambda number: worked_view(chapter, number), exercise_numbers(chapter.package), AN_EXERCISE))
 
 
@@ -119,13 +116,6 @@ def view_of(
         without=without,
         unsolved=unsolved,
     )
-
-
-def _ready_to_draw() -> None:
-    """Load matplotlib before the work is spread, so that not every process does; not where pictures are kept."""
-    if not are_kept():
-        with suppress(ImportError):
-            import_module("mpl_toolkits.mplot3d")
 
 
 def _given(asked: Exercise, solution: Solution) -> Iterator[tuple[str, str, str]]:
