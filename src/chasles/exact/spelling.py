@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache
 from typing import Any, Protocol, runtime_checkable
 
@@ -79,13 +79,15 @@ def text_of(value: Any) -> str:
         case SpelledValue():
             return value.as_text()
     if hasattr(value, "shape"):
-        rows, columns = value.shape
-        if columns == 1:
-            return f"({', '.join(text_of(entry) for entry in value)})"
-        return f"[{'; '.join(', '.join(text_of(value[i, j]) for j in range(columns)) for i in range(rows))}]"
+        return _in_brackets(value, text_of)
     if isinstance(value, Sequence):
         return f"[{', '.join(map(text_of, value))}]"
     return _number_text(normal(value)).replace("**", "^")
+
+
+def _in_brackets(matrix: Any, spell: Callable[[Any], str]) -> str:
+    rows = [", ".join(map(spell, row)) for row in matrix.tolist()]
+    return f"({', '.join(rows)})" if matrix.shape[1] == 1 else f"[{'; '.join(rows)}]"
 
 
 def latex_of(value: Any) -> str:
@@ -138,14 +140,7 @@ def decimal_text(value: Any) -> str:
             return ""
         return f"[{', '.join(short or text_of(part) for short, part in zip(parts, value, strict=True))}]"
     if hasattr(value, "shape"):
-        entries = list(value)
-        if not any(map(_needs_decimals, entries)):
-            return ""
-        rows, columns = value.shape
-        shown = [[_decimal(value[i, j]) for j in range(columns)] for i in range(rows)]
-        if columns == 1:
-            return f"({', '.join(row[0] for row in shown)})"
-        return f"[{'; '.join(', '.join(row) for row in shown)}]"
+        return _in_brackets(value, _decimal) if any(map(_needs_decimals, value)) else ""
     return _decimal(value) if _needs_decimals(value) else ""
 
 

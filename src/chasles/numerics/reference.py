@@ -7,11 +7,13 @@ So 1 - cos(phi) has 50 right digits for phi = 1e-60 too.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import reduce
 from operator import add
 from typing import Any
+
+import numpy as np
 
 from chasles.evaluation.interpreter import Interpreter
 from chasles.evaluation.matrices import Matrix
@@ -143,22 +145,11 @@ class _Enclosures(Interpreter):
 
     def _given(self, node: Node) -> Matrix:
         rows, columns = node.shape
-        flat = list(_flattened(self.values[node]))
+        flat = np.asarray(self.values[node], dtype=object).ravel().tolist()
         if len(flat) != rows * columns:
             raise ValueError(f"{node} is {rows} x {columns}, and its value has {len(flat)} entries")
         entries = [exactly(number, self.context) for number in flat]
         return [entries[i * columns : (i + 1) * columns] for i in range(rows)]
-
-
-def _flattened(value: Any) -> Iterable[Any]:
-    """The numbers in a number, in nested sequences or in an array, row by row."""
-    if hasattr(value, "tolist"):
-        value = value.tolist()
-    if isinstance(value, Sequence) and not isinstance(value, str):
-        for part in value:
-            yield from _flattened(part)
-    else:
-        yield value
 
 
 class Undetermined(ArithmeticError):
