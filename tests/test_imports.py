@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator
+from functools import cache
 from importlib.util import resolve_name
 from pathlib import Path
 
@@ -63,9 +64,13 @@ BOOK_MAY_IMPORT = ("vocabulary", "statements")
 EXERCISES_MAY_IMPORT = (*BOOK_MAY_IMPORT, "exact", "exercises")
 
 
-def imported_names(module: str, is_package: bool, tree: ast.Module) -> Iterator[tuple[int, str]]:
+@cache
+def imported_names(module: str, is_package: bool, source: str) -> tuple[tuple[int, str], ...]:
     """Line and absolute dotted name of everything imported anywhere in the module, named dynamic imports included."""
-    package = module if is_package else module.rpartition(".")[0]
+    return tuple(names_in(ast.parse(source), module if is_package else module.rpartition(".")[0]))
+
+
+def names_in(tree: ast.Module, package: str) -> Iterator[tuple[int, str]]:
     for node in ast.walk(tree):
         match node:
             case ast.Import(names=names):
@@ -132,7 +137,7 @@ def place(inner: list[str]) -> tuple[bool, list[str]]:
 
 def objections(module: str, source: str, is_package: bool = False) -> list[str]:
     """One line for each import the module may not make."""
-    found = imported_names(module, is_package, ast.parse(source))
+    found = imported_names(module, is_package, source)
     return [f"{module}:{line}: {name}: {why}" for line, name in found if (why := objection(module, name))]
 
 
@@ -212,7 +217,7 @@ def test_the_manual_says_where_everything_is() -> None:
     assert {path.parent.name for path in (ROOT / "src" / "chasles").glob("*/__init__.py")} <= set(place)
     for module, path in project_modules():
         here = place.get((*module.split("."), "")[1])
-        for _, name in imported_names(module, path.stem == "__init__", ast.parse(path.read_text("utf-8"))):
+        for _, name in imported_names(module, path.stem == "__init__", path.read_text("utf-8")):
             there = place.get((*name.split("."), "")[1]) if name.startswith("chasles.") else None
             assert here is None or there is None or there <= here, f"{module} imports {name}"
 

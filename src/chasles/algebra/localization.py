@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from fractions import Fraction
+from itertools import zip_longest
 
 from chasles.algebra.rings import Polynomial, Ring
 from chasles.algebra.work_limit import afford, spend
@@ -67,9 +68,7 @@ class Ratio:
 
     def over(self, denominator: tuple[int, ...]) -> Polynomial:
         """The numerator over a denominator that this one's divides."""
-        missing = tuple(
-            wanted - (self.denominator[k] if k < len(self.denominator) else 0) for k, wanted in enumerate(denominator)
-        )
+        missing = tuple(a - b for a, b in zip_longest(denominator, self.denominator, fillvalue=0))
         return times(self.numerator, self.field.power_product(missing)) if any(missing) else self.numerator
 
     def divided(self, constant: Fraction, exponents: tuple[int, ...]) -> Ratio:
@@ -110,17 +109,9 @@ def times(one: Polynomial, other: Polynomial) -> Polynomial:
 
 
 def _largest(one: tuple[int, ...], other: tuple[int, ...]) -> tuple[int, ...]:
-    size = max(len(one), len(other))
-    return tuple(max(a, b) for a, b in zip(_padded(one, size), _padded(other, size), strict=True))
+    return tuple(map(max, zip_longest(one, other, fillvalue=0)))
 
 
 def joined(one: tuple[int, ...], other: tuple[int, ...]) -> tuple[int, ...]:
     """The exponents of a product of two products of nonzero factors."""
-    if not one or not other:
-        return one or other
-    size = max(len(one), len(other))
-    return tuple(a + b for a, b in zip(_padded(one, size), _padded(other, size), strict=True))
-
-
-def _padded(exponents: tuple[int, ...], size: int) -> tuple[int, ...]:
-    return exponents + (0,) * (size - len(exponents))
+    return tuple(map(sum, zip_longest(one, other, fillvalue=0))) if one and other else one or other
